@@ -10,6 +10,7 @@
 
 #include "attractor/samples/prepared_space.h"
 #include "document/space_geometry.h"
+#include "ifs/cage/space_hull_cage.h"
 #include "ifs/extent/extent.h"
 #include "io/fractint/space_comments.h"
 #include "io/picture/picture_writers.h"
@@ -145,53 +146,36 @@ Corners cornersArgument(const char* option, const std::string& text) {
     return corners;
 }
 
-// Corners of the certified box, x changing fastest.
-Corners boxAround(const ifs::SupportFunction<3>& support) {
-    const ifs::BoundingBox<3> box = ifs::boundingBox(support);
-    Corners corners;
-    for (int k = 0; k < 8; ++k)
-        corners.emplace_back((k & 1) != 0 ? box.max.x() : box.min.x(),
-                             (k & 2) != 0 ? box.max.y() : box.min.y(),
-                             (k & 4) != 0 ? box.max.z() : box.min.z());
-    return corners;
-}
-
-// The smallest regular octahedron with its corners on the axes through the middle of the box.
-Corners octahedronAround(const ifs::SupportFunction<3>& support) {
-    const ifs::BoundingBox<3> box = ifs::boundingBox(support);
-    const ifs::Vector<3> middle = (box.min + box.max) / 2;
-    double reach = 0;
-    for (int k = 0; k < 8; ++k) {
-        const ifs::Vector<3> across((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
-        const auto value = support(across);
-        reach = std::max(reach, value.value + value.error - across.dot(middle));
-    }
-    Corners corners;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double side : {-reach, reach})
-            corners.emplace_back(middle + side * ifs::Vector<3>::Unit(axis));
+// hull, of 16 corners, or hull:N; nullopt for other texts.
+std::optional<int> hullCorners(const std::string& text) {
+    constexpr int usual = 16;
+    if (text == "hull") return usual;
+    if (!text.starts_with("hull:")) return std::nullopt;
+    bool isNumber = false;
+    const int corners = quoted(text.substr(5)).toInt(&isNumber);
+    if (!isNumber || corners < 8 || corners > 24)
+        throw UsageError{tr("--rest-cage hull:N in space must have 8 to 24 corners, not “%1”.")
+                             .arg(quoted(text.substr(5)))};
     return corners;
 }
 
 Corners restOf(const RenderArguments& options, const ifs::SupportFunction<3>* support) {
     const std::string text = options.restCage.value_or("canonical");
-    if (text != "canonical" && text != "box" && text != "octahedron") {
-        if (text == "hull" || text.starts_with("hull:"))
-            throw UsageError{
-                tr("--rest-cage in space must be canonical, box, octahedron or points, not “%1”.")
-                    .arg(quoted(text))};
+    const std::optional<int> hull = hullCorners(text);
+    if (text != "canonical" && text != "box" && text != "octahedron" && !hull)
         return cornersArgument("--rest-cage", text);
-    }
     if (support == nullptr)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(quoted(text))};
-    if (text == "box") return boxAround(*support);
-    if (text == "octahedron") return octahedronAround(*support);
+    const double tolerance = 1e-9 * support->radius();
+    if (text == "box") return ifs::boxCage(*support, tolerance);
+    if (text == "octahedron") return ifs::octahedronCage(*support, tolerance);
+    if (hull) return ifs::hullCage(*support, *hull, 1e3 * tolerance);
     const auto simplex = ifs::minimalCanonicalSimplex(*support);
     return {simplex.vertices.begin(), simplex.vertices.end()};
 }
 
-// The stored one where none is asked for. A cage of more than four corners has to be moved by an affine map.
+// The stored one where none is asked for.
 std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options,
                                           const std::optional<ifs::ControlCage<3>>& stored,
                                           const ifs::SupportFunction<3>* support) {
@@ -204,17 +188,10 @@ std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options,
                              .arg(cage.current.size())
                              .arg(cage.rest.size())};
     if (!ifs::isValid(cage))
-        throw UsageError{tr("The corners of the rest cage are in one plane, so they define no coordinates.")};
-    const ifs::AffineMap<3> map = ifs::displayMap(cage);
-    double miss = 0;
-    double size = 0;
-    for (std::size_t k = 0; k < cage.rest.size(); ++k) {
-        miss = std::max(miss, (map(cage.rest[k]) - cage.current[k]).norm());
-        size = std::max({size, cage.rest[k].norm(), cage.current[k].norm()});
-    }
-    if (cage.rest.size() > 4 && miss > 1e-9 * size)
-        throw UsageError{tr("A cage of more than four corners would have to bend the picture, which is not "
-                            "possible in space; move its corners by an affine map.")};
+        throw UsageError{
+            cage.rest.size() == 4
+                ? tr("The corners of the rest cage are in one plane, so they define no coordinates.")
+                : tr("The points of a rest cage in space must be the corners of a convex polyhedron.")};
     return cage;
 }
 
@@ -234,8 +211,10 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
 
 attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& options,
                                 const attractor::PreparedSpace& system,
-                                const ifs::SupportFunction<3>* support, const ifs::AffineMap<3>& cage,
-                                const QString& fileName) {
+                                const ifs::SupportFunction<3>* support,
+                                const std::optional<ifs::ControlCage<3>>& stored, const QString& fileName) {
+    const ifs::AffineMap<3> cage = stored ? ifs::displayMap(*stored) : ifs::AffineMap<3>();
+    const bool isBent = stored && ifs::bends(*stored);
     attractor::OrbitCamera camera = cameraAtRest(shown, options);
     if (options.perspective) {
         camera.projection = attractor::OrbitCamera::Projection::Perspective;
@@ -257,6 +236,7 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     if (shown.camera) return camera;
     const double margin = options.margin ? marginArgument("--margin", *options.margin) : 0.05;
     if (shown.support) return attractor::fitted(camera, shown.support, margin);
+    if (isBent) return attractor::fitted(camera, document::reachOfVertices(stored->current), margin);
     if (support != nullptr) return attractor::fitted(camera, *support, cage, margin);
     reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
                                "the points drawn. Set it with --view."));
@@ -277,8 +257,7 @@ attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& f
     const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
     const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
     request.cage = cageOf(options, request.cage, support ? &*support : nullptr);
-    const ifs::AffineMap<3> cage = request.cage ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
-    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, cage, fileName);
+    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, request.cage, fileName);
     const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
     request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
                                      : std::max<std::uint64_t>(100 * pixels, 1'000'000);

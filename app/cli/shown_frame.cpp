@@ -5,6 +5,7 @@
 #include "usage_error.h"
 
 #include "attractor/samples/prepared_space.h"
+#include "document/space_geometry.h"
 
 #include <QCoreApplication>
 
@@ -40,6 +41,7 @@ ViewBox boxOfFrames(const document::Fractal& entry, const document::AnimationFac
 
 // The support function of one frame, as it is displayed.
 attractor::Support supportOf(const document::Shape<3>& shape) {
+    if (shape.cage && ifs::bends(*shape.cage)) return document::reachOfVertices(shape.cage->current);
     const attractor::PreparedSpace system = attractor::preparedSpace(shape.system);
     const ifs::AffineMap<3> cage = shape.cage ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
     auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;

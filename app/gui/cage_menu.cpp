@@ -45,7 +45,8 @@ QAction* CageMenu::addTool(QActionGroup* group, Tool tool, const ActionSpec& spe
     group->addAction(action);
     connect(canvas, &view::CanvasView::toolChanged, action,
             [action, tool](Tool now) { action->setChecked(now == tool); });
-    if (tool != Tool::Cage) disableWhen(action, &document::planeObstacle);
+    if (tool == Tool::Maps) disableWhen(action, &document::cageObstacle);
+    if (tool == Tool::Branch || tool == Tool::DefineTriangle) disableWhen(action, &document::planeObstacle);
     return action;
 }
 

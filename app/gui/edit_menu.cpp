@@ -26,17 +26,6 @@ QString shadowObstacle(const document::Fractal& fractal) {
     return flatAxis(fractal) ? QString() : document::flattenObstacle(fractal, ifs::Vector<3>::UnitZ());
 }
 
-// The window waits for the extent of a solid; that of very many maps takes a second.
-QString liftObstacle(const document::Fractal& fractal) {
-    constexpr std::size_t maxMaps = 10'000;
-    const document::System2* system = document::system2(fractal);
-    if (system && system->maps.size() > maxMaps)
-        return EditMenu::tr("This system has more than %L1 maps, too many for a solid in the window. "
-                            "“barycage-cli convert --lift” takes them.")
-            .arg(maxMaps);
-    return document::liftObstacle(fractal);
-}
-
 } // namespace
 
 EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")) {
@@ -50,7 +39,10 @@ EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")
                {},
                tr("Let a drag of maps continue where an attractor is no longer guaranteed"),
                "edit/allowNoAttractor"},
-              [canvas = context.canvas](bool on) { canvas->tools().setAllowsNoAttractor(on); });
+              [canvas = context.canvas, stage = context.stage](bool on) {
+                  canvas->tools().setAllowsNoAttractor(on);
+                  stage->views()->setAllowsNoAttractor(on);
+              });
     add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
          tr("Language, theme, picture quality, and what opens at startup")},
         [this] { showPreferences(); });
@@ -121,7 +113,7 @@ void EditMenu::addDimensions() {
                                    axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
                                if (shadow) document->edit(tr("Flatten to the Plane"), *std::move(shadow));
                            });
-    disableWhen(lift, &liftObstacle);
+    disableWhen(lift, &document::liftObstacle);
     disableWhen(flatten, &shadowObstacle);
 }
 

@@ -326,7 +326,7 @@ void MainWindow::createOptionsBar() {
     addToolBar(Qt::BottomToolBarArea, m_optionsBar);
     connect(m_stage, &Stage::switched, options, [this, options] {
         if (m_stage->showsSpace())
-            m_canvas->setTool(view::CanvasView::Tool::Cage); // the others are of the plane
+            m_canvas->setTool(view::CanvasView::Tool::Cage); // most others are of the plane
         options->setSpace(m_stage->showsSpace());
     });
     QAction* shown = m_optionsBar->toggleViewAction();
@@ -373,6 +373,7 @@ void MainWindow::connectDocument() {
         FlameBanner::offer(this, m_document, flames);
     });
     connect(m_canvas, &view::CanvasView::message, m_messages, &WindowMessages::say);
+    connect(m_stage->space(), &view::SpaceView::message, m_messages, &WindowMessages::say);
     connect(&m_recovery, &Recovery::cannotKeep, this,
             [this](const QString& sentence) { m_messages->fail(tr("Recovery Unavailable"), sentence); });
     connect(&m_recovery, &Recovery::lateChanged, m_status, &StatusLine::showRecovery);
@@ -392,7 +393,7 @@ void MainWindow::connectDocument() {
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
         m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
-        m_stage->space()->showOutlines(analysis ? analysis->shapesInSpace
+        m_stage->views()->showOutlines(analysis ? analysis->shapesInSpace
                                                 : std::vector<document::SpaceOutline>());
     });
     m_status->showVerdict(m_document.fractal());

@@ -4,9 +4,10 @@
 Stage::Stage(document::Document* document, view::RenderBridge* render, view::SolidBridge* solid,
              QWidget* parent)
     : QStackedWidget(parent),
+      m_extentFinder(document),
       m_plane(new view::CanvasView(document, render, this)),
       m_transformation(new view::TransformationView(document, render, m_plane, this)),
-      m_space(new view::SpaceView(document, solid, this)) {
+      m_space(new view::FourViews(document, solid, this)) {
     addWidget(m_transformation);
     addWidget(m_space);
     connect(document, &document::Document::changed, this, [this, document](const document::Change& change) {
@@ -14,7 +15,11 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
         if (change.parts & (Change::System | Change::Current | Change::File)) follow(*document);
     });
     connect(&m_plane->options(), &view::CanvasOptions::overlaysVisibleChanged, m_space,
-            &view::SpaceView::setOverlaysVisible);
+            &view::FourViews::setOverlaysVisible);
+    connect(m_plane, &view::CanvasView::toolChanged, m_space, [this](view::CanvasView::Tool tool) {
+        using Target = view::SpaceView::Target;
+        m_space->setTarget(tool == view::CanvasView::Tool::Maps ? Target::Maps : Target::Cage);
+    });
     follow(*document);
 }
 
@@ -31,13 +36,13 @@ void Stage::follow(const document::Document& document) {
 
 void Stage::fit() {
     if (showsSpace())
-        m_space->navigation().fit();
+        m_space->fit();
     else
         m_plane->fit();
 }
 
 void Stage::zoomBy(double factor) {
-    view::SpaceNavigation& space = m_space->navigation();
+    view::SpaceNavigation& space = m_space->main()->navigation();
     if (showsSpace())
         space.zoomAt(space.middle(), factor);
     else
@@ -46,13 +51,13 @@ void Stage::zoomBy(double factor) {
 
 void Stage::resetZoom() {
     if (showsSpace())
-        m_space->navigation().resetZoom();
+        m_space->main()->navigation().resetZoom();
     else
         m_plane->navigation().resetZoom();
 }
 
 QImage Stage::picture() const {
-    return showsSpace() ? m_space->picture() : m_plane->picture();
+    return showsSpace() ? m_space->main()->picture() : m_plane->picture();
 }
 
 bool Stage::cancelGesture() {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bridges/extent_finder.h"
 #include "canvas/canvas_view.h"
-#include "space/space_view.h"
+#include "space/four_views.h"
 #include "transformation/transformation_view.h"
 
 #include <QStackedWidget>
@@ -16,8 +17,9 @@ public:
           QWidget* parent = nullptr);
 
     view::CanvasView* plane() { return m_plane; }
-    view::SpaceView* space() { return m_space; }
     view::TransformationView* transformation() { return m_transformation; } // around the canvas
+    view::FourViews* views() { return m_space; }
+    view::SpaceView* space() { return m_space->main(); } // the view that orbits
     bool showsSpace() const { return currentWidget() == m_space; }
 
     // Of the one that is shown:
@@ -34,7 +36,8 @@ signals:
 private:
     void follow(const document::Document& document);
 
+    view::ExtentFinder m_extentFinder;
     view::CanvasView* m_plane;
     view::TransformationView* m_transformation;
-    view::SpaceView* m_space;
+    view::FourViews* m_space;
 };

@@ -142,6 +142,7 @@ void StatusLine::showSpacePointer(const view::SpacePosition& position) {
     const QString axis(QChar(u'X' + position.lock.axis));
     if (position.lock.kind == view::AxisLock::Kind::Axis) text += tr("  along %1").arg(axis);
     if (position.lock.kind == view::AxisLock::Kind::Plane) text += tr("  across %1").arg(axis);
+    if (position.lock.kind == view::AxisLock::Kind::Normal) text += tr("  along the normal");
     m_pointer->setText(text);
 }
 

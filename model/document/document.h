@@ -95,6 +95,10 @@ public:
     // Another one that is open is committed first. It may outlive the document.
     EditGesture beginGesture(const QString& text);
 
+    // The extent of the current entry, and with it the cage in force, took long to find and is known now:
+    // tells everybody that the cage has changed. No step of the history.
+    void announceExtent() { announce(Change::Cage); }
+
     TypedNumbers& typedNumbers() { return m_typedNumbers; } // of this session; no part of the file
     const TypedNumbers& typedNumbers() const { return m_typedNumbers; }
 

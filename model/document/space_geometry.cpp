@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "document/space_geometry.h"
 
-#include "ifs/extent/extent.h"
-
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace document {
 
 namespace {
-
-// Looser than rounding, as in the plane: nobody sees more digits.
-constexpr double relativeTolerance = 1e-6;
-// The window waits for the cage: of so many maps it may be a little larger than it has to be.
-constexpr std::size_t manyMaps = 10'000;
-constexpr double coarseTolerance = 1e-2;
 
 // Clouds have none: that of the solid behind them.
 attractor::Look solidLook(attractor::LookInSpace look) {
@@ -37,6 +30,45 @@ attractor::Look solidLook(attractor::LookInSpace look) {
     return attractor::Look::Stone;
 }
 
+constexpr double precision = 1e-6; // of the size: nobody sees more digits
+constexpr double rough = 1e-3;
+
+using Reach = std::function<double(const ifs::Vector<3>&)>; // max ⟨u, x⟩ over what is displayed
+
+double farthest(const std::vector<ifs::Vector<3>>& points, const ifs::Vector<3>& u) {
+    double most = u.dot(points.front());
+    for (const ifs::Vector<3>& point : points)
+        most = std::max(most, u.dot(point));
+    return most;
+}
+
+// Points that contain what is displayed: without an attractor, or where it is bent, the cage; of very many
+// maps the simplex around them, because asking all of them takes long.
+std::vector<ifs::Vector<3>> pointsAround(const Fractal& fractal, const ifs::ControlCage<3>& cage) {
+    const System3& system = *system3(fractal);
+    if (system.maps.size() <= manyMapsInSpace || ifs::bends(cage) || !spaceSupport(fractal))
+        return cage.current;
+    const ifs::AffineMap<3> placed = ifs::displayMap(cage);
+    std::vector<ifs::Vector<3>> points;
+    for (const ifs::Vector<3>& vertex : fractal.supports.simplexInSpace(system).rest)
+        points.push_back(placed(vertex));
+    return points;
+}
+
+std::optional<Reach> reachOf(const Fractal& fractal, double tolerance) {
+    const auto cage = spaceCage(fractal);
+    if (!cage) return std::nullopt;
+    const auto support = spaceSupport(fractal);
+    if (!support || ifs::bends(*cage) || system3(fractal)->maps.size() > manyMapsInSpace)
+        return
+            [points = pointsAround(fractal, *cage)](const ifs::Vector<3>& u) { return farthest(points, u); };
+    return [support, placed = ifs::displayMap(*cage), tolerance](const ifs::Vector<3>& u) {
+        const ifs::Vector<3> inner = placed.linear.transpose() * u;
+        const auto value = (*support)(inner, tolerance * support->radius() * inner.norm());
+        return value.value + (tolerance > precision ? value.error : 0) + u.dot(placed.translation);
+    };
+}
+
 } // namespace
 
 QString spaceObstacle(const Fractal& fractal) {
@@ -46,61 +78,48 @@ QString spaceObstacle(const Fractal& fractal) {
 
 std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fractal) {
     const System3* system = system3(fractal);
-    if (!system) return nullptr;
-    auto support = ifs::SupportFunction<3>::of(ifs::activeMaps(*system).maps);
-    return support ? std::make_shared<const ifs::SupportFunction<3>>(*std::move(support)) : nullptr;
+    return system ? fractal.supports.support(*system) : nullptr;
 }
 
 std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal) {
     const Shape<3>* shape = space(fractal);
     if (!shape) return std::nullopt;
-    if (shape->cage) return shape->cage;
-    const auto support = spaceSupport(fractal);
-    if (!support) return ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    const double tolerance = shape->system.maps.size() > manyMaps ? coarseTolerance : relativeTolerance;
-    auto simplex = ifs::minimalCanonicalSimplex(*support, tolerance * support->radius());
-    constexpr double rounding = 1e-14; // numbers that should be none are no sight in a table
-    for (ifs::Vector<3>& vertex : simplex.vertices)
-        vertex =
-            vertex.unaryExpr([&](double x) { return std::abs(x) <= rounding * support->radius() ? 0 : x; });
-    return ifs::cageAtRest<3>(simplex.vertices);
+    return shape->cage ? shape->cage : fractal.supports.simplexInSpace(shape->system);
+}
+
+bool isSpaceExtentKnown(const Fractal& fractal) {
+    const System3* system = system3(fractal);
+    return !system || fractal.supports.isSimplexKnown(*system);
+}
+
+std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    if (shape && shape->cage) return shape->cage;
+    return isSpaceExtentKnown(fractal) ? spaceCage(fractal) : std::nullopt;
 }
 
 Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u) {
-    const auto cage = spaceCage(fractal);
-    if (!cage) return {};
-    const ifs::AffineMap<3> placed = ifs::displayMap(*cage);
-    const auto support = spaceSupport(fractal);
-    const auto reach = [&](const ifs::Vector<3>& direction) {
-        double most = direction.dot(cage->current.front());
-        if (support) {
-            const ifs::Vector<3> inner = placed.linear.transpose() * direction;
-            return (*support)(inner, relativeTolerance * support->radius()).value +
-                   direction.dot(placed.translation);
-        }
-        for (const ifs::Vector<3>& vertex : cage->current)
-            most = std::max(most, direction.dot(vertex));
-        return most;
-    };
-    return {-reach(-u), reach(u)};
+    const std::optional<Reach> reach = reachOf(fractal, precision);
+    return reach ? Extent{-(*reach)(-u), (*reach)(u)} : Extent{};
+}
+
+std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices) {
+    return [points = std::move(vertices)](const ifs::Vector<3>& u) { return farthest(points, u); };
+}
+
+attractor::OrbitCamera fittedToPicture(const Fractal& fractal, attractor::OrbitCamera camera, double margin) {
+    const std::optional<Reach> reach = reachOf(fractal, rough);
+    return reach ? attractor::fitted(std::move(camera), *reach, margin) : camera;
 }
 
 attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin) {
-    const auto support = spaceSupport(fractal);
     const auto cage = spaceCage(fractal);
-    if (!cage) return camera;
-    const ifs::AffineMap<3> placed = ifs::displayMap(*cage);
-    const double fine = support ? 1e-3 * support->radius() : 0;
-    const auto reach = [&](const ifs::Vector<3>& u) {
-        double most = u.dot(cage->current.front());
-        for (const ifs::Vector<3>& vertex : cage->current)
-            most = std::max(most, u.dot(vertex));
-        if (!support) return most;
-        const ifs::Vector<3> inner = placed.linear.transpose() * u;
-        const auto value = (*support)(inner, fine * inner.norm());
-        return std::max(most, value.value + value.error + u.dot(placed.translation));
+    const std::optional<Reach> reach = reachOf(fractal, rough);
+    if (!cage || !reach) return camera;
+    const auto withCage = [&](const ifs::Vector<3>& u) {
+        return std::max((*reach)(u), farthest(cage->current, u));
     };
-    return attractor::fitted(std::move(camera), reach, margin);
+    return attractor::fitted(std::move(camera), withCage, margin);
 }
 
 attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::OrbitCamera& camera) {

@@ -7,8 +7,10 @@
 #include "ifs/cage/control_cage.h"
 #include "ifs/extent/support_function.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 // What follows from a fractal in space; fractal_geometry.h has the same for the plane.
 namespace document {
@@ -23,6 +25,15 @@ std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fract
 // attractor, a unit tetrahedron. nullopt when the entry is not in space.
 std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal);
 
+// Whether what follows from the extent of an entry in space is answered at once. Of very many maps it first
+// has to be found: the window does so in the background (view::ExtentFinder). Of other entries, true.
+bool isSpaceExtentKnown(const Fractal& fractal);
+// The cage in force if it is stored or its extent is known.
+std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
+
+// max ⟨u, x⟩ over the vertices: what a cage that bends displays is within their hull.
+std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices);
+
 // How far what is displayed of a fractal in space reaches along a unit vector: low ≤ ⟨u, x⟩ ≤ high. Without
 // an attractor, its cage.
 struct Extent {
@@ -33,6 +44,9 @@ Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u);
 
 // Shows what is displayed of a fractal in space, and its cage, as large as leaves a margin.
 attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
+
+// The same without the cage.
+attractor::OrbitCamera fittedToPicture(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
 
 // The request that draws a fractal in space through the camera.
 attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::OrbitCamera& camera);

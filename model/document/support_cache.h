@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/cage/control_cage.h"
 #include "ifs/extent/support_function.h"
 #include "ifs/system/iterated_function_system.h"
 
@@ -17,6 +18,14 @@ public:
     // The extent of the attractor of the maps that take part; nullptr when they have none. Any thread.
     std::shared_ptr<const ifs::SupportFunction<2>>
     support(const ifs::IteratedFunctionSystem<2>& system) const;
+    std::shared_ptr<const ifs::SupportFunction<3>>
+    support(const ifs::IteratedFunctionSystem<3>& system) const;
+
+    // The minimal canonical simplex at rest; a unit tetrahedron without an attractor. Any thread. Two that
+    // ask for the same system at once wait for one answer.
+    ifs::ControlCage<3> simplexInSpace(const ifs::IteratedFunctionSystem<3>& system) const;
+    // Whether that takes no time to speak of, because the maps are few or somebody has asked before.
+    bool isSimplexKnown(const ifs::IteratedFunctionSystem<3>& system) const;
 
     friend bool operator==(const SupportCache&, const SupportCache&) { return true; }
 
@@ -24,5 +33,11 @@ private:
     struct Newest;
     std::shared_ptr<Newest> m_newest; // null when moved from
 };
+
+// Of so many maps in space, extents take long enough to be found in the background, and to a hundredth of
+// the size.
+constexpr std::size_t manyMapsInSpace = 10'000;
+// How far extents in space may be off, as a part of their size: nobody sees more digits.
+double extentTolerance(const ifs::IteratedFunctionSystem<3>& system);
 
 } // namespace document

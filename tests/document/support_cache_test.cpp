@@ -3,10 +3,12 @@
 
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 
 #include <QtTest>
 
 #include <cmath>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -23,6 +25,21 @@ document::System2 ring(double radius) {
     for (int k = 0; k < count; ++k)
         ifs::append(system, ifs::affineMap(0.05, 0, 0, 0.05, radius * std::cos(k), radius * std::sin(k)));
     return system;
+}
+
+// Maps that shrink to places all over a sphere of radius 1, as the golden angle sets them.
+Fractal shell(std::size_t count) {
+    document::Shape<3> shape;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double y = 1 - (2 * double(k) + 1) / double(count);
+        const double ring = std::sqrt(1 - y * y);
+        const double angle = 2.399963229728653 * double(k);
+        ifs::append<3>(shape.system, {0.05 * ifs::Matrix<3>::Identity(),
+                                      ifs::Vector<3>(ring * std::cos(angle), y, ring * std::sin(angle))});
+    }
+    Fractal fractal;
+    fractal.shape = std::move(shape);
+    return fractal;
 }
 
 Fractal fractalOf(document::System2 system) {
@@ -85,6 +102,40 @@ private slots:
         QCOMPARE(document::supportFunction(to), support);
         from = fractalOf(ring(1)); // what was moved from can be used again
         QVERIFY(document::supportFunction(from));
+    }
+
+    void inSpaceTheSimplexOfManyMapsHasToBeFound() {
+        const Fractal many = shell(document::manyMapsInSpace + 1);
+        QVERIFY(!document::isSpaceExtentKnown(many));
+        QVERIFY(!document::knownSpaceCage(many));
+        const auto cage = document::spaceCage(many);
+        QVERIFY(document::isSpaceExtentKnown(many));
+        QVERIFY(document::knownSpaceCage(many) == cage);
+        QCOMPARE(document::spaceSupport(many), document::spaceSupport(many));
+        // It contains the attractor, which reaches farther than the shell that the maps lead to.
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto extent = document::extentAlong(many, ifs::Vector<3>::Unit(axis));
+            QVERIFY(extent.low <= -1 && extent.high >= 1);
+        }
+        Fractal other = many;
+        document::system3(other)->maps[0].map.translation *= 2;
+        QVERIFY(!document::isSpaceExtentKnown(other));
+        QVERIFY(document::isSpaceExtentKnown(many)); // and still is
+        const Fractal few = shell(40);
+        QVERIFY(document::isSpaceExtentKnown(few));
+        QVERIFY(document::knownSpaceCage(few) == document::spaceCage(few));
+    }
+
+    void whoAsksSecondInSpaceWaitsForTheFirst() {
+        const Fractal fractal = shell(document::manyMapsInSpace + 1);
+        std::vector<std::thread> threads;
+        std::vector<std::optional<ifs::ControlCage<3>>> found(4);
+        for (auto& cage : found)
+            threads.emplace_back([&cage, fractal] { cage = document::spaceCage(fractal); });
+        for (std::thread& thread : threads)
+            thread.join();
+        for (const auto& cage : found)
+            QVERIFY(cage && cage == found[0]);
     }
 
     void manyThreadsMayAsk() {

@@ -1,68 +1,82 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_cage_item.h"
 
+#include "ifs/cage/cage_surface.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <map>
+#include <utility>
 
 namespace view {
 
 namespace {
 
 constexpr double grip = 12; // pixels around a handle that hold it
-constexpr std::size_t corners = 4;
 
-using Points = std::vector<ifs::Vector<2>>;
+using Faces = SpaceCageItem::Faces;
 
-double turn(const Points& p, std::size_t a, std::size_t b, std::size_t c) {
-    const ifs::Vector<2> u = p[b] - p[a];
-    const ifs::Vector<2> v = p[c] - p[a];
-    return u.x() * v.y() - u.y() * v.x();
+// Twice the area on the screen, where y grows downwards: negative where the corners run counter-clockwise.
+double turn(const QPolygonF& points, const std::vector<int>& face) {
+    double doubled = 0;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+        const QPointF& p = points[face[k]];
+        const QPointF& q = points[face[(k + 1) % face.size()]];
+        doubled += p.x() * q.y() - p.y() * q.x();
+    }
+    return doubled;
 }
 
-// An edge of a tetrahedron lies behind it where the other two vertices, seen on either side of it, span an
-// edge that crosses in front of it.
-bool isBehind(const Points& p, const std::vector<double>& depth, std::size_t a, std::size_t b) {
-    std::array<std::size_t, 2> other{};
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < corners; ++i)
-        if (i != a && i != b) other[n++] = i;
-    const auto [c, d] = other;
-    const double sideC = turn(p, a, b, c);
-    const double sideD = turn(p, a, b, d);
-    const double sideA = turn(p, c, d, a);
-    const double sideB = turn(p, c, d, b);
-    if (sideC * sideD >= 0) return false; // seen at the border
-    if (sideA * sideB < 0) {              // the two edges cross: the farther one is behind
-        const double t = sideA / (sideA - sideB);
-        const double s = sideC / (sideC - sideD);
-        return depth[a] + t * (depth[b] - depth[a]) > depth[c] + s * (depth[d] - depth[c]);
+// Negative where the cage is turned inside out, 0 where it is flat.
+double volume(const std::vector<ifs::Vector<3>>& vertices, const Faces& faces) {
+    double six = 0;
+    for (const std::vector<int>& face : faces) {
+        const auto at = [&](std::size_t k) {
+            return ifs::Vector<3>(vertices[std::size_t(face[k % face.size()])] - vertices[0]);
+        };
+        for (std::size_t k = 1; k + 1 < face.size(); ++k)
+            six += at(0).dot(at(k).cross(at(k + 1)));
     }
-    // One end is seen inside the triangle of the other three: it is behind where that end is behind them.
-    const bool isAInside = std::abs(sideA) < std::abs(sideB);
-    const std::size_t inner = isAInside ? a : b;
-    const std::size_t outer = isAInside ? b : a;
-    const double whole = turn(p, outer, c, d);
-    if (whole == 0) return false;
-    const double wc = turn(p, inner, d, outer) / whole;
-    const double wd = turn(p, inner, outer, c) / whole;
-    return depth[inner] > (1 - wc - wd) * depth[outer] + wc * depth[c] + wd * depth[d];
+    return six;
 }
 
 } // namespace
 
+Faces SpaceCageItem::facesOf(const std::vector<ifs::Vector<3>>& rest) {
+    if (auto surface = ifs::convexSurface(rest)) return std::move(surface->faces);
+    if (rest.size() < 4) return {};
+    return {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+}
+
+// An edge is behind where both of its faces are turned away.
+void SpaceCageItem::layOutEdges(const Faces& faces) {
+    m_edges.clear();
+    m_faces.clear();
+    const double inside = volume(m_vertices, faces);
+    std::map<std::pair<int, int>, bool> isSeen;
+    for (const std::vector<int>& face : faces) {
+        const bool isTowards = turn(m_points, face) * inside <= 0;
+        for (std::size_t k = 0; k < face.size(); ++k)
+            isSeen[std::minmax(face[k], face[(k + 1) % face.size()])] |= isTowards;
+        QPointF sum;
+        for (const int corner : face)
+            sum += m_points[corner];
+        m_faces.push_back({face, sum / double(face.size()), isTowards && inside != 0});
+    }
+    for (const auto& [edge, seen] : isSeen)
+        m_edges.push_back({{m_points[edge.first], m_points[edge.second]}, !seen});
+}
+
 void SpaceCageItem::layOut(const attractor::OrbitCamera& camera, const std::vector<ifs::Vector<3>>& vertices,
-                           const Hidden& isHidden) {
+                           const Faces& faces, const Hidden& isHidden) {
     prepareGeometryChange();
     m_vertices = vertices;
     m_points.clear();
     m_depths.clear();
-    m_edges.clear();
     m_hidden.clear();
-    Points pixels;
+    std::vector<ifs::Vector<2>> pixels;
     for (const ifs::Vector<3>& vertex : vertices) {
         const attractor::ScreenPoint seen = toScreen(camera, vertex);
         // Far outside, painting lines takes long; what is behind the eye has no place at all.
@@ -73,15 +87,17 @@ void SpaceCageItem::layOut(const attractor::OrbitCamera& camera, const std::vect
         m_depths.push_back(seen.depth);
         m_hidden.push_back(isHidden(seen));
     }
-    for (std::size_t a = 0; a < pixels.size() && pixels.size() == corners; ++a)
-        for (std::size_t b = a + 1; b < corners; ++b)
-            m_edges.push_back(
-                {{m_points[qsizetype(a)], m_points[qsizetype(b)]}, isBehind(pixels, m_depths, a, b)});
+    layOutEdges(vertices.empty() ? Faces() : faces);
+    int corners = 0;
+    for (const std::vector<int>& face : faces)
+        corners = std::max(corners, *std::ranges::max_element(face) + 1);
     while (m_handles.size() > pixels.size())
         m_handles.pop_back();
     while (m_handles.size() < pixels.size()) {
-        m_handles.push_back(std::make_unique<VertexHandle>(int(m_handles.size()) + 1, this));
+        const bool isCorner = int(m_handles.size()) < corners;
+        m_handles.push_back(std::make_unique<VertexHandle>(isCorner ? int(m_handles.size()) + 1 : 0, this));
         m_handles.back()->setStyle(m_style);
+        m_handles.back()->setVisible(m_showsHandles);
     }
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         m_handles[i]->setPos(m_points[qsizetype(i)]);
@@ -89,6 +105,12 @@ void SpaceCageItem::layOut(const attractor::OrbitCamera& camera, const std::vect
     }
     setMarks(m_hovered, m_pressed, m_focused);
     update();
+}
+
+void SpaceCageItem::setHandlesVisible(bool visible) {
+    m_showsHandles = visible;
+    for (const auto& handle : m_handles)
+        handle->setVisible(visible);
 }
 
 void SpaceCageItem::setMarks(std::optional<std::size_t> hovered, std::optional<std::size_t> pressed,
@@ -114,6 +136,19 @@ std::vector<std::size_t> SpaceCageItem::handlesAt(const QPointF& position) const
     return found;
 }
 
+std::optional<std::size_t> SpaceCageItem::faceAt(const QPointF& position) const {
+    constexpr double reach = 9; // pixels
+    for (std::size_t i = 0; m_holdsFaces && m_showsHandles && i < m_faces.size(); ++i)
+        if (m_faces[i].isTowards && QLineF(m_faces[i].middle, position).length() <= reach) return i;
+    return std::nullopt;
+}
+
+void SpaceCageItem::setFaceMark(std::optional<std::size_t> face) {
+    if (face == m_faceMark) return;
+    m_faceMark = face;
+    update();
+}
+
 void SpaceCageItem::setStyle(const OverlayStyle& style) {
     OverlayItem::setStyle(style);
     for (const auto& handle : m_handles)
@@ -121,7 +156,19 @@ void SpaceCageItem::setStyle(const OverlayStyle& style) {
 }
 
 QRectF SpaceCageItem::boundingRect() const {
-    return m_points.boundingRect().adjusted(-4, -4, 4, 4);
+    return m_points.boundingRect().adjusted(-6, -6, 6, 6);
+}
+
+void SpaceCageItem::paintFaceHandles(QPainter& painter) const {
+    constexpr double radius = 5;
+    painter.setPen(QPen(m_style.rim, m_style.lineWidth * 0.75));
+    for (std::size_t i = 0; i < m_faces.size(); ++i) {
+        if (!m_faces[i].isTowards) continue;
+        const QPointF& at = m_faces[i].middle;
+        painter.setBrush(m_faceMark == i ? m_style.accent : m_style.core);
+        painter.drawPolygon(QPolygonF{at + QPointF(0, -radius), at + QPointF(radius, 0),
+                                      at + QPointF(0, radius), at + QPointF(-radius, 0)});
+    }
 }
 
 void SpaceCageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -137,6 +184,7 @@ void SpaceCageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
                        behind ? m_style.lineWidth / 2 : m_style.lineWidth,
                        behind ? Qt::DashLine : Qt::SolidLine);
     }
+    if (m_holdsFaces && m_showsHandles) paintFaceHandles(*painter);
 }
 
 } // namespace view

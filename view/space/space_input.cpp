@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/edits/maps_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
 #include "widgets/arrow_keys.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double degreesPerPixel = 0.4;
 constexpr double degreesPerKey = 5;
+constexpr double pixelsPerKey = 20;
 constexpr double clickReach = 4;  // pixels that a click may move
 constexpr double shiftReach = 6;  // pixels of motion by which Shift chooses an axis
 constexpr double pushPixels = 20; // by one notch of the wheel
@@ -36,9 +38,14 @@ double notches(const QWheelEvent& event) {
 
 } // namespace
 
-SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation, SpaceCageItem& cage,
-                       SliceItem& slice, AxisBall& ball)
-    : m_document(document), m_navigation(navigation), m_cage(cage), m_slice(slice), m_ball(ball) {}
+SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation, const Items& items)
+    : m_document(document),
+      m_navigation(navigation),
+      m_cage(items.cage),
+      m_maps(items.maps),
+      m_map(items.map),
+      m_slice(items.slice),
+      m_ball(items.ball) {}
 
 void SpaceInput::press(const QMouseEvent& event) {
     if (!isIdle()) {
@@ -48,30 +55,79 @@ void SpaceInput::press(const QMouseEvent& event) {
     m_pointer = event.position();
     const bool pans =
         event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && m_isSpaceHeld);
-    const auto handles = m_isEnabled ? m_cage.handlesAt(m_pointer) : std::vector<std::size_t>();
     if (pans) {
         m_gesture.emplace<Panning>(Panning{m_navigation.camera(), m_pointer});
     } else if (event.button() == Qt::RightButton) {
         beginOrbit(event, std::nullopt);
-    } else if (event.button() == Qt::LeftButton && m_isEnabled && m_ball.covers(m_pointer)) {
+    } else if (event.button() == Qt::LeftButton && m_isEnabled && !m_isFixed && m_ball.covers(m_pointer)) {
         beginOrbit(event, m_ball.endAt(m_pointer));
-    } else if (event.button() == Qt::LeftButton && !handles.empty()) {
-        // Of two, the one that Tab has chosen.
-        const bool isChosen = m_focused && std::ranges::find(handles, *m_focused) != handles.end();
-        beginDrag(isChosen ? *m_focused : handles.front(), event);
+    } else if (event.button() == Qt::LeftButton && m_isEnabled && pressHandle(m_pointer, event)) {
+        // it is held now
     } else if (event.button() == Qt::LeftButton && isOnSlice(m_pointer)) {
         m_gesture.emplace<Slicing>(Slicing{m_document->beginGesture(tr("Move the Slice")),
                                            m_navigation.camera(), *m_slice.plane(), toVector(m_pointer)});
     } else if (event.button() == Qt::LeftButton) {
-        beginOrbit(event, std::nullopt);
+        const auto face = m_isEnabled ? held().faceAt(m_pointer) : std::nullopt;
+        if (face)
+            beginFaceDrag(*face, event);
+        else
+            beginOrbit(event, std::nullopt);
     }
     emit changed();
+}
+
+bool SpaceInput::pressHandle(const QPointF& position, const QMouseEvent& event) {
+    auto handles = held().handlesAt(position);
+    if (const auto map = m_maps.mapAt(position); handles.empty() && m_maps.isActive() && map) {
+        selectMap(*map);
+        handles = held().handlesAt(position);
+    }
+    if (handles.empty()) return false;
+    // Of two, the one that Tab has chosen.
+    const bool isChosen = m_focused && std::ranges::find(handles, *m_focused) != handles.end();
+    beginDrag(isChosen ? *m_focused : handles.front(), event);
+    return true;
+}
+
+void SpaceInput::selectMap(std::size_t index) {
+    m_focused.reset();
+    m_hovered.reset();
+    m_maps.select(index);
+    emit mapSelected();
+}
+
+SpaceInput::After SpaceInput::afterCage() const {
+    auto cage = document::knownSpaceCage(m_document->fractal());
+    if (!cage) return nullptr;
+    return [before = m_document->sharedFractal(), cage = *std::move(cage),
+            mode = m_document->cageMode()](const std::vector<ifs::Vector<3>>& vertices) {
+        auto moved = cage;
+        moved.current = vertices;
+        return document::withSpaceCageMoved(*before, std::move(moved), mode);
+    };
+}
+
+SpaceInput::After SpaceInput::afterMap() {
+    const auto map = m_maps.selected();
+    const auto drag = map ? SpaceMapDrag::of(*m_document, *map) : std::nullopt;
+    if (!drag) {
+        emit message(tr("Maps cannot be dragged while the cage is flat or bends the picture. First open or "
+                        "reset the cage."));
+        return nullptr;
+    }
+    return [this, drag = *drag](const std::vector<ifs::Vector<3>>& vertices) {
+        using Safety = SpaceMapDrag::Safety;
+        SpaceMapDrag::Moved moved =
+            drag.at(vertices, m_allowsNoAttractor ? Safety::Free : Safety::StopAtAttractor);
+        emit stopped(moved.stop);
+        return std::move(moved.fractal);
+    };
 }
 
 void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::End> end) {
     Orbiting orbiting;
     orbiting.before = m_navigation.camera();
-    const bool onBall = m_isEnabled && m_ball.covers(event.position());
+    const bool onBall = m_isEnabled && !m_isFixed && m_ball.covers(event.position());
     const auto point = onBall ? std::nullopt : m_navigation.pointUnder(event.position());
     orbiting.pivot = point.value_or(m_navigation.camera().target);
     orbiting.press = event.position();
@@ -81,21 +137,71 @@ void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::En
 }
 
 void SpaceInput::beginDrag(std::size_t vertex, const QMouseEvent& event) {
-    const auto cage = document::spaceCage(m_document->fractal());
-    if (!cage || vertex >= cage->current.size()) return;
+    After after = m_maps.isActive() ? afterMap() : afterCage();
+    if (!after || vertex >= held().vertices().size()) return;
     SpatialDrag drag;
     drag.camera = m_navigation.camera();
-    drag.vertices = cage->current;
+    drag.vertices = held().vertices();
     drag.held = vertex;
     drag.press = toVector(event.position());
     if (event.modifiers().testFlag(Qt::ControlModifier)) drag.mode = SpatialDrag::Mode::Rotate;
     if (event.modifiers().testFlag(Qt::AltModifier)) drag.mode = SpatialDrag::Mode::Scale;
-    const QString text = drag.mode == SpatialDrag::Mode::Rotate  ? tr("Rotate Cage")
-                         : drag.mode == SpatialDrag::Mode::Scale ? tr("Scale Cage")
-                                                                 : tr("Move Vertex %1").arg(vertex + 1);
+    const QString text = stepText(drag.mode, vertex);
     const Pull pull{drag.press, 0};
     m_focused = vertex;
-    m_gesture.emplace<Dragging>(Dragging{m_document->beginGesture(text), std::move(drag), pull, {}, false});
+    m_gesture.emplace<Dragging>(
+        Dragging{m_document->beginGesture(text), std::move(after), std::move(drag), pull, {}, false});
+}
+
+// Its corners follow its middle, which is held in place of a vertex.
+void SpaceInput::beginFaceDrag(std::size_t face, const QMouseEvent& event) {
+    const After after = afterCage();
+    if (!after) return;
+    SpatialDrag drag;
+    drag.camera = m_navigation.camera();
+    drag.vertices = m_cage.vertices();
+    drag.together = m_cage.face(face);
+    drag.press = toVector(event.position());
+    drag.held = drag.vertices.size();
+    ifs::Vector<3> middle = ifs::Vector<3>::Zero();
+    for (const int corner : drag.together)
+        middle += drag.vertices[std::size_t(corner)] / double(drag.together.size());
+    ifs::Vector<3> normal = ifs::Vector<3>::Zero(); // of a face that is not plane, the mean one
+    for (std::size_t k = 0; k < drag.together.size(); ++k) {
+        const auto spoke = [&](std::size_t i) {
+            return ifs::Vector<3>(drag.vertices[std::size_t(drag.together[i % drag.together.size()])] -
+                                  middle);
+        };
+        normal += spoke(k).cross(spoke(k + 1));
+    }
+    if (normal.norm() > 0) drag.normal = normal.normalized();
+    drag.vertices.push_back(middle);
+    const After cageAfter = [after](std::vector<ifs::Vector<3>> vertices) {
+        vertices.pop_back();
+        return after(vertices);
+    };
+    const Pull pull{drag.press, 0};
+    m_focused.reset();
+    m_face = face;
+    m_gesture.emplace<Dragging>(Dragging{m_document->beginGesture(tr("Move Face %1").arg(face + 1)),
+                                         cageAfter,
+                                         std::move(drag),
+                                         pull,
+                                         {},
+                                         false});
+}
+
+QString SpaceInput::stepText(SpatialDrag::Mode mode, std::size_t vertex) const {
+    using enum SpatialDrag::Mode;
+    const auto map = m_maps.selected();
+    if (!map)
+        return mode == Rotate  ? tr("Rotate Cage")
+               : mode == Scale ? tr("Scale Cage")
+                               : tr("Move Vertex %1").arg(vertex + 1);
+    if (mode == Rotate) return tr("Rotate map %1").arg(*map + 1);
+    if (mode == Scale) return tr("Scale map %1").arg(*map + 1);
+    if (vertex == SpaceMaps::middle) return tr("Move map %1").arg(*map + 1);
+    return tr("Move corner %1 of map %2").arg(vertex + 1).arg(*map + 1);
 }
 
 void SpaceInput::move(const QMouseEvent& event) {
@@ -109,8 +215,9 @@ void SpaceInput::move(const QMouseEvent& event) {
     } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
         follow(*slicing, m_pointer);
     } else {
-        const auto handles = m_isEnabled ? m_cage.handlesAt(m_pointer) : std::vector<std::size_t>();
+        const auto handles = m_isEnabled ? held().handlesAt(m_pointer) : std::vector<std::size_t>();
         m_hovered = handles.empty() ? std::nullopt : std::optional(handles.front());
+        m_face = m_isEnabled && !m_hovered && !isOnSlice(m_pointer) ? held().faceAt(m_pointer) : std::nullopt;
         report(m_pointer);
     }
     emit changed();
@@ -119,6 +226,10 @@ void SpaceInput::move(const QMouseEvent& event) {
 void SpaceInput::follow(Orbiting& orbiting, const QPointF& position) {
     const QPointF delta = position - orbiting.press;
     if (!orbiting.hasMoved && std::hypot(delta.x(), delta.y()) < clickReach) return;
+    if (m_isFixed) {
+        orbiting.hasMoved = true;
+        return m_navigation.moveTo(attractor::panned(orbiting.before, toVector(delta)), true);
+    }
     if (!orbiting.hasMoved) {
         m_navigation.leaveAxisView();
         orbiting.before = m_navigation.camera();
@@ -145,8 +256,12 @@ void SpaceInput::follow(Dragging& dragging, const QMouseEvent& event) {
     dragging.pull.pointer = toVector(event.position());
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     const ifs::Vector<2> motion = dragging.pull.pointer - dragging.drag.press;
-    if (shift && !dragging.isLockedByShift && dragging.lock.kind == AxisLock::Kind::View &&
-        motion.norm() >= shiftReach) {
+    const bool isFace = !dragging.drag.together.empty();
+    if (isFace && shift && dragging.lock.kind == AxisLock::Kind::View) {
+        dragging.lock = {AxisLock::Kind::Normal, 0};
+        dragging.isLockedByShift = true;
+    } else if (shift && !dragging.isLockedByShift && dragging.lock.kind == AxisLock::Kind::View &&
+               motion.norm() >= shiftReach) {
         const auto& vertex = dragging.drag.vertices[dragging.drag.held];
         if (const auto axis = nearestAxis(dragging.drag.camera, vertex, motion)) {
             dragging.lock = {AxisLock::Kind::Axis, *axis};
@@ -160,15 +275,13 @@ void SpaceInput::follow(Dragging& dragging, const QMouseEvent& event) {
 }
 
 void SpaceInput::preview(Dragging& dragging) {
-    const document::Fractal& before = dragging.gesture.before();
-    auto cage = document::spaceCage(before);
-    if (!cage) return;
-    cage->current = dragged(dragging.drag, dragging.pull, dragging.lock);
-    if (cage->current == dragging.drag.vertices)
-        dragging.gesture.preview(before); // where it began, to the bit
-    else
-        dragging.gesture.preview(
-            document::withSpaceCageMoved(before, *std::move(cage), m_document->cageMode()));
+    const auto vertices = dragged(dragging.drag, dragging.pull, dragging.lock);
+    if (vertices == dragging.drag.vertices) {
+        dragging.gesture.preview(dragging.gesture.before()); // where it began, to the bit
+        emit stopped({});
+    } else {
+        dragging.gesture.preview(dragging.after(vertices));
+    }
     report(dragging);
 }
 
@@ -176,6 +289,7 @@ void SpaceInput::release(const QMouseEvent& event) {
     if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         if (event.button() != Qt::LeftButton) return;
         dragging->gesture.commit();
+        emit stopped({});
     } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
         if (event.button() != Qt::LeftButton) return;
         slicing->gesture.commit();
@@ -198,7 +312,7 @@ void SpaceInput::release(const QMouseEvent& event) {
 }
 
 void SpaceInput::handleDoubleClick(const QMouseEvent& event) {
-    const bool onHandle = m_isEnabled && !m_cage.handlesAt(event.position()).empty();
+    const bool onHandle = m_isEnabled && !held().handlesAt(event.position()).empty();
     const auto point = m_navigation.pointUnder(event.position());
     if (event.button() == Qt::LeftButton && point && !onHandle)
         m_navigation.glideTo(attractor::centredOn(m_navigation.camera(), *point));
@@ -230,7 +344,7 @@ bool SpaceInput::needsKey(const QKeyEvent& event) const {
 
 bool SpaceInput::keyPress(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape) return cancelGesture();
-    if (lockBy(event) || viewBy(event)) return true;
+    if (lockBy(event) || viewBy(event) || mapsKeyPress(event)) return true;
     if (event.key() == Qt::Key_Space) {
         m_isSpaceHeld = true;
         emit changed();
@@ -241,6 +355,8 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
     const double factor = event.modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
     if (m_focused) {
         nudge(factor * way);
+    } else if (m_isFixed) {
+        m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * factor * toVector(way)));
     } else {
         const attractor::OrbitCamera& camera = m_navigation.camera();
         m_navigation.moveTo(
@@ -269,7 +385,7 @@ bool SpaceInput::lockBy(const QKeyEvent& event) {
 
 // The keypad's views, as in modelling programs; with Ctrl from the opposite side.
 bool SpaceInput::viewBy(const QKeyEvent& event) {
-    if (!isIdle()) return false;
+    if (!isIdle() || m_isFixed) return false;
     const bool isOpposite = event.modifiers().testFlag(Qt::ControlModifier);
     if (event.key() == Qt::Key_Home) {
         m_navigation.lookFrom(AxisBall::isometric);
@@ -294,17 +410,35 @@ bool SpaceInput::viewBy(const QKeyEvent& event) {
     }
 }
 
+// Of the maps, as in the plane: Delete and Insert, and Alt with a digit selects one.
+bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
+    const auto map = m_maps.selected();
+    if (!map || !isIdle()) return false;
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    const int digit = event.key() - Qt::Key_1;
+    if (modifiers == Qt::AltModifier && digit >= 0 && digit < 9) {
+        if (std::size_t(digit) < m_maps.count()) selectMap(std::size_t(digit));
+        return true;
+    }
+    if (modifiers != Qt::NoModifier) return false;
+    if (event.key() == Qt::Key_Delete)
+        document::deleteMaps(*m_document, {int(*map)});
+    else if (event.key() == Qt::Key_Insert && !document::duplicateMaps(*m_document, {int(*map)}).empty())
+        selectMap(*map + 1);
+    else
+        return false;
+    return true;
+}
+
 void SpaceInput::nudge(const QPointF& pixels) {
-    auto cage = document::spaceCage(m_document->fractal());
-    if (!cage || *m_focused >= cage->current.size()) return;
+    const After after = m_maps.isActive() ? afterMap() : afterCage();
+    if (!after || *m_focused >= held().vertices().size()) return;
     SpatialDrag drag;
     drag.camera = m_navigation.camera();
-    drag.vertices = cage->current;
+    drag.vertices = held().vertices();
     drag.held = *m_focused;
-    cage->current = dragged(drag, {toVector(pixels), 0}, {});
-    m_document->edit(
-        tr("Move Vertex %1").arg(*m_focused + 1),
-        document::withSpaceCageMoved(m_document->fractal(), *std::move(cage), m_document->cageMode()));
+    m_document->edit(stepText(drag.mode, drag.held), after(dragged(drag, {toVector(pixels), 0}, {})));
+    emit stopped({});
 }
 
 bool SpaceInput::cancelGesture() {
@@ -312,12 +446,16 @@ bool SpaceInput::cancelGesture() {
     if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) m_navigation.moveTo(orbiting->before);
     if (auto* panning = std::get_if<Panning>(&m_gesture)) m_navigation.moveTo(panning->before);
     m_gesture.emplace<std::monostate>(); // an edit is cancelled as it goes
+    emit stopped({});
     emit changed();
     return true;
 }
 
 bool SpaceInput::focusVertex(bool next) {
-    const std::size_t count = m_isEnabled ? m_cage.count() : 0;
+    const std::size_t count = m_isEnabled ? held().count() : 0;
+    const auto map = m_maps.selected();
+    if (next && map && m_focused && *m_focused + 1 == count && *map + 1 < m_maps.count())
+        selectMap(*map + 1); // and its first corner
     const std::size_t vertex = m_focused ? (next ? *m_focused + 1 : *m_focused - 1) : (next ? 0 : count - 1);
     m_focused = vertex < count ? std::optional(vertex) : std::nullopt;
     emit changed();
@@ -328,6 +466,11 @@ void SpaceInput::forgetFocus() {
     cancelGesture();
     m_focused.reset();
     m_hovered.reset();
+    m_face.reset();
+}
+
+void SpaceInput::fixDirection() {
+    m_isFixed = true;
 }
 
 void SpaceInput::setEnabled(bool enabled) {
@@ -340,16 +483,17 @@ void SpaceInput::showMarks(bool hasFocus) {
     if (const auto* dragging = std::get_if<Dragging>(&m_gesture)) pressed = dragging->drag.held;
     const bool isSlicing = std::holds_alternative<Slicing>(m_gesture);
     m_slice.setHeld(isIdle() && !m_hovered && isOnSlice(m_pointer), isSlicing);
-    m_cage.setMarks(m_hovered, pressed, hasFocus ? m_focused : std::nullopt);
-    m_ball.setHovered(isIdle() ? m_ball.endAt(m_pointer) : std::nullopt);
+    m_cage.setFaceMark(m_face);
+    held().setMarks(m_hovered, pressed, hasFocus ? m_focused : std::nullopt);
+    m_ball.setHovered(isIdle() && !m_isFixed ? m_ball.endAt(m_pointer) : std::nullopt);
 }
 
 Qt::CursorShape SpaceInput::cursor() const {
     if (std::holds_alternative<Dragging>(m_gesture) || std::holds_alternative<Panning>(m_gesture) ||
         std::holds_alternative<Slicing>(m_gesture))
         return Qt::ClosedHandCursor;
-    if (isIdle() && (m_hovered || m_isSpaceHeld || isOnSlice(m_pointer))) return Qt::OpenHandCursor;
-    if (isIdle() && m_isEnabled && m_ball.covers(m_pointer)) return Qt::PointingHandCursor;
+    if (isIdle() && (m_hovered || m_face || m_isSpaceHeld || isOnSlice(m_pointer))) return Qt::OpenHandCursor;
+    if (isIdle() && m_isEnabled && !m_isFixed && m_ball.covers(m_pointer)) return Qt::PointingHandCursor;
     return Qt::CrossCursor;
 }
 
@@ -374,10 +518,14 @@ void SpaceInput::report(const QPointF& position) {
 
 // Where the corner is now, and how it may move.
 void SpaceInput::report(const Dragging& dragging) {
-    const auto cage = document::spaceCage(m_document->fractal());
-    if (!cage) return;
+    if (held().vertices().empty()) return;
     SpacePosition at;
-    at.world = cage->current[dragging.drag.held];
+    at.world = ifs::Vector<3>::Zero(); // of a face, its middle
+    const std::vector<int>& together = dragging.drag.together;
+    if (together.empty() && dragging.drag.held < held().vertices().size())
+        at.world = held().vertices()[dragging.drag.held];
+    for (const int corner : together)
+        at.world += held().vertices()[std::size_t(corner)] / double(together.size());
     at.unitsPerPixel = 1 / pixelsPerUnit(dragging.drag.camera);
     at.lock = dragging.lock;
     emit pointerMoved(at);

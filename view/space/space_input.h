@@ -4,6 +4,7 @@
 #include "ifs/system/barycentric.h"
 #include "space/slice_item.h"
 #include "space/space_cage_item.h"
+#include "space/space_maps.h"
 #include "space/space_navigation.h"
 #include "space/spatial_drag.h"
 
@@ -12,8 +13,10 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <functional>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace view {
 
@@ -33,8 +36,15 @@ class SpaceInput : public QObject {
     Q_OBJECT
 
 public:
-    SpaceInput(document::Document* document, SpaceNavigation& navigation, SpaceCageItem& cage,
-               SliceItem& slice, AxisBall& ball);
+    // What can be held on the canvas: the cage, or the maps while they are active.
+    struct Items {
+        SpaceCageItem& cage;
+        SpaceMaps& maps;
+        SpaceCageItem& map; // the one that is held
+        SliceItem& slice;
+        AxisBall& ball;
+    };
+    SpaceInput(document::Document* document, SpaceNavigation& navigation, const Items& items);
 
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
@@ -49,6 +59,9 @@ public:
     bool focusVertex(bool next);   // the next or previous one; false past the last
     void forgetFocus();            // of another fractal
     void setEnabled(bool enabled); // handles and ball can be held
+    void fixDirection();           // nothing turns the view: a drag pans instead
+    // A drag of a map stops where the attractor would be lost, unless this is allowed.
+    void setAllowsNoAttractor(bool allows) { m_allowsNoAttractor = allows; }
 
     std::optional<std::size_t> focusedVertex() const { return m_focused; }
     void showMarks(bool hasFocus); // on the items, as things are
@@ -58,6 +71,9 @@ signals:
     void changed(); // marks or cursor
     void pointerMoved(const view::SpacePosition& position);
     void pointerLeft();
+    void mapSelected();               // another one is held
+    void stopped(const QString& why); // a drag; empty: it goes on, or has ended
+    void message(const QString& sentence);
     void menuRequested(const QPoint& global); // by a click of the right button
 
 private:
@@ -79,8 +95,10 @@ private:
         SlicePlane plane;
         ifs::Vector<2> press;
     };
+    using After = std::function<document::Fractal(const std::vector<ifs::Vector<3>>&)>;
     struct Dragging {
         document::EditGesture gesture;
+        After after; // the fractal with the vertices there
         SpatialDrag drag;
         Pull pull;
         AxisLock lock;
@@ -89,7 +107,15 @@ private:
 
     bool isIdle() const { return std::holds_alternative<std::monostate>(m_gesture); }
     void beginOrbit(const QMouseEvent& event, std::optional<AxisBall::End> end);
+    bool pressHandle(const QPointF& position, const QMouseEvent& event); // false: there is none
     void beginDrag(std::size_t vertex, const QMouseEvent& event);
+    QString stepText(SpatialDrag::Mode mode, std::size_t vertex) const;
+    void beginFaceDrag(std::size_t face, const QMouseEvent& event);
+    After afterCage() const; // nullptr while there is no cage
+    After afterMap();        // nullptr while the map cannot be moved
+    void selectMap(std::size_t index);
+    bool mapsKeyPress(const QKeyEvent& event);
+    SpaceCageItem& held() const { return m_maps.isActive() ? m_map : m_cage; }
     void follow(Orbiting& orbiting, const QPointF& position);
     void follow(Dragging& dragging, const QMouseEvent& event);
     void follow(Slicing& slicing, const QPointF& position);
@@ -104,12 +130,17 @@ private:
     document::Document* m_document;
     SpaceNavigation& m_navigation;
     SpaceCageItem& m_cage;
+    SpaceMaps& m_maps;
+    SpaceCageItem& m_map;
     SliceItem& m_slice;
     AxisBall& m_ball;
     std::variant<std::monostate, Orbiting, Panning, Dragging, Slicing> m_gesture;
     QPointF m_pointer;
     std::optional<std::size_t> m_hovered;
     std::optional<std::size_t> m_focused;
+    std::optional<std::size_t> m_face; // hovered or held
+    bool m_allowsNoAttractor = false;
+    bool m_isFixed = false;
     bool m_isEnabled = true;
     bool m_isSpaceHeld = false;
 };

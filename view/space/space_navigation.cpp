@@ -76,8 +76,9 @@ void SpaceNavigation::adoptViewport() {
 void SpaceNavigation::fit() {
     if (m_camera.size.width <= 0 || m_camera.size.height <= 0) return;
     m_glide.stop();
-    set(document::fittedTo(m_document->fractal(), m_camera, fitMargin), false);
     m_isFitted = true;
+    const document::Fractal& fractal = m_document->fractal();
+    if (document::isSpaceExtentKnown(fractal)) set(document::fittedTo(fractal, m_camera, fitMargin), false);
 }
 
 void SpaceNavigation::zoomAt(const QPointF& position, double factor) {
@@ -98,6 +99,13 @@ void SpaceNavigation::lookFrom(const AxisBall::Direction& direction) {
         emit perspectiveChanged(false);
     }
     glideTo(turned);
+}
+
+void SpaceNavigation::fixDirection(const AxisBall::Direction& direction) {
+    m_glide.stop();
+    attractor::OrbitCamera turned = attractor::turnedTo(m_camera, direction.azimuth, direction.elevation);
+    turned.projection = attractor::OrbitCamera::Projection::Orthographic;
+    set(turned, false);
 }
 
 void SpaceNavigation::leaveAxisView() {

@@ -26,9 +26,12 @@ public:
     void glideTo(const attractor::OrbitCamera& camera); // within a moment
     void adoptViewport();                               // its size and pixel ratio
     void fit();                                         // picture and cage into the view
+    bool isFitted() const { return m_isFitted; }        // and the user has not moved the view since
     void zoomAt(const QPointF& position, double factor);
     void resetZoom(); // 100 %: one unit at the target is a hundred pixels
     void lookFrom(const AxisBall::Direction& direction);
+
+    void fixDirection(const AxisBall::Direction& direction); // at once; the user's views are not for this one
 
     // A view along an axis is orthographic until one orbits.
     bool isPerspective() const;

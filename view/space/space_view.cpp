@@ -10,13 +10,16 @@
 #include <QMenu>
 #include <QWindow>
 
+#include <utility>
+
 namespace view {
 
 namespace {
 
 // Of the box around what is displayed, where it is cut.
 std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
-    if (!document::space(fractal) || !fractal.inSpace.clip) return {};
+    if (!document::space(fractal) || !fractal.inSpace.clip || !document::isSpaceExtentKnown(fractal))
+        return {};
     std::array<document::Extent, 3> sides;
     for (int axis = 0; axis < 3; ++axis)
         sides[std::size_t(axis)] = document::extentAlong(fractal, ifs::Vector<3>::Unit(axis));
@@ -37,31 +40,70 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_solid(new SolidItem),
       m_outlines(new SpaceOutlinesItem),
       m_cageItem(new SpaceCageItem),
+      m_mapOutlines(new SpaceOutlinesItem),
+      m_mapItem(new SpaceCageItem),
       m_slice(new SliceItem),
       m_ball(new AxisBall),
       m_note(new NoteItem(NoteItem::Edge::Top)),
+      m_title(new NoteItem(NoteItem::Edge::Bottom)),
       m_navigation(document, bridge, viewport()),
-      m_input(document, m_navigation, *m_cageItem, *m_slice, *m_ball),
-      m_cage(document::spaceCage(document->fractal())),
+      m_maps(document, *m_mapOutlines, *m_mapItem),
+      m_input(document, m_navigation, {*m_cageItem, m_maps, *m_mapItem, *m_slice, *m_ball}),
       m_around(cornersOfCut(document->fractal())) {
     setScene(new QGraphicsScene(this)); // owns the items
-    for (OverlayItem* item :
-         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_slice, m_ball, m_note})
+    setCage(document::knownSpaceCage(document->fractal()));
+    m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
+    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
+             m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_slice, m_ball, m_note, m_title})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
     connect(bridge, &SolidBridge::frameChanged, this, [this] {
         m_solid->setFrame(m_bridge->frame());
         if (m_bridge->isCurrent()) layOut(); // which handles are hidden is known now
-        const auto frame = m_bridge->frame();
-        m_note->setText(frame ? noteInSpace(frame->note) : QString());
+        showNote();
     });
     connect(&m_navigation, &SpaceNavigation::changed, this, &SpaceView::layOut);
     connect(&m_input, &SpaceInput::changed, this, &SpaceView::refreshMarks);
+    connect(&m_input, &SpaceInput::mapSelected, this, &SpaceView::layOut);
+    connect(&m_input, &SpaceInput::stopped, this, [this](const QString& why) {
+        m_stop = why;
+        showNote();
+    });
+    connect(&m_input, &SpaceInput::message, this, &SpaceView::message);
     connect(&m_input, &SpaceInput::pointerMoved, this, &SpaceView::pointerMoved);
     connect(&m_input, &SpaceInput::pointerLeft, this, &SpaceView::pointerLeft);
     connect(&m_input, &SpaceInput::menuRequested, this, &SpaceView::showMenu);
+    m_cageItem->setFacesHeld(true);
+    setTarget(Target::Cage);
     applyStyle();
+}
+
+void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
+    if (!cage || !m_cage || cage->rest != m_cage->rest)
+        m_faces = SpaceCageItem::facesOf(cage ? cage->rest : std::vector<ifs::Vector<3>>());
+    m_cage = cage;
+}
+
+void SpaceView::showNote() {
+    const auto frame = m_bridge->frame();
+    m_note->setText(!m_stop.isEmpty() ? m_stop : frame ? noteInSpace(frame->note) : QString());
+}
+
+void SpaceView::setTarget(Target target) {
+    m_input.forgetFocus();
+    m_maps.setActive(target == Target::Maps);
+    m_cageItem->setHandlesVisible(target == Target::Cage);
+    layOut();
+}
+
+void SpaceView::fixDirection(const AxisBall::Direction& direction, const QString& title) {
+    m_isFixed = true;
+    m_title->setText(title);
+    setAccessibleName(tr("Canvas in space: %1").arg(title));
+    m_navigation.fixDirection(direction);
+    m_input.fixDirection();
+    layOut();
 }
 
 SpaceView::~SpaceView() {
@@ -91,29 +133,35 @@ void SpaceView::setUpWidget() {
 
 void SpaceView::describeFocus() {
     const auto vertex = m_input.focusedVertex();
-    if (!vertex || *vertex >= m_cageItem->vertices().size()) {
+    const auto& vertices = (m_maps.isActive() ? m_mapItem : m_cageItem)->vertices();
+    if (!vertex || *vertex >= vertices.size()) {
         setAccessibleDescription(tr(
             "The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move "
             "the corner in focus or turn the view, F6 leaves the canvas."));
         return;
     }
-    const ifs::Vector<3>& at = m_cageItem->vertices()[*vertex];
-    setAccessibleDescription(tr("Vertex %1 at %2, %3, %4")
-                                 .arg(*vertex + 1)
-                                 .arg(at.x(), 0, 'g', 6)
-                                 .arg(at.y(), 0, 'g', 6)
-                                 .arg(at.z(), 0, 'g', 6));
+    const ifs::Vector<3>& at = vertices[*vertex];
+    const auto map = m_maps.selected();
+    const QString pattern = map ? tr("Map %5, corner %1 at %2, %3, %4") : tr("Vertex %1 at %2, %3, %4");
+    QString text =
+        pattern.arg(*vertex + 1).arg(at.x(), 0, 'g', 6).arg(at.y(), 0, 'g', 6).arg(at.z(), 0, 'g', 6);
+    if (map) text = text.arg(*map + 1);
+    setAccessibleDescription(text);
 }
 
 void SpaceView::followDocument(const document::Change& change) {
     using document::Change;
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (!isAnother && !(change.parts & (Change::System | Change::Cage | Change::Appearance))) return;
-    m_cage = document::spaceCage(m_document->fractal());
+    const auto cage = document::knownSpaceCage(m_document->fractal());
+    const bool isKnown = document::isSpaceExtentKnown(m_document->fractal());
+    const bool isFound = !std::exchange(m_isExtentKnown, isKnown) && isKnown; // in the background
+    if (cage || isAnother || !document::space(m_document->fractal())) setCage(cage);
     if (!change.live) m_around = cornersOfCut(m_document->fractal());
     if (isAnother) m_input.forgetFocus();
     if (isAnother || change.parts & Change::Appearance) applyStyle();
-    if (isAnother && m_cage && m_wasShown) m_navigation.fit();
+    if (isAnother && m_wasShown) m_navigation.fit();
+    if (isFound && m_navigation.isFitted()) m_navigation.fit();
     layOut();
 }
 
@@ -137,20 +185,25 @@ void SpaceView::layOut() {
     const QSizeF size(camera.size.width, camera.size.height);
     m_solid->setView(size, ratio);
     m_note->setView({QPointF(), size});
+    m_title->setView({QPointF(), size});
     const bool isShown = m_cage && m_overlays;
     m_outlines->setVisible(isShown);
     m_cageItem->setVisible(isShown);
     m_slice->setVisible(isShown);
-    m_ball->setVisible(isShown);
+    m_ball->setVisible(isShown && !m_isFixed);
+    m_mapOutlines->setVisible(isShown && m_maps.isActive());
+    m_mapItem->setVisible(isShown && m_maps.isActive());
     if (!isShown) return;
     m_ball->layOut(camera);
     m_outlines->layOut(camera);
     layOutSlice();
     const auto frame = m_bridge->isCurrent() ? m_bridge->frame() : nullptr;
     const double touching = 3 / pixelsPerUnit(camera); // a vertex on the surface is not behind it
-    m_cageItem->layOut(camera, m_cage->current, [&](const attractor::ScreenPoint& seen) {
+    const auto isHidden = [&](const attractor::ScreenPoint& seen) {
         return frame && depthAt(*frame, seen.pixel * ratio) < seen.depth - touching;
-    });
+    };
+    m_cageItem->layOut(camera, m_cage->current, m_faces, isHidden);
+    m_maps.layOut(camera, m_cage, isHidden);
     refreshMarks();
 }
 
@@ -162,10 +215,11 @@ void SpaceView::layOutSlice() {
 
 void SpaceView::applyStyle() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
-    for (OverlayItem* item :
-         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_slice, m_ball, m_note})
+    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
+             m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_slice, m_ball, m_note, m_title})
         item->setStyle(style);
     m_note->setFont(font());
+    m_title->setFont(font());
 }
 
 void SpaceView::refreshMarks() {
@@ -178,6 +232,7 @@ void SpaceView::showMenu(const QPoint& global) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Fit"), &m_navigation, &SpaceNavigation::fit);
+    if (m_isFixed) return menu->popup(global);
     QAction* perspective = menu->addAction(tr("&Perspective"));
     perspective->setCheckable(true);
     perspective->setChecked(m_navigation.isPerspective());

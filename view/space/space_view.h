@@ -24,8 +24,15 @@ public:
 
     SpaceNavigation& navigation() { return m_navigation; }
     void setOverlaysVisible(bool visible);
-    bool cancelGesture() { return m_input.cancelGesture(); } // false when none was under way
-    QImage picture() const { return m_solid->picture(); }    // in device pixels; null before one
+    // What the handles hold: the cage, or the maps.
+    enum class Target { Cage, Maps };
+    void setTarget(Target target);
+    void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
+    // Always looks from there, under that title; a drag where nothing is held pans.
+    void fixDirection(const AxisBall::Direction& direction, const QString& title);
+    const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map that is held
+    bool cancelGesture() { return m_input.cancelGesture(); }    // false when none was under way
+    QImage picture() const { return m_solid->picture(); }       // in device pixels; null before one
     void showOutlines(std::vector<document::SpaceOutline> shapes);
     const SpaceCageItem& cageItem() const { return *m_cageItem; }
     const SliceItem& sliceItem() const { return *m_slice; }
@@ -35,6 +42,7 @@ public:
 signals:
     void pointerMoved(const view::SpacePosition& position);
     void pointerLeft();
+    void message(const QString& sentence); // for the status bar
 
 protected:
     bool event(QEvent* event) override;
@@ -59,6 +67,8 @@ private:
     void followDocument(const document::Change& change);
     void layOut();
     void layOutSlice();
+    void showNote();
+    void setCage(const std::optional<ifs::ControlCage<3>>& cage);
     void applyStyle();
     void refreshMarks();
     void describeFocus();
@@ -69,14 +79,22 @@ private:
     SolidItem* m_solid;
     SpaceOutlinesItem* m_outlines;
     SpaceCageItem* m_cageItem;
+    SpaceOutlinesItem* m_mapOutlines;
+    SpaceCageItem* m_mapItem;
     SliceItem* m_slice;
     AxisBall* m_ball;
     NoteItem* m_note;
+    NoteItem* m_title;
     SpaceNavigation m_navigation;
+    SpaceMaps m_maps;
     SpaceInput m_input;
     std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space
+    SpaceCageItem::Faces m_faces;              // of the cage
     std::vector<ifs::Vector<3>> m_around;      // corners of the box of what is cut
+    QString m_stop;                            // why a drag goes no farther
     bool m_overlays = true;
+    bool m_isExtentKnown = false;
+    bool m_isFixed = false;
     bool m_wasShown = false;
 };
 

@@ -45,8 +45,8 @@ attractor::Ray sight(const OrbitCamera& camera, const Vector<3>& start, const Ve
 }
 
 // Which of two ways an axis follows the pointer is decided where the drag began, so that it never jumps.
-Vector<3> alongAxis(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion, int axis) {
-    const Vector<3> direction = Vector<3>::Unit(axis);
+Vector<3> alongAxis(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion,
+                    const Vector<3>& direction) {
     const Vector<3> pressed = sight(camera, start, Vector<2>::Zero()).direction;
     if (direction.cross(pressed).norm() < minSine) {
         const Vector<2> shown = onScreen(camera, start, direction);
@@ -80,13 +80,18 @@ Vector<3> moved(const SpatialDrag& drag, const Pull& pull, const AxisLock& lock)
     const Vector<3>& start = drag.vertices[drag.held];
     const Vector<2> motion = pull.pointer - drag.press;
     Vector<3> push = pull.away * awayFromEye(drag.camera);
+    const auto along = [&](const Vector<3>& direction) {
+        const Vector<3> pushed = start + push.dot(direction) * direction;
+        if (motion.isZero(0)) return pushed;
+        return Vector<3>(pushed + (alongAxis(drag.camera, start, motion, direction) - start));
+    };
     switch (lock.kind) {
     case AxisLock::Kind::View:
         return acrossView(drag.camera, start, motion) + push;
     case AxisLock::Kind::Axis:
-        return start + push[lock.axis] * Vector<3>::Unit(lock.axis) +
-               (motion.isZero(0) ? Vector<3>::Zero()
-                                 : Vector<3>(alongAxis(drag.camera, start, motion, lock.axis) - start));
+        return along(Vector<3>::Unit(lock.axis));
+    case AxisLock::Kind::Normal:
+        return along(drag.normal);
     case AxisLock::Kind::Plane:
         push[lock.axis] = 0;
         return push + (motion.isZero(0) ? start : inPlane(drag.camera, start, motion, lock.axis));
@@ -107,6 +112,9 @@ std::vector<Vector<3>> dragged(const SpatialDrag& drag, const Pull& pull, const 
     std::vector<Vector<3>> result = drag.vertices;
     if (drag.mode == SpatialDrag::Mode::Move) {
         result[drag.held] = moved(drag, pull, lock);
+        const Vector<3> offset = result[drag.held] - drag.vertices[drag.held];
+        for (const int vertex : drag.together)
+            result[std::size_t(vertex)] += offset;
         return result;
     }
     if (pull.pointer == drag.press) return result;

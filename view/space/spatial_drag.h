@@ -11,9 +11,10 @@ namespace view {
 // What binds the motion of a vertex in space. Axes count from 0.
 struct AxisLock {
     enum class Kind {
-        View,  // free, in the plane through it that is parallel to the screen
-        Axis,  // along this axis
-        Plane, // in the plane to which this axis is normal
+        View,   // free, in the plane through it that is parallel to the screen
+        Axis,   // along this axis
+        Plane,  // in the plane to which this axis is normal
+        Normal, // along SpatialDrag::normal
     };
     Kind kind = Kind::View;
     int axis = 0;
@@ -33,7 +34,9 @@ struct SpatialDrag {
     attractor::OrbitCamera camera;
     std::vector<ifs::Vector<3>> vertices;
     std::size_t held = 0;
-    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // pixel
+    std::vector<int> together;                       // vertices that move as the one that is held does
+    ifs::Vector<3> normal = ifs::Vector<3>::UnitZ(); // unit
+    ifs::Vector<2> press = ifs::Vector<2>::Zero();   // pixel
     Mode mode = Mode::Move;
 };
 

@@ -61,10 +61,8 @@ QImage pictureInSpace(const document::Fractal& fractal, int side) {
     attractor::OrbitCamera camera;
     camera.orientation = attractor::orbit(defaultAzimuth, defaultElevation);
     camera.size.width = camera.size.height = side;
-    const auto support = document::spaceSupport(fractal);
-    if (!support) return nothing();
-    const auto cage = document::spaceCage(fractal);
-    camera = attractor::fitted(camera, *support, ifs::displayMap(*cage), margin);
+    if (!document::spaceSupport(fractal)) return nothing();
+    camera = document::fittedToPicture(fractal, camera, margin);
     attractor::SolidRendering rendering(document::spaceRequest(fractal, camera));
     rendering.draw();
     attractor::Workers alone(1);

@@ -132,7 +132,7 @@ private:
         for (const Node& node : nodes)
             if (isExact(node)) {
                 add(node, result);
-                result.exact.push_back(node.word);
+                result.exact.push_back(straightened(node.word, m_view).word);
             }
         return result;
     }

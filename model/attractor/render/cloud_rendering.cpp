@@ -103,9 +103,9 @@ void CloudRendering::State::start(SpaceRequest newRequest) {
     inCells.camera = camera;
     view = spaceView(inCells, cage);
     const ifs::Vector<3> stretch = ifs::singularValues<3>(cage.linear);
-    note = system.note != RenderNote::None     ? system.note
-           : !(stretch[2] > 1e-6 * stretch[0]) ? RenderNote::Degenerate
-                                               : RenderNote::None;
+    note = system.note != RenderNote::None                   ? system.note
+           : !view.bend && !(stretch[2] > 1e-6 * stretch[0]) ? RenderNote::Degenerate
+                                                             : RenderNote::None;
     std::vector<ifs::MapId> ids;
     for (const std::size_t index : system.index)
         ids.push_back(request.system.maps[index].id);

@@ -18,8 +18,9 @@ namespace {
 RenderNote noteOf(const SolidScene& scene, const ifs::AffineMap<3>& cage) {
     if (scene.system.note != RenderNote::None) return scene.system.note;
     const ifs::Vector<3> stretch = ifs::singularValues<3>(cage.linear);
-    if (!(stretch[2] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
-    const ifs::AffineMap<3> root = scene.view.toPixels * scene.system.fromBox();
+    if (!scene.view.bend && !(stretch[2] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
+    const ifs::AffineMap<3> root =
+        straightened(scene.view.toPixels * scene.system.fromBox(), scene.view).word;
     const double reach = root.translation.cwiseAbs().maxCoeff() + root.linear.cwiseAbs().maxCoeff();
     return scene.range.isClamped || reach * 0x1p-48 > 1 ? RenderNote::TooDeep : RenderNote::None;
 }

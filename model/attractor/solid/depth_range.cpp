@@ -56,8 +56,8 @@ private:
     void add(const ifs::AffineMap<3>& word) {
         const SeenWord it = seen(word, m_view);
         if (!it.meets(m_view.size)) return;
-        const double half = word.linear.row(2).cwiseAbs().sum();
-        double depth = m_sign * word.translation.z() + half;
+        const double half = it.half.z();
+        double depth = m_sign * it.onScreen.translation.z() + half;
         if (m_view.isPerspective() && m_sign < 0)
             depth = std::min(depth, m_view.eyeDistance * (1 - nearestShare));
         m_open.push_back({depth, half, word});

@@ -70,7 +70,8 @@ void SolidScene::setKey(SolidKey newKey) {
 
 void SolidScene::setView(const SpaceView& newView) {
     view = newView;
-    facing = FacingCover(system, view, covers.ofAtMost(facingPoints));
+    // Bent, its words are seen from as many sides.
+    facing = view.bend ? FacingCover() : FacingCover(system, view, covers.ofAtMost(facingPoints));
 }
 
 void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
@@ -123,9 +124,9 @@ void SolidBand::expand(const SolidScene& scene, const Open& open) {
 void SolidBand::openSorted(const SolidScene& scene) {
     m_order.clear();
     for (std::size_t i = 0; i < m_children.size(); ++i) {
-        const ifs::AffineMap<3>& word = m_children[i].word;
-        if (!seen(word, scene.view).meets(scene.view.size)) continue;
-        m_order.emplace_back(word.translation.z() - word.linear.row(2).cwiseAbs().sum(), i);
+        const SeenWord word = seen(m_children[i].word, scene.view);
+        if (!word.meets(scene.view.size)) continue;
+        m_order.emplace_back(word.nearest(), i);
     }
     std::sort(m_order.rbegin(), m_order.rend());
     for (const auto& [depth, index] : m_order)
@@ -185,7 +186,7 @@ bool SolidBand::draw(const SolidScene& scene, const Open& open, int firstRow, co
     if (cover == nullptr) cover = &m_covers.back();
     m_job.points += cover->size;
     m_wideBudget -= std::min(m_wideBudget, cover->size / kernels::solidLanes);
-    drawClipped(open.word, shown, *scene.view.clip, *cover, m_keys);
+    drawClipped(straightened(open.word, scene.view).word, shown, *scene.view.clip, *cover, m_keys);
     return true;
 }
 

@@ -53,6 +53,11 @@ SpaceView spaceView(const SpaceRequest& request, const ifs::AffineMap<3>& cage) 
     SpaceView view = spaceView(request.camera, cage, request.eyeShift);
     if (request.clip && isUsable(*request.clip) && isUsable(request.camera))
         view.clip = inPixels(*request.clip, request.camera, request.eyeShift);
+    if (request.cage && ifs::isValid(*request.cage) && ifs::bends(*request.cage)) {
+        view.bend = std::make_shared<const ifs::CageDeformation>(request.cage->rest, request.cage->current);
+        view.afterBend = spaceView(request.camera, {}, request.eyeShift).toPixels;
+        view.toPixels = {};
+    }
     return view;
 }
 
@@ -69,17 +74,34 @@ bool SeenWord::meets(const RasterSize& size) const {
            y - half.y() <= size.height;
 }
 
+StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view) {
+    if (!view.bend) return {word};
+    const ifs::CageDeformation& bend = *view.bend;
+    StraightWord result;
+    const ifs::Vector<3> middle = bend(word.translation);
+    for (int side = 0; side < 3; ++side) {
+        const ifs::Vector<3> high = bend(word.translation + word.linear.col(side));
+        const ifs::Vector<3> low = bend(word.translation - word.linear.col(side));
+        result.word.linear.col(side) = view.afterBend.linear * ((high - low) / 2);
+        // Twice, for what mixes two directions.
+        result.miss += 2 * (view.afterBend.linear * ((high + low) / 2 - middle)).cwiseAbs();
+    }
+    result.word.translation = view.afterBend(middle);
+    return result;
+}
+
 // With W the distance of the word's middle from the eye and d the first-order change of x: the point whose
 // depth differs by c is seen at x + d·W/(W + c).
 SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
     SeenWord result;
-    result.onScreen = word;
+    const StraightWord straight = straightened(word, view);
+    result.onScreen = straight.word;
     ifs::Vector<3>& middle = result.onScreen.translation;
     ifs::Matrix<3>& linear = result.onScreen.linear;
-    const double depth = linear.row(2).cwiseAbs().sum();
+    const double depth = linear.row(2).cwiseAbs().sum() + straight.miss.z();
     if (view.clip) {
         const double at = view.clip->normal.dot(middle);
-        const double half = (view.clip->normal.transpose() * linear).cwiseAbs().sum();
+        const double half = (view.clip->normal.transpose() * linear).cwiseAbs().sum() + straight.miss.norm();
         result.isBehind = !(at + half >= view.clip->lowest && at - half <= view.clip->highest);
         if (result.isBehind) return result;
         result.isCut = at - half < view.clip->lowest || at + half > view.clip->highest;
@@ -105,12 +127,16 @@ SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
             middle[row] *= result.scale;
         }
         result.half = linear.cwiseAbs().rowwise().sum();
+        result.half.head<2>() += result.scale * straight.miss.head<2>();
+        result.half.z() += straight.miss.z();
         const double share = depth / (away - depth);
         const ifs::Vector<2> miss = share * result.half.head<2>();
         result.half.head<2>() += miss;
-        result.miss = miss.maxCoeff();
+        result.miss = miss.maxCoeff() + result.scale * straight.miss.maxCoeff();
     } else {
         result.half = linear.cwiseAbs().rowwise().sum();
+        result.half += straight.miss;
+        result.miss = straight.miss.maxCoeff();
     }
     middle.x() += view.size.width / 2.0;
     middle.y() += view.size.height / 2.0;

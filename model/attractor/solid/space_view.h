@@ -3,8 +3,9 @@
 
 #include "attractor/request/orbit_camera.h"
 #include "attractor/request/space_request.h"
-#include "ifs/system/affine_map.h"
+#include "ifs/cage/cage_surface.h"
 
+#include <memory>
 #include <optional>
 
 namespace attractor {
@@ -30,6 +31,10 @@ struct SpaceView {
     double eyeDistance = 0; // pixels; 0: orthographic
     RasterSize size;
     std::optional<PixelClip> clip; // what is outside is not shown
+    // A cage that bends: then toPixels leaves everything in its place, and a word is straightened on its way
+    // to the pixels by what the camera makes of it to first order.
+    std::shared_ptr<const ifs::CageDeformation> bend;
+    ifs::AffineMap<3> afterBend;
 
     bool isPerspective() const { return eyeDistance > 0; }
 };
@@ -39,6 +44,15 @@ SpaceView spaceView(const SpaceRequest& request, const ifs::AffineMap<3>& cage);
 
 // Points nearer to the eye than this share of its distance from the target are not drawn.
 constexpr double nearestShare = 0x1p-10;
+
+// A word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, in pixels before perspective:
+// where nothing bends, itself. `miss` is by how much its first-order map may be off, by what the middles of
+// the six sides tell.
+struct StraightWord {
+    ifs::AffineMap<3> word;
+    ifs::Vector<3> miss = ifs::Vector<3>::Zero();
+};
+StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view);
 
 // What a word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, shows on the screen.
 struct SeenWord {

@@ -15,6 +15,7 @@ std::optional<System2> shownSystem(const Fractal& fractal, const Shape<2>&) {
 
 std::optional<System3> shownSystem(const Fractal&, const Shape<3>& shape) {
     if (!shape.cage || shape.cage->rest == shape.cage->current) return shape.system;
+    if (ifs::bends(*shape.cage)) return std::nullopt;
     return ifs::conjugate(ifs::displayMap(*shape.cage), shape.system);
 }
 

@@ -2,6 +2,7 @@
 #include "document/edits/space_cage_edits.h"
 
 #include "document/space_geometry.h"
+#include "ifs/cage/space_hull_cage.h"
 
 #include <QCoreApplication>
 
@@ -12,14 +13,18 @@ namespace document {
 
 namespace {
 
-constexpr double relativeTolerance = 1e-6; // as the cage in force has: spaceCage()
-
 QString sentence(const char* text) {
     return QCoreApplication::translate("SpaceCageEdits", text);
 }
 
 QString noMap() {
     return sentence(QT_TRANSLATE_NOOP("SpaceCageEdits", "No map is active, so there is nothing to enclose."));
+}
+
+QString noCodeBends() {
+    return sentence(QT_TRANSLATE_NOOP(
+        "SpaceCageEdits", "The cage bends the picture, and no affine code produces a bent picture. Choose "
+                          "“Affine fit” to bake the closest affine placement."));
 }
 
 // Numbers that rounding has left where there should be none would stand in the table.
@@ -91,6 +96,7 @@ QString spaceBakeObstacle(const Fractal& fractal) {
     if (rests(fractal))
         return sentence(
             QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is at rest: the picture shows the code."));
+    if (ifs::bends(*space(fractal)->cage)) return noCodeBends();
     if (!ifs::isInvertible(*space(fractal)->cage))
         return sentence(QT_TRANSLATE_NOOP(
             "SpaceCageEdits",
@@ -129,6 +135,10 @@ QString spaceFitObstacle(const Fractal& fractal) {
     if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     const Shape<3>& shape = *space(fractal);
     if (ifs::activeMaps(shape.system).maps.empty()) return noMap();
+    if (shape.cage && ifs::bends(*shape.cage))
+        return sentence(QT_TRANSLATE_NOOP("SpaceCageEdits",
+                                          "The cage bends the picture, so no other cage would show it. First "
+                                          "reset the cage or choose “Affine fit”."));
     if (shape.cage && !rests(fractal) && !ifs::isInvertible(*shape.cage))
         return sentence(
             QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is flat. First open or reset the tetrahedron."));
@@ -142,27 +152,45 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
                                              const std::optional<ifs::Orientation<3>>& orientation) {
     const auto system = system3(fractal);
     if (!system) return std::nullopt;
+    if (!orientation && rests(fractal)) {
+        Fractal after = fractal;
+        space(after)->cage.reset(); // it then follows the code
+        return spaceSupport(fractal) ? std::optional(std::move(after)) : std::nullopt;
+    }
     const auto displayed = ifs::conjugate(placementOf(fractal), *system);
     const auto support =
         displayed ? ifs::SupportFunction<3>::of(ifs::activeMaps(*displayed).maps) : std::nullopt;
     if (!support) return std::nullopt;
-    const double tolerance = relativeTolerance * support->radius();
+    const double tolerance = extentTolerance(*system) * support->radius();
     const ifs::CanonicalSimplex<3> simplex = orientation
                                                  ? ifs::canonicalSimplex<3>(*support, *orientation, tolerance)
                                                  : ifs::minimalCanonicalSimplex(*support, tolerance);
-    if (!orientation && rests(fractal)) {
-        Fractal after = fractal;
-        space(after)->cage.reset(); // it then follows the code
-        return after;
-    }
     return withCageThrough(fractal, {simplex.vertices.begin(), simplex.vertices.end()});
+}
+
+std::optional<Fractal> withPolyhedronFitted(const Fractal& fractal, SpacePolyhedron choice, int corners) {
+    const System3* system = system3(fractal);
+    const auto displayed = system ? ifs::conjugate(placementOf(fractal), *system) : std::nullopt;
+    const auto support =
+        displayed ? ifs::SupportFunction<3>::of(ifs::activeMaps(*displayed).maps) : std::nullopt;
+    if (!support) return std::nullopt;
+    const double tolerance = extentTolerance(*system) * support->radius();
+    switch (choice) {
+    case SpacePolyhedron::Box:
+        return withCageThrough(fractal, ifs::boxCage(*support, tolerance));
+    case SpacePolyhedron::Octahedron:
+        return withCageThrough(fractal, ifs::octahedronCage(*support, tolerance));
+    case SpacePolyhedron::Hull:
+        return withCageThrough(fractal, ifs::hullCage(*support, corners, tolerance));
+    }
+    return std::nullopt;
 }
 
 std::optional<Fractal> withBoxFitted(const Fractal& fractal) {
     const auto support = spaceSupport(fractal);
     if (!support) return std::nullopt;
-    const auto box =
-        ifs::boundingBoxOfImage(placementOf(fractal), *support, relativeTolerance * support->radius());
+    const auto box = ifs::boundingBoxOfImage(placementOf(fractal), *support,
+                                             extentTolerance(*system3(fractal)) * support->radius());
     const ifs::Vector<3> low = box.min.array() - box.error, high = box.max.array() + box.error;
     return withCageThrough(
         fractal,

@@ -34,4 +34,10 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
 // three neighbours, whose edges span the box.
 std::optional<Fractal> withBoxFitted(const Fractal& fractal);
 
+enum class SpacePolyhedron { Box, Octahedron, Hull };
+// The displayed picture held by eight corners of its box, by six of an octahedron, or by a polyhedron of at
+// most so many corners around it (at least 8): cages that bend it once they are moved. nullopt without an
+// attractor, while the placement is flat or bent, and where the polyhedron would be too thin.
+std::optional<Fractal> withPolyhedronFitted(const Fractal& fractal, SpacePolyhedron choice, int corners = 16);
+
 } // namespace document

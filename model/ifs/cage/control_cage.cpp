@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/control_cage.h"
 
+#include "ifs/cage/cage_surface.h"
 #include "ifs/extent/polygon.h"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ template <int Dim> bool holdsCoordinates(const std::vector<Vector<Dim>>& points)
     if (points.size() == Dim + 1) return isAffineBasis<Dim>(simplexOf<Dim>(points));
     if constexpr (Dim == 2)
         if (points.size() > maxCorners || !isSimplePolygon(points)) return false;
+    if constexpr (Dim == 3) return convexSurface(points).has_value();
     for (std::size_t j = 0; j < points.size(); ++j)
         if (std::find(points.begin() + std::ptrdiff_t(j) + 1, points.end(), points[j]) != points.end())
             return false;
@@ -104,7 +106,7 @@ template <int Dim> AffineMap<Dim> displayMap(const ControlCage<Dim>& cage) {
 }
 
 template <int Dim> bool bends(const ControlCage<Dim>& cage) {
-    if (Dim != 2 || isSimplicial(cage) || cage.deformation != Deformation::Bend || cage.current == cage.rest)
+    if (isSimplicial(cage) || cage.deformation != Deformation::Bend || cage.current == cage.rest)
         return false;
     const AffineMap<Dim> fit = displayMap(cage);
     double miss = 0;

@@ -40,6 +40,15 @@ AffineMap<2> withHandleMoved(const AffineMap<2>& map, std::span<const Vector<2>>
     return {map.linear + offset * gradient.transpose(), map.translation - gradient.dot(rest[first]) * offset};
 }
 
+AffineMap<3> withHandleMoved(const AffineMap<3>& map, const Simplex<3>& rest, std::size_t vertex,
+                             const Vector<3>& offset) {
+    if (offset.isZero(0)) return map;
+    const Vector<3>& a = rest[(vertex + 1) % 4];
+    const Vector<3> normal = (rest[(vertex + 2) % 4] - a).cross(rest[(vertex + 3) % 4] - a);
+    const Vector<3> gradient = normal / normal.dot(rest[vertex] - a);
+    return {map.linear + offset * gradient.transpose(), map.translation - gradient.dot(a) * offset};
+}
+
 AffineMap<2> firstOrder(const Placement& placement, const Vector<2>& x) {
     if (placement.bend() == nullptr) return placement.affine();
     const auto expansion = placement.bend()->expansion(x);
@@ -69,18 +78,18 @@ bool hasAttractor(const Existence& existence) {
     return existence.verdict == Verdict::Hyperbolic || existence.verdict == Verdict::EventuallyContractive;
 }
 
-SafeWay safeWay(const std::function<std::vector<AffineMap<2>>(double)>& mapsAt) {
+template <int Dim> SafeWay<Dim> safeWay(const std::function<std::vector<AffineMap<Dim>>(double)>& mapsAt) {
     constexpr double precision = 1e-4;
     constexpr int products = 2'000; // for each verdict: the hand is waiting
-    const auto verdictOn = [](std::span<const AffineMap<2>> maps) { return classify<2>(maps, products); };
-    SafeWay way{.past = mapsAt(1)};
+    const auto verdictOn = [](std::span<const AffineMap<Dim>> maps) { return classify<Dim>(maps, products); };
+    SafeWay<Dim> way{.past = mapsAt(1)};
     way.verdict = verdictOn(way.past);
     if (hasAttractor(way.verdict) || !hasAttractor(verdictOn(mapsAt(0)))) return {};
     double past = 1;
     way.share = 0;
     while (past - way.share > precision) {
         const double middle = (way.share + past) / 2;
-        std::vector<AffineMap<2>> maps = mapsAt(middle);
+        std::vector<AffineMap<Dim>> maps = mapsAt(middle);
         Existence verdict = verdictOn(maps);
         if (hasAttractor(verdict)) {
             way.share = middle;
@@ -92,5 +101,7 @@ SafeWay safeWay(const std::function<std::vector<AffineMap<2>>(double)>& mapsAt) 
     }
     return way;
 }
+template SafeWay<2> safeWay<2>(const std::function<std::vector<AffineMap<2>>(double)>&);
+template SafeWay<3> safeWay<3>(const std::function<std::vector<AffineMap<3>>(double)>&);
 
 } // namespace ifs

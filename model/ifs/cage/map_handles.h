@@ -19,6 +19,11 @@ namespace ifs {
 AffineMap<2> withHandleMoved(const AffineMap<2>& map, std::span<const Vector<2>> rest, std::size_t vertex,
                              const Vector<2>& offset);
 
+// The same in space, with the tetrahedron's own coordinate for λ: the images of its other vertices stay. The
+// rest must be an affine basis.
+AffineMap<3> withHandleMoved(const AffineMap<3>& map, const Simplex<3>& rest, std::size_t vertex,
+                             const Vector<3>& offset);
+
 // The placement to first order at x, a point in coordinates of the code; the whole placement when it is
 // affine.
 AffineMap<2> firstOrder(const Placement& placement, const Vector<2>& x);
@@ -32,15 +37,15 @@ std::optional<Vector<2>> preimage(const Placement& placement, const Vector<2>& d
 bool hasAttractor(const Existence& existence);
 
 // How far a change may go.
-struct SafeWay {
+template <int Dim> struct SafeWay {
     double share = 1; // of the way, within 1e-4; up to here there is an attractor
     // The maps just past it, without a known attractor; empty when share is 1.
-    std::vector<AffineMap<2>> past{};
+    std::vector<AffineMap<Dim>> past{};
     Existence verdict{}; // of those maps
 };
 // Where along `mapsAt(t)`, t from 0 to 1, the maps stop having a known attractor: by bisection, so that past
 // the share given there is none, though there may be one again farther on. share 1 when mapsAt(1) has one, or
 // mapsAt(0) has none to keep. Verdicts are those of a search as short as a drag allows.
-SafeWay safeWay(const std::function<std::vector<AffineMap<2>>(double)>& mapsAt);
+template <int Dim> SafeWay<Dim> safeWay(const std::function<std::vector<AffineMap<Dim>>(double)>& mapsAt);
 
 } // namespace ifs

@@ -84,6 +84,7 @@ struct SpacePoints::State {
           orbit(system, wanted.seed),
           bytes(headerOf(wanted)) {
         if (shape.cage) placement = ifs::displayMap(*shape.cage);
+        if (shape.cage && ifs::bends(*shape.cage)) bend.emplace(shape.cage->rest, shape.cage->current);
         if (wanted.format == PointFormat::Ply) surroundings = Surroundings(system, placement, stop);
     }
 
@@ -107,6 +108,7 @@ struct SpacePoints::State {
     attractor::PreparedSpace system;
     attractor::SpaceOrbit orbit;
     ifs::AffineMap<3> placement;
+    std::optional<ifs::CageDeformation> bend; // in place of it; normals are those of the placement
     Surroundings surroundings;
     QByteArray bytes;
 };
@@ -120,7 +122,7 @@ void SpacePoints::add() {
     State& state = *m_state;
     const attractor::SpaceOrbit::Point& point = state.orbit.next();
     const std::size_t map = state.system.index[point.lastMap];
-    const ifs::Vector<3> x = state.placement(point.x);
+    const ifs::Vector<3> x = state.bend ? (*state.bend)(point.x) : state.placement(point.x);
     if (state.cloud.format == PointFormat::Csv) {
         for (int k = 0; k < 3; ++k)
             state.bytes += formatNumber(x[k]) + ',';

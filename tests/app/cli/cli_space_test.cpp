@@ -17,6 +17,7 @@ private slots:
     void drawsACloud();
     void sameBytesForAnyThreadsAndInstructions();
     void theCageMovesThePicture();
+    void aCageOfMoreCornersBendsThePicture();
     void aFlatCageIsDrawn();
     void aSliceKeepsWhatIsBetweenItsPlanes();
     void stereoShowsBothEyes();
@@ -133,6 +134,18 @@ void CliSpaceTest::theCageMovesThePicture() {
     QVERIFY(std::abs(octahedron.at(40, 30) + 0.25) < 2.0 / 60);
 }
 
+// A corner of the box is pulled towards the eye: its part comes nearer, the opposite one stays.
+void CliSpaceTest::aCageOfMoreCornersBendsThePicture() {
+    const QByteArray view = "--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,3 --rest-cage box ";
+    const Depths rest = depths(view);
+    const Depths bent = depths(view + "--cage \"0,0,0 1,0,0 0,1,0 1,1,0 0,0,1 1,0,1 0,1,1 1,1,2\"");
+    QVERIFY(std::abs(rest.at(48, 22) + 0.5) < 2.0 / 20);
+    QVERIFY(bent.at(48, 22) < rest.at(48, 22) - 0.3);           // near the corner (1, 1, 1)
+    QVERIFY(std::abs(bent.at(32, 38) - rest.at(32, 38)) < 0.1); // near (0, 0, 1)
+    const QByteArray hull = "--size 80x60 --orbit 0,0 --view 0.5,0.5,0.5,3 --rest-cage hull:12";
+    QVERIFY(std::abs(depths(hull).at(40, 30) + 0.5) < 2.0 / 20);
+}
+
 // A tetrahedron pressed into a plane has a picture all the same, and its opposite has the first one's bytes.
 void CliSpaceTest::aFlatCageIsDrawn() {
     const QByteArray call = "render cube.ifs --look depth --size 80x60 --view 0.5,0.5,0.5,2 "
@@ -245,10 +258,12 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
                             << QByteArray("same number");
     QTest::newRow("flat rest") << QByteArray("cube.ifs -o a.png --rest-cage \"0,0,0 1,0,0 0,1,0 1,1,0\"")
                                << QByteArray("one plane");
-    QTest::newRow("bent") << QByteArray("cube.ifs -o a.png --rest-cage box --cage \"0,0,0 1,0,0 0,1,0 1,1,0 "
-                                        "0,0,1 1,0,1 0,1,1 2,2,2\"")
-                          << QByteArray("more than four");
-    QTest::newRow("hull") << QByteArray("cube.ifs -o a.png --rest-cage hull") << QByteArray("canonical, box");
+    QTest::newRow("dented rest")
+        << QByteArray("cube.ifs -o a.png --rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1 0.2,0.2,0.2\"")
+        << QByteArray("convex polyhedron");
+    QTest::newRow("hull") << QByteArray("cube.ifs -o a.png --rest-cage hull:7") << QByteArray("8 to 24");
+    QTest::newRow("hull text") << QByteArray("cube.ifs -o a.png --rest-cage hull:many")
+                               << QByteArray("8 to 24");
     QTest::newRow("large") << QByteArray("cube.ifs -o a.png --size 100000x100000") << QByteArray("4 GB");
     QTest::newRow("plane") << QByteArray("systems.ifs -o a.png --orbit 30,20") << QByteArray("in space");
     QTest::newRow("plane look") << QByteArray("systems.ifs -o a.png --look depth") << QByteArray("in space");

@@ -124,6 +124,32 @@ private slots:
         QVERIFY(minimal && !document::space(*minimal)->cage); // it follows the code
     }
 
+    void aPolyhedronHoldsThePictureAndBendsIt() {
+        using document::SpacePolyhedron;
+        for (const auto& [choice, corners] : {std::pair{SpacePolyhedron::Box, std::size_t(8)},
+                                              {SpacePolyhedron::Octahedron, std::size_t(6)},
+                                              {SpacePolyhedron::Hull, std::size_t(8)}}) { // of a cube its box
+            for (const Fractal& before : {menger(), moved()}) {
+                const auto fitted = document::withPolyhedronFitted(before, choice);
+                QVERIFY(fitted && isSamePicture(*fitted, before));
+                const auto& cage = *document::space(*fitted)->cage;
+                QVERIFY(before == menger() ? cage.rest.size() == corners : cage.rest.size() >= 6);
+                QVERIFY(ifs::isValid(cage) && !ifs::bends(cage));
+            }
+            Fractal bent = *document::withPolyhedronFitted(menger(), choice);
+            document::space(bent)->cage->current[3] += Vector<3>(0.5, 0.5, 0.5);
+            QVERIFY(ifs::bends(*document::space(bent)->cage));
+            QVERIFY(document::bakeObstacle(bent).contains(u"bends"));
+            QVERIFY(!document::baked(bent));
+            QVERIFY(document::fitObstacle(bent).contains(u"bends"));
+            QVERIFY(!document::withPolyhedronFitted(bent, choice) || !document::fitObstacle(bent).isEmpty());
+            // The affine fit can be baked.
+            document::space(bent)->cage->deformation = ifs::Deformation::AffineFit;
+            QVERIFY(document::baked(bent));
+            QVERIFY(document::isAtRest(document::withCageAtRest(bent)));
+        }
+    }
+
     void threeEdgesOfTheBoxHoldThePicture() {
         const auto fitted = document::withBoxFitted(menger());
         QVERIFY(fitted && isSamePicture(*fitted, menger()));

@@ -95,16 +95,51 @@ private slots:
             maps[1].linear = (0.5 + t) * Matrix<2>::Identity();
             return maps;
         };
-        const SafeWay way = safeWay(grown);
+        const SafeWay<2> way = safeWay<2>(grown);
         QVERIFY(std::abs(way.share - 0.5) < 1.1e-3);
         QCOMPARE(way.verdict.verdict, Verdict::None);
         QCOMPARE(way.verdict.witness, std::vector<int>{1});
         QVERIFY(spectralNorm<2>(way.past[1].linear) >= 1);
         QVERIFY(hasAttractor(classify<2>(grown(way.share))));
 
-        QCOMPARE(safeWay([&](double t) { return grown(t * 0.4); }).share, 1.0);
-        QCOMPARE(safeWay([&](double t) { return grown(0.6 - t * 0.3); }).share, 1.0); // nothing to keep
-        QCOMPARE(safeWay([&](double t) { return grown(0.6 + t); }).share, 1.0);
+        QCOMPARE(safeWay<2>([&](double t) { return grown(t * 0.4); }).share, 1.0);
+        QCOMPARE(safeWay<2>([&](double t) { return grown(0.6 - t * 0.3); }).share, 1.0); // nothing to keep
+        QCOMPARE(safeWay<2>([&](double t) { return grown(0.6 + t); }).share, 1.0);
+    }
+
+    // The tetrahedron 0, e₁, e₂, e₃ and halves: the corner of the first half at e₁ moved by (0.1, 0.1, 0).
+    void inSpaceACornerMovesAlone() {
+        const Simplex<3> rest{Vector<3>(0, 0, 0), Vector<3>(1, 0, 0), Vector<3>(0, 1, 0), Vector<3>(0, 0, 1)};
+        const AffineMap<3> half{0.5 * Matrix<3>::Identity(), Vector<3>::Zero()};
+        const AffineMap<3> moved = withHandleMoved(half, rest, 1, Vector<3>(0.1, 0.1, 0));
+        Matrix<3> expected = half.linear;
+        expected(0, 0) = 0.6;
+        expected(1, 0) = 0.1;
+        QVERIFY((moved.linear - expected).norm() < 1e-15 && moved.translation.isZero(0));
+
+        const Simplex<3> skew{Vector<3>(1, 2, -1), Vector<3>(3, 1, 0), Vector<3>(0, 4, 1),
+                              Vector<3>(1, 1, 5)};
+        const AffineMap<3> map{Vector<3>(0.2, -0.4, 0.3).asDiagonal() * Matrix<3>::Ones(), {1, 2, 3}};
+        for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+            const Vector<3> offset(0.3, -0.7, 0.2);
+            const AffineMap<3> after = withHandleMoved(map, skew, vertex, offset);
+            for (std::size_t other = 0; other < 4; ++other) {
+                const Vector<3> wanted = map(skew[other]) + (other == vertex ? offset : Vector<3>::Zero());
+                QVERIFY((after(skew[other]) - wanted).norm() < 1e-13);
+            }
+        }
+        QVERIFY(withHandleMoved(map, skew, 2, Vector<3>::Zero()) == map);
+    }
+
+    void inSpaceTheWayEndsWhereTheAttractorDoes() {
+        const auto grown = [](double t) {
+            return std::vector<AffineMap<3>>{{0.5 * Matrix<3>::Identity(), Vector<3>::Zero()},
+                                             {(0.5 + t) * Matrix<3>::Identity(), Vector<3>::Ones()}};
+        };
+        const SafeWay<3> way = safeWay<3>(grown);
+        QVERIFY(std::abs(way.share - 0.5) < 1.1e-3);
+        QCOMPARE(way.verdict.witness, std::vector<int>{1});
+        QCOMPARE(safeWay<3>([&](double t) { return grown(t * 0.4); }).share, 1.0);
     }
 
     // A norm above 1 is no reason to stop: sheared, every map of the flower has one.
@@ -116,7 +151,7 @@ private slots:
             return maps;
         };
         QVERIFY(spectralNorm<2>(sheared(1)[0].linear) > 3);
-        QCOMPARE(safeWay(sheared).share, 1.0);
+        QCOMPARE(safeWay<2>(sheared).share, 1.0);
     }
 };
 

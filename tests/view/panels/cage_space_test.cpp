@@ -102,6 +102,23 @@ private slots:
         QVERIFY((now.translation - before.translation).norm() < 1e-12);
     }
 
+    void aCageOfMoreCornersBendsOrFits() {
+        m_panel->fitPolyhedron(document::SpacePolyhedron::Octahedron, 6);
+        QCOMPARE(cage().rest.size(), std::size_t(6));
+        NumberField* z = m_panel->field(CagePanel::Vertices::Current, 5, 2);
+        QVERIFY(z->isVisible());
+        type(z, QString::number(z->value() + 3));
+        QTest::keyClick(z, Qt::Key_Return);
+        QVERIFY(ifs::bends(cage()));
+        QVERIFY(m_panel->status().contains(QStringLiteral("bent")));
+        m_panel->deformationButton(ifs::Deformation::AffineFit)->click();
+        QVERIFY(!ifs::bends(cage()));
+        QVERIFY(!m_panel->status().contains(QStringLiteral("bent")));
+        action(QStringLiteral("Reset"))->trigger();
+        m_panel->fitTetrahedron();
+        QCOMPARE(document::spaceCage(m_document->fractal())->rest.size(), std::size_t(4));
+    }
+
     void aFlatRestTetrahedronIsRefused() {
         QSignalSpy messages(m_panel.get(), &CagePanel::message);
         const document::Fractal before = m_document->fractal();

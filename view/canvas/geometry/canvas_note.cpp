@@ -32,18 +32,19 @@ struct Witness {
     QString radius;  // its spectral radius
 };
 
-Witness described(std::span<const ifs::AffineMap<2>> maps, const std::vector<std::size_t>& index,
+template <int Dim>
+Witness described(std::span<const ifs::AffineMap<Dim>> maps, const std::vector<std::size_t>& index,
                   const std::vector<int>& word) {
-    const ifs::AffineMap<2> map = ifs::composed<2>(maps, word);
+    const ifs::AffineMap<Dim> map = ifs::composed<Dim>(maps, word);
     QStringList address;
     for (const int letter : word)
         address << QString::number(index[std::size_t(letter)] + 1);
-    return {address.join(QLatin1Char(' ')), number(ifs::spectralNorm(map.linear)),
-            number(ifs::spectralRadius(map.linear))};
+    return {address.join(QLatin1Char(' ')), number(ifs::spectralNorm<Dim>(map.linear)),
+            number(ifs::spectralRadius<Dim>(map.linear))};
 }
 
 QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& witness) {
-    const auto [word, stretch, radius] = described(active.maps, active.index, witness);
+    const auto [word, stretch, radius] = described<2>(active.maps, active.index, witness);
     if (witness.size() == 1)
         return Notes::tr(
                    "No attractor: map %1 does not contract (largest singular value %2, spectral radius %3). "
@@ -86,10 +87,11 @@ QString onePoint(const document::Fractal& fractal) {
 
 } // namespace
 
-QString stopNote(const document::System2& system, const ifs::SafeWay& way) {
+template <int Dim>
+QString stopNote(const ifs::IteratedFunctionSystem<Dim>& system, const ifs::SafeWay<Dim>& way) {
     const std::vector<std::size_t> index = ifs::activeMaps(system).index;
     if (way.verdict.verdict == ifs::Verdict::None) {
-        const auto [word, stretch, radius] = described(way.past, index, way.verdict.witness);
+        const auto [word, stretch, radius] = described<Dim>(way.past, index, way.verdict.witness);
         const QString sentence =
             way.verdict.witness.size() == 1
                 ? Notes::tr("Stopped: beyond this, map %1 would not contract (largest singular value %2, "
@@ -100,12 +102,14 @@ QString stopNote(const document::System2& system, const ifs::SafeWay& way) {
         return sentence.arg(word, stretch, radius);
     }
     const auto largest = std::ranges::max_element(
-        way.past, {}, [](const ifs::AffineMap<2>& map) { return ifs::spectralNorm(map.linear); });
+        way.past, {}, [](const ifs::AffineMap<Dim>& map) { return ifs::spectralNorm<Dim>(map.linear); });
     return Notes::tr("Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular "
                      "value, %2).")
         .arg(index[std::size_t(largest - way.past.begin())] + 1)
-        .arg(number(ifs::spectralNorm(largest->linear)));
+        .arg(number(ifs::spectralNorm<Dim>(largest->linear)));
 }
+template QString stopNote(const document::System2&, const ifs::SafeWay<2>&);
+template QString stopNote(const document::System3&, const ifs::SafeWay<3>&);
 
 QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     const document::System2* system = document::system2(fractal);

@@ -17,6 +17,7 @@ QString noteInSpace(attractor::RenderNote note);
 
 // Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
 // same maps taking part as those of `way`.
-QString stopNote(const document::System2& system, const ifs::SafeWay& way);
+template <int Dim>
+QString stopNote(const ifs::IteratedFunctionSystem<Dim>& system, const ifs::SafeWay<Dim>& way);
 
 } // namespace view

@@ -40,6 +40,7 @@ void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
     painter->setPen(QPen(m_style.rim, m_style.lineWidth));
     painter->drawEllipse(QPointF(), grown - 0.5, grown - 0.5);
 
+    if (m_number == 0) return;
     QFont font = painter->font();
     font.setPixelSize(m_number < 10 ? 11 : 9);
     font.setBold(true);

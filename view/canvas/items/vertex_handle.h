@@ -20,6 +20,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(HandleStates)
 // A numbered round handle: dark core, light rim, a dark line around it, so that it is seen on any picture.
 class VertexHandle : public OverlayItem {
 public:
+    // 0: without a number
     VertexHandle(int number, QGraphicsItem* parent);
 
     void setState(HandleStates state);

@@ -113,8 +113,8 @@ document::Fractal MapsTool::after(const DragResult& result) const {
 }
 
 double MapsTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
-    ifs::SafeWay way;
-    if (!m_allowsNoAttractor) way = ifs::safeWay([&](double share) { return activeMaps(after(share)); });
+    ifs::SafeWay<2> way;
+    if (!m_allowsNoAttractor) way = ifs::safeWay<2>([&](double share) { return activeMaps(after(share)); });
     scene().notes().setPrompt(way.share < 1 ? stopNote(*document::system2(after(way.share)), way)
                                             : QString());
     return way.share;

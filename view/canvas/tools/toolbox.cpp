@@ -43,7 +43,9 @@ PolygonTool* Toolbox::polygonTool() {
 
 void Toolbox::setTool(Tool tool) {
     if (tool == m_tool) return;
-    if (tool != Tool::Cage && !document::system2(m_document->fractal())) {
+    const bool isInSpace =
+        tool == Tool::Maps && document::space(m_document->fractal()); // where it has its own
+    if (tool != Tool::Cage && !isInSpace && !document::system2(m_document->fractal())) {
         emit message(m_scene.notes().note());
         emit toolChanged(m_tool); // a button that was pressed goes back
         return;

@@ -237,6 +237,8 @@ void AppearancePanel::resetToDefault() {
 
 void AppearancePanel::follow(const document::Change& change) {
     using document::Change;
+    const bool isPlacedOtherwise = change.parts & Change::Cage && !change.live;
+    if (isPlacedOtherwise && document::space(m_document->fractal())) m_slice->follow(false);
     if (!(change.parts &
           (Change::Appearance | Change::System | Change::Current | Change::File | Change::Entries)))
         return;

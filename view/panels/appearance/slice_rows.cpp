@@ -189,7 +189,10 @@ void SliceRows::follow(bool isLive) {
     m_form->setRowVisible(m_offset, isSpace && clip);
     m_form->setRowVisible(m_thickness, isSpace && kind == Kind::Slice);
     m_kind->setCurrentIndex(m_kind->findData(int(kind)));
-    if (!isSpace || !clip) return;
+    const bool isKnown = document::isSpaceExtentKnown(fractal);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_kind, m_direction, m_normalBox})
+        row->setEnabled(isKnown);
+    if (!isSpace || !clip || !isKnown) return;
     if (!isLive) showExtent();
     const auto same = std::ranges::find_if(directions, [&](const ifs::Vector<3>& direction) {
         return clip->normal.normalized().isApprox(direction.normalized(), 1e-12);

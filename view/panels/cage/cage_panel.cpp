@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <chrono>
+#include <utility>
 
 namespace view {
 
@@ -27,6 +28,7 @@ namespace {
 
 constexpr std::size_t triangle = 3;
 constexpr std::chrono::milliseconds restPause{120};
+constexpr std::chrono::milliseconds fitPatience{50}; // for a cage in space
 
 QLabel* quietLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -98,6 +100,7 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     connect(&m_settled, &QTimer::timeout, this, &CagePanel::showSimplex);
     connect(&m_enclosing, &QFutureWatcherBase::resultReadyAt, this,
             [this](int index) { m_simplex->setText(m_enclosing.resultAt(index)); });
+    connect(&m_fitting, &QFutureWatcherBase::finished, this, &CagePanel::takeFitted);
     m_following = connect(document, &document::Document::changed, this, &CagePanel::follow);
     showCage();
 }
@@ -161,9 +164,12 @@ void CagePanel::showMode() {
 
 void CagePanel::setDeformation(ifs::Deformation deformation) {
     document::Fractal fractal = m_document->fractal();
-    document::Shape<2>* shape = document::plane(fractal);
-    if (!shape || !shape->cage || shape->cage->deformation == deformation) return;
-    shape->cage->deformation = deformation;
+    const auto change = [deformation](auto* shape) {
+        if (!shape || !shape->cage || shape->cage->deformation == deformation) return false;
+        shape->cage->deformation = deformation;
+        return true;
+    };
+    if (!change(document::plane(fractal)) && !change(document::space(fractal))) return;
     m_document->edit(deformation == ifs::Deformation::Bend ? tr("Bend the picture")
                                                            : tr("Fit the picture by an affine map"),
                      std::move(fractal));
@@ -236,7 +242,8 @@ void CagePanel::followDimension() {
                             [this](document::PolygonChoice choice, int corners) { fit(choice, corners); }};
     const SpaceFits inSpace{
         [this](const std::optional<ifs::Orientation<3>>& orientation) { fitTetrahedron(orientation); },
-        [this] { fitBox(); }};
+        [this] { fitBox(); },
+        [this](document::SpacePolyhedron choice, int corners) { fitPolyhedron(choice, corners); }};
     m_fit->setMenu(isPlane ? makeFitMenu(this, inPlane) : makeFitMenu(this, inSpace));
     m_pointZName->setVisible(!isPlane);
     m_point[2]->setVisible(!isPlane);
@@ -440,15 +447,39 @@ void CagePanel::fit(document::PolygonChoice choice, int corners) {
 }
 
 void CagePanel::fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation) {
-    const QString obstacle = fitObstacle(m_document->fractal());
-    fitTo(obstacle.isEmpty() ? withTetrahedronFitted(m_document->fractal(), orientation) : std::nullopt,
-          obstacle);
+    fitInSpace([orientation](const document::Fractal& fractal) {
+        return document::withTetrahedronFitted(fractal, orientation);
+    });
 }
 
 void CagePanel::fitBox() {
+    fitInSpace(&document::withBoxFitted);
+}
+
+void CagePanel::fitPolyhedron(document::SpacePolyhedron choice, int corners) {
+    fitInSpace([choice, corners](const document::Fractal& fractal) {
+        return document::withPolyhedronFitted(fractal, choice, corners);
+    });
+}
+
+// Of very many maps in the background: it is done when it is found, unless something else has been done
+// since.
+void CagePanel::fitInSpace(const Fitting& fitting) {
     const QString obstacle = fitObstacle(m_document->fractal());
-    fitTo(obstacle.isEmpty() ? withBoxFitted(m_document->fractal()) : std::nullopt,
-          obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
+    if (!obstacle.isEmpty()) return fitTo(std::nullopt, obstacle);
+    m_isFitting = true;
+    m_fitting.setFuture(
+        io::inBackground<Fitted>([fitting, fractal = m_document->sharedFractal()](QPromise<Fitted>& promise) {
+            promise.addResult(Fitted{fractal, fitting(*fractal)});
+        }));
+    if (io::finishesWithin(fitPatience, m_fitting.future())) takeFitted();
+}
+
+void CagePanel::takeFitted() {
+    if (!std::exchange(m_isFitting, false) || m_fitting.future().resultCount() == 0) return;
+    const Fitted fitted = m_fitting.result();
+    if (fitted.from == m_document->sharedFractal())
+        fitTo(fitted.to, tr("The picture is too thin for such a cage."));
 }
 
 void CagePanel::fitTo(std::optional<document::Fractal> fitted, const QString& obstacle) {
@@ -495,8 +526,8 @@ void CagePanel::showCage() {
     const document::Fractal& fractal = m_document->fractal();
     const bool plane = document::dimension(fractal) == 2;
     setEnabled(document::dimension(fractal) != 0);
-    if (auto cage = document::spaceCage(fractal))
-        m_cage = *std::move(cage);
+    if (document::space(fractal)) // not yet known of very many maps
+        m_cage = document::knownSpaceCage(fractal).value_or(ifs::ControlCage<3>{});
     else
         m_cage = plane ? document::effectiveCage(fractal) : ifs::ControlCage<2>{};
     followDimension();
@@ -506,9 +537,8 @@ void CagePanel::showCage() {
     for (std::size_t axis = 0; axis < m_restNames.size(); ++axis)
         m_restNames[axis]->setVisible(m_restShown && int(axis) < dimension());
     m_status->setText(status());
-    const ifs::ControlCage<2>* bendable = std::get_if<ifs::ControlCage<2>>(&m_cage);
-    m_deformationBox->setVisible(bendable && bendable->current.size() > triangle);
-    if (bendable) deformationButton(bendable->deformation)->setChecked(true);
+    m_deformationBox->setVisible(vertexCount() > std::size_t(dimension()) + 1);
+    std::visit([this](const auto& cage) { deformationButton(cage.deformation)->setChecked(true); }, m_cage);
     m_warning->setText(plane ? cageWarning(fractal) : QString());
     m_warning->setVisible(!m_warning->text().isEmpty());
     showMode();
@@ -519,6 +549,10 @@ void CagePanel::showCage() {
 
 std::size_t CagePanel::vertexCount() const {
     return std::visit([](const auto& cage) { return cage.current.size(); }, m_cage);
+}
+
+bool CagePanel::isCageKnown() const {
+    return dimension() == 2 || vertexCount() > 0;
 }
 
 template <int Dim> void CagePanel::showVertices(const ifs::ControlCage<Dim>& cage) {
@@ -542,6 +576,7 @@ template <int Dim> void CagePanel::showVertices(const ifs::ControlCage<Dim>& cag
 QString CagePanel::status() const {
     const document::Fractal& fractal = m_document->fractal();
     if (document::dimension(fractal) == 0) return tr("This entry could not be read, so it has no cage.");
+    if (!isCageKnown()) return tr("The system has very many maps: the cage around it is being found…");
     return std::visit([&](const auto& cage) { return cageStatus(fractal, cage); }, m_cage);
 }
 
@@ -577,7 +612,7 @@ void CagePanel::updateActions() {
         isSpace ? tr("Three clicks define a triangle in the plane. In space, show the rest cage and type the "
                      "coordinates of its vertices.")
                 : tr("Define the triangle by three clicks on the canvas; the picture stays"));
-    m_fit->setEnabled(document::dimension(fractal) != 0);
+    m_fit->setEnabled(document::dimension(fractal) != 0 && isCageKnown());
     m_fit->setToolTip(tr("Replace the cage by one fitted to the picture; the picture stays"));
     const QString nothingToReset = resetObstacle(fractal);
     m_reset->setEnabled(nothingToReset.isEmpty());

@@ -10,6 +10,9 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -43,6 +46,7 @@ public:
     void fit(document::PolygonChoice choice, int corners = 4);
     void fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation = {}); // in space; the smallest
     void fitBox();
+    void fitPolyhedron(document::SpacePolyhedron choice, int corners);
     void setDeformation(ifs::Deformation deformation);
     void reset();
     void bake();
@@ -61,6 +65,14 @@ protected:
 
 private:
     void fitTo(std::optional<document::Fractal> fitted, const QString& obstacle); // nullopt: says why
+    // A fractal in space, and what it is with another cage; nullopt where there is none.
+    struct Fitted {
+        std::shared_ptr<const document::Fractal> from;
+        std::optional<document::Fractal> to;
+    };
+    using Fitting = std::function<std::optional<document::Fractal>(const document::Fractal&)>;
+    void fitInSpace(const Fitting& fitting);
+    void takeFitted();
     struct VertexRow {
         QLabel* number;
         std::array<NumberField*, 3> current;
@@ -81,6 +93,7 @@ private:
     void arrangeRow(std::size_t vertex);
     int dimension() const { return m_cage.index() == 0 ? 2 : 3; } // of the cage shown
     std::size_t vertexCount() const;
+    bool isCageKnown() const;
     template <int Dim> void showVertices(const ifs::ControlCage<Dim>& cage);
     NumberField* vertexField(Vertices vertices, std::size_t vertex, int axis);
     void editCurrent(std::size_t vertex, int axis, double value);
@@ -123,7 +136,9 @@ private:
     QAction* m_reset = nullptr;
     QAction* m_bake = nullptr;
     QToolButton* m_fit = nullptr;
-    QTimer m_settled;                    // the simplex is computed when the hand rests,
+    QTimer m_settled; // the simplex is computed when the hand rests,
+    QFutureWatcher<Fitted> m_fitting;
+    bool m_isFitting = false;            // nobody has taken what m_fitting finds
     QFutureWatcher<QString> m_enclosing; // beside the window
 };
 

@@ -54,7 +54,13 @@ QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& 
 }
 
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<3>& cage) {
-    if (isAtRest(fractal)) return Texts::tr("At rest: the picture shows the code.");
+    if (isAtRest(fractal))
+        return cage.rest.size() == 4
+                   ? Texts::tr("At rest: the picture shows the code.")
+                   : Texts::tr("%1 vertices, at rest: the picture shows the code.").arg(cage.rest.size());
+    if (ifs::bends(cage))
+        return Texts::tr("%1 vertices: bent by mean value coordinates, cannot be baked.")
+            .arg(cage.rest.size());
     if (!ifs::isInvertible(cage))
         return Texts::tr("Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.");
     const double factor = ifs::determinant<3>(ifs::displayMap(cage).linear);
@@ -86,6 +92,7 @@ template QString barycentricText(const ifs::ControlCage<3>&, const ifs::Vector<3
 
 QString enclosingSimplexText(const document::Fractal& fractal) {
     if (const auto cage = document::spaceCage(fractal)) {
+        if (ifs::bends(*cage)) return fitObstacle(fractal);
         const auto support = document::spaceSupport(fractal);
         if (!support) return Texts::tr("This system has no attractor that can be enclosed.");
         const ifs::AffineMap<3> display = ifs::displayMap(*cage);

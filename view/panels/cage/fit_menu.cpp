@@ -57,6 +57,16 @@ QMenu* makeFitMenu(QWidget* parent, const SpaceFits& fits) {
     }
     menu->addSeparator();
     menu->addAction(Text::tr("Three Edges of the Bounding Box"), parent, [fits] { fits.box(); });
+    menu->addSeparator();
+    using document::SpacePolyhedron;
+    menu->addAction(Text::tr("Bounding Box, Eight Corners"), parent,
+                    [fits] { fits.polyhedron(SpacePolyhedron::Box, 8); });
+    menu->addAction(Text::tr("Octahedron"), parent,
+                    [fits] { fits.polyhedron(SpacePolyhedron::Octahedron, 6); });
+    QMenu* hulls = menu->addMenu(Text::tr("Convex Hull, Simplified to"));
+    for (const int corners : {10, 12, 16, 20, 24})
+        hulls->addAction(Text::tr("%n Corners", nullptr, corners), parent,
+                         [fits, corners] { fits.polyhedron(SpacePolyhedron::Hull, corners); });
     return menu;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/space_cage_edits.h"
 #include "ifs/extent/extent.h"
 
 #include <functional>
@@ -20,6 +21,7 @@ struct PlaneFits {
 struct SpaceFits {
     std::function<void(const std::optional<ifs::Orientation<3>>&)> tetrahedron; // nullopt: the smallest
     std::function<void()> box;
+    std::function<void(document::SpacePolyhedron, int corners)> polyhedron;
 };
 QMenu* makeFitMenu(QWidget* parent, const PlaneFits& fits);
 QMenu* makeFitMenu(QWidget* parent, const SpaceFits& fits);

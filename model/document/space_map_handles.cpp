@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "document/space_map_handles.h"
+
+#include "ifs/cage/map_handles.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace document {
+
+std::optional<SpaceMapHandles> SpaceMapHandles::of(std::shared_ptr<const Fractal> fractal,
+                                                   const ifs::ControlCage<3>& cage) {
+    const System3* system = system3(*fractal);
+    if (!system) return std::nullopt;
+    SpaceMapHandles handles;
+    const auto rest = cage.rest.size() == handles.m_rest.size()
+                          ? cage.rest
+                          : fractal->supports.simplexInSpace(*system).rest;
+    std::ranges::copy(rest, handles.m_rest.begin());
+    handles.m_cage = cage;
+    handles.m_placed = ifs::displayMap(cage);
+    if (ifs::isInvertible(cage)) handles.m_back = ifs::inverse(handles.m_placed);
+    handles.m_fractal = std::move(fractal);
+    return handles;
+}
+
+SpaceMapHandles::Corners SpaceMapHandles::corners(std::size_t index) const {
+    Corners result;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = m_placed(system3(*m_fractal)->maps[index].map(m_rest[i]));
+    return result;
+}
+
+Fractal SpaceMapHandles::withCornersMoved(std::size_t index, const Corners& offsets) const {
+    const bool stays = std::ranges::all_of(offsets, [](const ifs::Vector<3>& by) { return by.isZero(0); });
+    Fractal fractal = *m_fractal;
+    if (stays || !m_back) return fractal;
+    space(fractal)->cage = m_cage;
+    ifs::AffineMap<3>& map = system3(fractal)->maps[index].map;
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        map = ifs::withHandleMoved(map, m_rest, i, m_back->linear * offsets[i]);
+    return fractal;
+}
+
+} // namespace document

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "ifs/cage/control_cage.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace document {
+
+// The maps of a fractal in space as the images of its tetrahedron, to be dragged: what MapHandles is for the
+// plane. Everything is in displayed coordinates and counted from the fractal as given, so that nothing
+// accumulates and the way back is exact. docs/mathematics.md, "Map handles".
+class SpaceMapHandles {
+public:
+    using Corners = std::array<ifs::Vector<3>, 4>;
+
+    // nullopt unless the fractal is a system in space. `cage` is the one in force; one of more than four
+    // vertices gives way to the minimal canonical simplex, moved as the cage says.
+    static std::optional<SpaceMapHandles> of(std::shared_ptr<const Fractal> fractal,
+                                             const ifs::ControlCage<3>& cage);
+
+    std::size_t count() const { return system3(*m_fractal)->maps.size(); }
+    Corners corners(std::size_t index) const; // images of the tetrahedron's vertices
+
+    // Unless the placement is flat.
+    bool canBeMoved() const { return m_back.has_value(); }
+    // The fractal with the corners of one map moved by these offsets: a change of rank one for each that is
+    // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
+    // the fractal as it is. Maps must be movable.
+    Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
+
+private:
+    SpaceMapHandles() = default;
+
+    std::shared_ptr<const Fractal> m_fractal;
+    ifs::ControlCage<3> m_cage;
+    ifs::Simplex<3> m_rest;
+    ifs::AffineMap<3> m_placed;
+    std::optional<ifs::AffineMap<3>> m_back; // of m_placed
+};
+
+} // namespace document

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+// Cages of more than four vertices in space. docs/mathematics.md, "Generalized coordinates".
+namespace ifs {
+
+constexpr std::size_t maxSpaceCorners = 64;
+
+// The surface of a convex polyhedron: the corners of every face, counter-clockwise seen from outside. Faces
+// are whole: a cube has six.
+struct CageSurface {
+    std::vector<std::vector<int>> faces;
+
+    std::vector<std::array<int, 2>> edges() const; // each once, the smaller index first
+};
+// nullopt unless the points are the corners of a convex polyhedron, 4 to 64 of them, by 1e-9 of its size.
+std::optional<CageSurface> convexSurface(std::span<const Vector<3>> vertices);
+
+// x ↦ Σ λ_j(x) v_j′ with mean value coordinates: takes the polyhedron v to the vertices v′. A face of more
+// than three corners has one more vertex at their mean, whose weight goes back to them in equal shares; so
+// what the polyhedron is symmetric under, the coordinates are, too. Exactly the affine fit when v′ is an
+// affine image of v.
+class CageDeformation {
+public:
+    // Both with as many vertices; `from` must have a convexSurface().
+    CageDeformation(std::span<const Vector<3>> from, std::span<const Vector<3>> to);
+
+    std::vector<double> coordinates(const Vector<3>& x) const; // one for each vertex; their sum is 1
+    Vector<3> operator()(const Vector<3>& x) const;            // always finite for finite x
+    const AffineMap<3>& fit() const { return m_fit; }
+
+private:
+    std::size_t m_count = 0;                     // of vertices
+    std::vector<Vector<3>> m_corners;            // with the means of faces after them
+    std::vector<std::vector<int>> m_meanOf;      // of each of these
+    std::vector<std::array<int, 3>> m_triangles; // of the corners
+    AffineMap<3> m_fit;
+    std::vector<Vector<3>> m_residuals; // v_j′ − fit(v_j)
+};
+
+} // namespace ifs

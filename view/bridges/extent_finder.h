@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+
+namespace view {
+
+// Finds the extent of an entry in space with very many maps in the background, and has the document tell
+// everybody when it is known: document::isSpaceExtentKnown(). Meanwhile its cage in force is not known.
+class ExtentFinder : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ExtentFinder(document::Document* document, QObject* parent = nullptr);
+
+private:
+    void find();
+
+    document::Document* m_document;
+    std::shared_ptr<const document::Fractal> m_sought;
+    QFutureWatcher<void> m_finding; // one at a time: during a drag, of the newest maps there are
+};
+
+} // namespace view

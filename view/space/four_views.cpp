@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "space/four_views.h"
+
+#include <QGridLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace view {
+
+FourViews::FourViews(document::Document* document, SolidBridge* bridge, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_main(new SpaceView(document, bridge, this)),
+      m_grid(new QGridLayout(this)) {
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setSpacing(1);
+    m_grid->addWidget(m_main, 0, 1);
+    setFocusProxy(m_main);
+}
+
+void FourViews::makeOthers() {
+    const struct {
+        AxisBall::End end;
+        QString title;
+        int row;
+        int column;
+    } views[] = {
+        {{1, true}, tr("Top"), 0, 0},
+        {{2, true}, tr("Front"), 1, 0},
+        {{0, true}, tr("Right"), 1, 1},
+    };
+    for (const auto& [end, title, row, column] : views) {
+        auto* bridge = new SolidBridge(m_document);
+        auto* view = new SpaceView(m_document, bridge, this);
+        bridge->setParent(view); // they go together
+        view->fixDirection(AxisBall::towards(end), title);
+        view->setOverlaysVisible(m_areOverlaysVisible);
+        view->setTarget(m_target);
+        view->setAllowsNoAttractor(m_allowsNoAttractor);
+        view->showOutlines(m_outlines);
+        connect(view, &SpaceView::pointerMoved, m_main, &SpaceView::pointerMoved);
+        connect(view, &SpaceView::pointerLeft, m_main, &SpaceView::pointerLeft);
+        connect(view, &SpaceView::message, m_main, &SpaceView::message);
+        m_grid->addWidget(view, row, column);
+        m_others.push_back(view);
+    }
+}
+
+void FourViews::showFour(bool four) {
+    if (four == m_areFourShown) return;
+    m_areFourShown = four;
+    cancelGesture();
+    if (four) {
+        makeOthers();
+    } else { // hidden ones would be drawn all the same
+        qDeleteAll(std::exchange(m_others, {}));
+    }
+    for (const int line : {0, 1}) { // of equal size, whatever they would like
+        m_grid->setRowStretch(line, four || line == 0 ? 1 : 0);
+        m_grid->setColumnStretch(line, four || line == 1 ? 1 : 0);
+    }
+    if (!four) m_main->setFocus();
+    emit fourShown(four);
+}
+
+std::vector<SpaceView*> FourViews::all() const {
+    std::vector<SpaceView*> views = m_others;
+    views.push_back(m_main);
+    return views;
+}
+
+void FourViews::fit() {
+    for (SpaceView* view : all())
+        view->navigation().fit();
+}
+
+void FourViews::setOverlaysVisible(bool visible) {
+    m_areOverlaysVisible = visible;
+    for (SpaceView* view : all())
+        view->setOverlaysVisible(visible);
+}
+
+void FourViews::setTarget(SpaceView::Target target) {
+    m_target = target;
+    for (SpaceView* view : all())
+        view->setTarget(target);
+}
+
+void FourViews::setAllowsNoAttractor(bool allows) {
+    m_allowsNoAttractor = allows;
+    for (SpaceView* view : all())
+        view->setAllowsNoAttractor(allows);
+}
+
+void FourViews::showOutlines(const std::vector<document::SpaceOutline>& shapes) {
+    m_outlines = shapes;
+    for (SpaceView* view : all())
+        view->showOutlines(shapes);
+}
+
+bool FourViews::cancelGesture() {
+    return std::ranges::count_if(all(), [](SpaceView* view) { return view->cancelGesture(); }) > 0;
+}
+
+} // namespace view

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "space/space_view.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+
+namespace view {
+
+// The window into space, alone or as one of four: from the top, from the front and from the right beside the
+// view that orbits. What is dragged in one moves in all.
+class FourViews : public QWidget {
+    Q_OBJECT
+
+public:
+    FourViews(document::Document* document, SolidBridge* bridge, QWidget* parent = nullptr);
+
+    SpaceView* main() const { return m_main; } // the one that orbits
+    // top, front, right; empty while the main one is alone
+    const std::vector<SpaceView*>& others() const { return m_others; }
+    bool areFourShown() const { return m_areFourShown; }
+    void showFour(bool four);
+
+    // Of all that are shown:
+    void fit();
+    void setOverlaysVisible(bool visible);
+    void setTarget(SpaceView::Target target);
+    void setAllowsNoAttractor(bool allows);
+    void showOutlines(const std::vector<document::SpaceOutline>& shapes);
+    bool cancelGesture();
+
+signals:
+    void fourShown(bool four);
+
+private:
+    void makeOthers();
+    std::vector<SpaceView*> all() const;
+
+    document::Document* m_document;
+    SpaceView* m_main;
+    QGridLayout* m_grid;
+    std::vector<SpaceView*> m_others;
+    // What those that are made later begin with.
+    bool m_areOverlaysVisible = true;
+    bool m_allowsNoAttractor = false;
+    SpaceView::Target m_target = SpaceView::Target::Cage;
+    std::vector<document::SpaceOutline> m_outlines;
+    bool m_areFourShown = false;
+};
+
+} // namespace view

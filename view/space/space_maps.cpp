@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "space/space_maps.h"
+
+#include "canvas/geometry/canvas_geometry.h"
+#include "canvas/geometry/canvas_note.h"
+#include "document/space_geometry.h"
+
+#include <QLineF>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace view {
+
+namespace {
+
+using document::SpaceMapHandles;
+
+constexpr double grip = 12;           // pixels around a corner
+constexpr std::size_t maxShown = 300; // tetrahedra; more could not be told apart
+
+ifs::Vector<3> middleOf(const SpaceMapHandles::Corners& corners) {
+    return (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+}
+
+document::SpaceOutline tetrahedron(const SpaceMapHandles::Corners& corners) {
+    document::SpaceOutline outline;
+    outline.points.assign(corners.begin(), corners.end());
+    outline.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+    return outline;
+}
+
+} // namespace
+
+void SpaceMaps::setActive(bool active) {
+    m_isActive = active;
+    m_all.setVisible(active);
+    m_held.setVisible(active);
+}
+
+std::size_t SpaceMaps::count() const {
+    const document::System3* system = document::system3(m_document->fractal());
+    return system ? system->maps.size() : 0;
+}
+
+std::optional<std::size_t> SpaceMaps::selected() const {
+    return m_isActive && count() > 0 ? std::optional(std::min(m_selected, count() - 1)) : std::nullopt;
+}
+
+void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
+                       const SpaceCageItem::Hidden& isHidden) {
+    m_dots.clear();
+    std::vector<document::SpaceOutline> shapes;
+    std::vector<ifs::Vector<3>> held;
+    const auto handles =
+        m_isActive && cage ? SpaceMapHandles::of(m_document->sharedFractal(), *cage) : std::nullopt;
+    const document::Fractal& fractal = m_document->fractal();
+    for (std::size_t i = 0; handles && i < handles->count(); ++i) {
+        const bool isHeld = i == selected();
+        if (i >= maxShown && !isHeld) continue;
+        const SpaceMapHandles::Corners corners = handles->corners(i);
+        if (isHeld) {
+            held.assign(corners.begin(), corners.end());
+            held.push_back(middleOf(corners));
+            continue;
+        }
+        shapes.push_back(tetrahedron(corners));
+        shapes.back().colour =
+            attractor::mapColour(fractal.appearance, document::system3(fractal)->maps[i].id, i);
+        for (const ifs::Vector<3>& corner : corners) {
+            const attractor::ScreenPoint seen = toScreen(camera, corner);
+            if (seen.pixel.allFinite()) m_dots.push_back({toPoint(seen.pixel), seen.depth, i});
+        }
+    }
+    m_all.setShapes(std::move(shapes));
+    m_all.layOut(camera);
+    m_held.layOut(camera, held, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, isHidden);
+}
+
+std::optional<std::size_t> SpaceMaps::mapAt(const QPointF& position) const {
+    const Dot* nearest = nullptr;
+    for (const Dot& dot : m_dots)
+        if (QLineF(dot.pixel, position).length() <= grip && (!nearest || dot.depth < nearest->depth))
+            nearest = &dot;
+    return nearest ? std::optional(nearest->map) : std::nullopt;
+}
+
+std::vector<ifs::Vector<3>> SpaceMaps::heldVertices() const {
+    return m_held.vertices();
+}
+
+SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::shared_ptr<const document::Fractal> before,
+                           std::size_t map)
+    : m_handles(std::move(handles)),
+      m_before(std::move(before)),
+      m_map(map),
+      m_corners(m_handles.corners(map)) {}
+
+std::optional<SpaceMapDrag> SpaceMapDrag::of(const document::Document& document, std::size_t map) {
+    const auto before = document.sharedFractal();
+    const auto cage = document::knownSpaceCage(*before);
+    auto handles = cage ? SpaceMapHandles::of(before, *cage) : std::nullopt;
+    if (!handles || !handles->canBeMoved() || map >= handles->count()) return std::nullopt;
+    return SpaceMapDrag(*std::move(handles), before, map);
+}
+
+SpaceMapDrag::Moved SpaceMapDrag::at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const {
+    SpaceMapHandles::Corners offsets;
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        offsets[i] = vertices[i] - m_corners[i];
+    if (std::ranges::all_of(offsets, [](const ifs::Vector<3>& offset) { return offset.isZero(0); }))
+        offsets.fill(vertices[SpaceMaps::middle] - middleOf(m_corners));
+    const auto after = [&](double share) {
+        SpaceMapHandles::Corners part = offsets;
+        for (ifs::Vector<3>& offset : part)
+            offset *= share;
+        return m_handles.withCornersMoved(m_map, part);
+    };
+    const auto mapsAt = [&](double share) { return ifs::activeMaps(*document::system3(after(share))).maps; };
+    const ifs::SafeWay<3> way =
+        safety == Safety::StopAtAttractor ? ifs::safeWay<3>(mapsAt) : ifs::SafeWay<3>{};
+    if (way.share == 1) return {after(1), {}};
+    return {after(way.share), stopNote<3>(*document::system3(after(way.share)), way)};
+}
+
+} // namespace view

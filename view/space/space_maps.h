@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/space_map_handles.h"
+#include "space/space_cage_item.h"
+#include "space/space_outlines_item.h"
+
+#include <QPointF>
+
+#include <optional>
+#include <vector>
+
+namespace view {
+
+// The maps of the current entry in space as the images of its tetrahedron. One of them is held: by its four
+// corners and, as the fifth handle, by its middle, which moves it as a whole.
+class SpaceMaps {
+public:
+    static constexpr std::size_t middle = 4;
+
+    SpaceMaps(const document::Document* document, SpaceOutlinesItem& all, SpaceCageItem& held)
+        : m_document(document), m_all(all), m_held(held) {}
+
+    bool isActive() const { return m_isActive; }
+    void setActive(bool active);
+
+    std::size_t count() const;
+    // The map that is held; nullopt while there is none.
+    std::optional<std::size_t> selected() const;
+    void select(std::size_t index) { m_selected = index; }
+    // Of the maps that are not held, the one that has a corner there; of several the nearest to the eye.
+    std::optional<std::size_t> mapAt(const QPointF& position) const;
+
+    void layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
+                const SpaceCageItem::Hidden& isHidden);
+
+    // What a drag of the held map begins with: its corners and its middle.
+    std::vector<ifs::Vector<3>> heldVertices() const;
+
+private:
+    struct Dot {
+        QPointF pixel;
+        double depth = 0;
+        std::size_t map = 0;
+    };
+
+    const document::Document* m_document;
+    SpaceOutlinesItem& m_all;
+    SpaceCageItem& m_held;
+    std::vector<Dot> m_dots; // corners of the maps that are not held
+    std::size_t m_selected = 0;
+    bool m_isActive = false;
+};
+
+// One drag of a map in space, from what it was when it began.
+class SpaceMapDrag {
+public:
+    // nullopt while the map cannot be moved, because the placement is flat.
+    static std::optional<SpaceMapDrag> of(const document::Document& document, std::size_t map);
+
+    // The fractal with the corners of the map there or, where none has moved, with its middle there; or as
+    // much of the way as leaves an attractor; then `stop` says why.
+    struct Moved {
+        document::Fractal fractal;
+        QString stop;
+    };
+    enum class Safety { StopAtAttractor, Free };
+    Moved at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const;
+
+private:
+    SpaceMapDrag(document::SpaceMapHandles handles, std::shared_ptr<const document::Fractal> before,
+                 std::size_t map);
+
+    document::SpaceMapHandles m_handles;
+    std::shared_ptr<const document::Fractal> m_before;
+    std::size_t m_map;
+    document::SpaceMapHandles::Corners m_corners;
+};
+
+} // namespace view
