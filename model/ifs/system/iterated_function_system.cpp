@@ -113,13 +113,14 @@ template <int Dim> std::vector<double> probabilities(const IteratedFunctionSyste
     return result;
 }
 
-template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
-    return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
-}
-
 template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system) {
     const std::size_t order = groupOrder(system.symmetry.group, system.symmetry.order);
     return system.maps.size() <= maxSymmetricMaps / order ? order : 1;
+}
+
+template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
+    const auto off = std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+    return (system.maps.size() - off) * copiesOfEachMap(system);
 }
 
 template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system) {

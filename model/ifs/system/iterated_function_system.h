@@ -66,7 +66,7 @@ template <int Dim> struct ActiveMaps {
     std::vector<std::size_t> index;
 };
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
-// Listed maps that have a positive probability.
+// How many maps activeMaps() holds.
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system);
 
 // The masses divided by their sum, none below `floor` of it before renormalising. A mass that is negative or

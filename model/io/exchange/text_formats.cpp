@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/text_formats.h"
 
+#include "document/edits/symmetry_edits.h"
 #include "io/exchange/aifs.h"
 #include "io/exchange/flame_colours.h"
 #include "io/fractint/entry_writer.h"
@@ -49,6 +50,16 @@ bool holds(TextFormat format, const document::Fractal& fractal) {
 
 namespace {
 
+// Whether the format has a place for the symmetry of an entry; in the others its maps are listed.
+bool holdsSymmetry(TextFormat format) {
+    return format == TextFormat::Fractint;
+}
+
+std::shared_ptr<const document::Fractal> plain(const std::shared_ptr<const document::Fractal>& fractal) {
+    if (!document::isSymmetric(*fractal)) return fractal;
+    return std::make_shared<const document::Fractal>(document::expanded(*fractal));
+}
+
 QByteArray tableOf(const document::Fractal& fractal, const TableColumns& columns, TableSeparator separator) {
     const auto* space = document::system3(fractal);
     return space ? writeTable(*space, separator)
@@ -71,7 +82,7 @@ QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractal
                   const TextOptions& options) {
     QList<std::shared_ptr<const document::Fractal>> held;
     for (const auto& fractal : fractals)
-        if (holds(format, *fractal)) held << fractal;
+        if (holds(format, *fractal)) held << (holdsSymmetry(format) ? fractal : plain(fractal));
     if (held.isEmpty()) return {};
     switch (format) {
     case TextFormat::Flame:

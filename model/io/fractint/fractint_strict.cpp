@@ -61,7 +61,7 @@ public:
 
 private:
     void append(const Entry& entry) {
-        const document::Fractal& fractal = *entry.fractal;
+        const document::Fractal fractal = document::expanded(*entry.fractal);
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
             return m_text.problems.append({Problem::Severity::Error, fractal.name, 0, 0,
@@ -82,7 +82,7 @@ private:
         if (!title.isEmpty()) m_text.bytes += " ; " + title.first();
         m_text.bytes += '\n' + rowText(rows).join('\n') + "\n}\n";
         checkLimits(fractal, rows.size());
-        if (const auto loss = lossBeside({}, fractal)) warn(fractal.name, *loss);
+        if (const auto loss = lossBeside({}, *entry.fractal)) warn(fractal.name, *loss);
     }
 
     void addComment(const QString& text) {
