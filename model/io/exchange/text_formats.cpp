@@ -4,6 +4,7 @@
 #include "document/edits/symmetry_edits.h"
 #include "io/exchange/aifs.h"
 #include "io/exchange/flame_colours.h"
+#include "io/exchange/flame_symmetry.h"
 #include "io/fractint/entry_writer.h"
 #include "io/table/table_reader.h"
 #include "io/text/lost_parts.h"
@@ -52,7 +53,7 @@ namespace {
 
 // Whether the format has a place for the symmetry of an entry; in the others its maps are listed.
 bool holdsSymmetry(TextFormat format) {
-    return format == TextFormat::Fractint;
+    return format == TextFormat::Fractint || format == TextFormat::Flame; // which lists them itself if need be
 }
 
 std::shared_ptr<const document::Fractal> plain(const std::shared_ptr<const document::Fractal>& fractal) {
@@ -73,7 +74,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
     KeptParts kept;
     if (format == TextFormat::Flame && document::system2(fractal)) {
         const FlameColours colours = flameColoursOf(fractal);
-        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours};
+        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours,
+                flameHoldsSymmetry(fractal)};
     }
     return lossBeside(kept, fractal);
 }

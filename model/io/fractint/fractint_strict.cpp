@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_strict.h"
+
+#include "document/edits/symmetry_edits.h"
 #include "document/unique_names.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/fractint/fractint_rows.h"

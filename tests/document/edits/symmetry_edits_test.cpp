@@ -118,7 +118,8 @@ private slots:
         const auto support = document::spaceSupport(fractal);
         QVERIFY(support != nullptr);
         // One map to each of the six corners, four times each: corners at ±3/2.
-        for (const ifs::Vector<3>& u : {ifs::Vector<3>(1, 0, 0), ifs::Vector<3>(0, -1, 0), ifs::Vector<3>(0, 0, 1)})
+        for (const ifs::Vector<3>& u :
+             {ifs::Vector<3>(1, 0, 0), ifs::Vector<3>(0, -1, 0), ifs::Vector<3>(0, 0, 1)})
             QVERIFY(std::abs((*support)(u, 1e-9).value - 1.5) < 1e-6);
         QCOMPARE(document::system3(document::expanded(fractal))->maps.size(), 24);
     }
@@ -156,7 +157,8 @@ private slots:
         QVERIFY(flat.has_value());
         QCOMPARE(document::system2(*flat)->maps.size(), 12);
         const auto support = document::supportFunction(fractal), after = document::supportFunction(*flat);
-        for (const ifs::Vector<2>& u : {ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1), ifs::Vector<2>(-0.6, 0.8)})
+        for (const ifs::Vector<2>& u :
+             {ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1), ifs::Vector<2>(-0.6, 0.8)})
             QVERIFY(std::abs((*support)(u, 1e-9).value - (*after)(u, 1e-9).value) < 1e-7);
         document::FractalFile file;
         document::Entry entry;

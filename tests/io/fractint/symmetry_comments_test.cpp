@@ -112,7 +112,8 @@ private slots:
 
     void whatDoesNotFitIsKept() {
         QFETCH(QByteArray, lines);
-        const QByteArray text = "star {\n; barycage: version 1\n; barycage: " + lines + "\n .5 0 0 .5 0 0 1\n}\n";
+        const QByteArray text =
+            "star {\n; barycage: version 1\n; barycage: " + lines + "\n .5 0 0 .5 0 0 1\n}\n";
         document::FractalFile file = read(text);
         QVERIFY(!document::isSymmetric(*file.entries[0].fractal));
         QCOMPARE(file.entries[0].problems.size(), 1);
@@ -158,8 +159,9 @@ private slots:
         QCOMPARE(*io::symmetryNamed(u"mirror:30")->angle, 30);
         QCOMPARE(int(io::symmetryNamed(u"icosahedral@0,0,1")->group), int(Icosahedral));
         QCOMPARE(int(io::symmetryNamed(u"none")->group), int(None));
-        for (const char16_t* text : {u"", u"c", u"c1", u"c25", u"c-3", u"c007", u"d+4", u"c6:10", u"c6@1",
-                                     u"c6@1,2,3,4", u"c6@x,y", u"mirror:", u"mirror:x", u"c6@", u"@1,2", u"mirror2"})
+        for (const char16_t* text :
+             {u"", u"c", u"c1", u"c25", u"c-3", u"c007", u"d+4", u"c6:10", u"c6@1", u"c6@1,2,3,4", u"c6@x,y",
+              u"mirror:", u"mirror:x", u"c6@", u"@1,2", u"mirror2"})
             QVERIFY2(!io::symmetryNamed(QStringView(text)), qPrintable(QString::fromUtf16(text)));
         QVERIFY(!io::symmetryIn<2>(*io::symmetryNamed(u"octahedral")));
         QVERIFY(!io::symmetryIn<2>(*io::symmetryNamed(u"c6@1,2,3")));
