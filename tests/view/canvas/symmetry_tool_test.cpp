@@ -95,7 +95,7 @@ private slots:
         const QPointF from = knob();
         drag(from, {20, 20});
         QVERIFY(centre() != Vector<2>(0.5, 0.25));
-        m_canvas->setOverlaysVisible(false);
+        key(Qt::Key_H);
         QVERIFY(!scene().symmetryKnob());
     }
 };
