@@ -20,7 +20,7 @@ void SymmetryTool::press(const Pointer& pointer) {
     document::Document& document = m_scene.document();
     const document::Fractal& fractal = document.fractal();
     const ifs::Vector<2> centre = document::system2(fractal)->symmetry.centre;
-    m_drag.emplace(Drag{document.beginGesture(tr("Move Centre of Symmetry")), pointer.position,
+    m_drag.emplace(Drag{document.beginGesture(tr("Move the centre of the symmetry")), pointer.position,
                         document::placement(fractal)(centre)});
     m_scene.holdSymmetry(true);
     emit cursorChanged();

@@ -5,6 +5,7 @@
 #include "widgets/number_field.h"
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -84,6 +85,9 @@ QWidget* SymmetryRow::makeChoice() {
     m_expand->setText(tr("Expand"));
     m_expand->setAccessibleName(tr("Expand the symmetry"));
     m_expand->setAutoRaise(true);
+    m_expand->setWhatsThis(
+        tr("Writes the copies that the symmetry makes into the list, as maps of their own, so that "
+           "you can change one of them alone. The picture stays the same."));
     layout->addWidget(label);
     layout->addWidget(m_groups, 1);
     layout->addWidget(m_order);
@@ -105,25 +109,27 @@ NumberField* SymmetryRow::makeField(const QString& name, const QString& tip) {
 
 QWidget* SymmetryRow::makePlace() {
     auto* line = new QWidget(this);
-    auto* layout = new QHBoxLayout(line);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    auto* grid = new QGridLayout(line);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(2);
+    int column = 0;
     const auto add = [&](const QString& text, NumberField* field) {
         auto* label = new QLabel(text, line);
         label->setForegroundRole(QPalette::PlaceholderText);
         label->setBuddy(field);
-        layout->addWidget(label);
-        layout->addWidget(field, 1);
+        grid->addWidget(label, 0, column);
+        grid->addWidget(field, 1, column++);
         return label;
     };
-    const std::array names{tr("Centre x"), tr("y"), tr("z")};
+    const std::array names{tr("Centre x"), tr("Centre y"), tr("Centre z")};
     const std::array accessible{tr("Centre of the symmetry, x"), tr("Centre of the symmetry, y"),
                                 tr("Centre of the symmetry, z")};
     for (std::size_t i = 0; i < m_centre.size(); ++i) {
         m_centre[i] = makeField(accessible[i], tr("The point that the symmetry leaves in place"));
         m_centreLabels[i] = add(names[i], m_centre[i]);
         connect(m_centre[i], &NumberField::edited, this, [this, i](double value) {
-            m_edit.preview(tr("Move Centre of Symmetry"), [&](document::Fractal& fractal) {
+            m_edit.preview(tr("Move the centre of the symmetry"), [&](document::Fractal& fractal) {
                 changeSymmetry(fractal, [&](auto& symmetry) {
                     if (Eigen::Index(i) < symmetry.centre.size()) symmetry.centre[Eigen::Index(i)] = value;
                 });
@@ -134,7 +140,7 @@ QWidget* SymmetryRow::makePlace() {
     m_angle->setStep(1);
     m_angleLabel = add(tr("Angle °"), m_angle);
     connect(m_angle, &NumberField::edited, this, [this](double value) {
-        m_edit.preview(tr("Turn Mirrors of Symmetry"), [&](document::Fractal& fractal) {
+        m_edit.preview(tr("Turn the mirrors of the symmetry"), [&](document::Fractal& fractal) {
             changeSymmetry(fractal, [&](auto& symmetry) { symmetry.angle = value; });
         });
     });
@@ -211,7 +217,7 @@ void SymmetryRow::chooseGroup(ifs::SymmetryGroup group, int order) {
         symmetry.order = order;
         if (!hasMirrors(group)) symmetry.angle = 0;
     });
-    m_document->edit(group == None ? tr("Remove Symmetry") : tr("Set Symmetry"), std::move(after));
+    m_document->edit(group == None ? tr("Remove the symmetry") : tr("Set the symmetry"), std::move(after));
     follow();
 }
 
@@ -222,7 +228,7 @@ void SymmetryRow::expand() {
         emit message(obstacle);
         return;
     }
-    m_document->editEntry(tr("Expand Symmetry"), document::expanded(entry));
+    m_document->editEntry(tr("Expand the symmetry"), document::expanded(entry));
 }
 
 } // namespace view
