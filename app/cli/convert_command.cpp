@@ -8,6 +8,7 @@
 #include "output.h"
 #include "progress_bar.h"
 #include "solid_arguments.h"
+#include "symmetry_arguments.h"
 #include "usage_error.h"
 
 #include "document/edits/cage_edits.h"
@@ -42,6 +43,7 @@ struct Arguments {
     std::string format;
     std::optional<std::string> columns, inColumns, points, seed;
     SolidArguments solid;
+    SymmetryArguments symmetry;
     bool bake = false;
     bool strict = false;
     bool yAsWritten = false;
@@ -62,6 +64,7 @@ struct Plan {
     std::uint64_t seed = 1;
     io::SolidOptions solid;
     DimensionChange change;
+    SymmetryChange symmetry;
     QString output;
     bool intoFolder = false;
 };
@@ -116,6 +119,7 @@ Plan planOf(const Arguments& arguments) {
     const bool isMesh = std::holds_alternative<io::MeshFormat>(plan.format);
     plan.solid = solidOptions(arguments.solid, isMesh, std::holds_alternative<ScadFormat>(plan.format));
     plan.change = dimensionChange(arguments.solid);
+    plan.symmetry = symmetryChange(arguments.symmetry);
     if (arguments.yAsWritten) plan.reading.axis = plan.writing.axis = io::FlameAxis::AsWritten;
     if (arguments.inColumns) plan.reading.columns = columnsArgument("--in-columns", *arguments.inColumns);
     if (arguments.columns) plan.writing.columns = columnsArgument("--columns", *arguments.columns);
@@ -145,7 +149,9 @@ bool hasActiveMap(const document::Fractal& fractal) {
 // Why the entry cannot be written in this form; the code takes up the cage where that is asked.
 std::optional<QString> obstacle(document::Entry& entry, const Arguments& arguments, const Plan& plan) {
     if (auto reason = changeDimension(entry, plan.change)) return reason;
-    const document::Fractal& fractal = *entry.fractal;
+    if (auto reason = changeSymmetry(entry, plan.symmetry)) return reason;
+    const std::shared_ptr<const document::Fractal> before = entry.fractal;
+    const document::Fractal& fractal = *before;
     if (const QString reason = dimensionObstacle(plan.format, fractal); !reason.isEmpty()) return reason;
     if (arguments.columns && !document::system2(fractal))
         return tr("“%1” was omitted: --columns applies only to systems in the plane.").arg(fractal.name);
@@ -158,6 +164,7 @@ std::optional<QString> obstacle(document::Entry& entry, const Arguments& argumen
             return tr("“%1” was omitted: its cage is too flat to be baked into the code.").arg(fractal.name);
         entry.fractal = std::make_shared<const document::Fractal>(*std::move(baked));
     }
+    if (auto reason = expandSymmetry(entry, plan.symmetry)) return reason;
     if (const auto* points = std::get_if<io::PointFormat>(&plan.format))
         return io::obstacle({*entry.fractal, plan.points, plan.seed, *points});
     if (plan.format == Format(TextFormat::Aifs) && !hasActiveMap(fractal))
@@ -248,7 +255,8 @@ public:
             return ExitStatus::CannotReadOrWrite;
         }
         const bool untouched = m_arguments.entries.empty() && !m_arguments.bake && !m_arguments.strict &&
-                               !m_plan.change.isWanted() && !m_arguments.inColumns && !m_arguments.yAsWritten;
+                               !m_plan.change.isWanted() && !m_plan.symmetry.isWanted() &&
+                               !m_arguments.inColumns && !m_arguments.yAsWritten;
         m_input = input->name;
         m_holdsLess = m_isRefused = false;
         if (untouched && isFractint(m_plan.format) && isCollectionFile(*input))
@@ -546,6 +554,7 @@ Command convertCommand(CLI::App& program) {
         "Points");
     add("--seed", arguments->seed, "N", "Seed of the random numbers for --points", "1", "Points");
     addSolidOptions(*command, arguments->solid);
+    addSymmetryOptions(*command, arguments->symmetry);
     addVerbosityOptions(*command, arguments->verbosity);
     return {command, [arguments] { return convert(*arguments); }};
 }

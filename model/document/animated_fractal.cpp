@@ -69,7 +69,8 @@ std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const A
 }
 
 template <int Dim> bool hasCommonNorm(const Shape<Dim>& shape) {
-    return ifs::countActive(shape.system) > 0 &&
+    return ifs::countActive(shape.system) > 0 && // of the listed maps: the group need not keep their norm
+           shape.system.symmetry.group == ifs::SymmetryGroup::None &&
            animation::commonNorm(*shape.animation, shape.system).has_value();
 }
 

@@ -122,7 +122,7 @@ _barycage_cli_options() {
     render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --orbit --perspective --look --light --fog --slice --stereo --y-down --palette --list-palettes --colour --color
       --gamma --brightness --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
       --to --progress --quiet --help" ;;
-    convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --y-as-written
+    convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --symmetry --expand --y-as-written
       --progress --quiet --help" ;;
     animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --orbit --perspective --look --light --fog --slice --stereo --y-down
       --palette --colour --color --gamma --brightness --background --supersample --threads --bits --dpi --simd
@@ -182,6 +182,7 @@ _barycage_cli_value() {
       compopt -o default
       ;;
     --lift) _barycage_cli_offer "$2"auto ;;
+    --symmetry) _barycage_cli_offer none mirror c{2..24} d{2..24} tetrahedral octahedral icosahedral ;;
     --budget) _barycage_cli_offer "$2"{1,10,none} ;;
     --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --slice | --gamma | --brightness | --iterations | --part | --band | --threads | -j | \
       --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \

@@ -73,7 +73,7 @@ bool CanvasInput::touch(const QTouchEvent& event) {
     switch (event.type()) {
     case QEvent::TouchBegin:
         m_holding = Holding::Tool;
-        m_tools.active().press(m_pointer);
+        m_tools.toolAt(m_pointer).press(m_pointer);
         break;
     case QEvent::TouchUpdate:
         if (!m_pinch.isActive()) {
@@ -121,7 +121,7 @@ void CanvasInput::reportAgain() {
 QCursor CanvasInput::cursor() const {
     if (m_holding == Holding::Plane) return Qt::ClosedHandCursor;
     if (m_spaceHeld && !isHolding()) return Qt::OpenHandCursor;
-    return m_tools.active().cursor(m_pointer);
+    return m_tools.toolAt(m_pointer).cursor(m_pointer);
 }
 
 void CanvasInput::press(const QMouseEvent& event) {
@@ -133,7 +133,7 @@ void CanvasInput::press(const QMouseEvent& event) {
         m_holding = Holding::Plane;
     } else if (left) {
         m_holding = Holding::Tool;
-        m_tools.active().press(m_pointer);
+        m_tools.toolAt(m_pointer).press(m_pointer);
     }
     emit cursorChanged();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/dimension_edits.h"
 
+#include "document/edits/symmetry_edits.h"
 #include "document/space_geometry.h"
 
 #include <QCoreApplication>
@@ -103,6 +104,7 @@ std::optional<Fractal> lifted(Fractal fractal, std::optional<double> scale) {
     for (const ifs::WeightedMap<2>& map : flat.system.maps)
         shape.system.maps.push_back(
             {map.id, liftedMap(map.map, scale.value_or(thickness(map.map))), map.weight, map.enabled});
+    shape.system.symmetry = ifs::lifted(flat.system.symmetry);
     if (flat.cage && flat.cage->rest.size() == 3) shape.cage = liftedCage(*flat.cage);
     for (const MovedBranch<2>& branch : flat.moved)
         shape.moved.push_back({branch.word, liftedMap(branch.change, thickness(branch.change))});
@@ -119,7 +121,8 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
     if (!shape->moved.empty())
         return Text::tr("“%1” has moved branches, which cannot be flattened. Reset them first.")
             .arg(fractal.name);
-    const auto system = displayedSystem(*shape);
+    auto system = displayedSystem(*shape);
+    if (system) *system = ifs::expanded(*system);
     if (!system)
         return Text::tr("The cage of “%1” cannot be baked into its maps, so it cannot be flattened.")
             .arg(fractal.name);
@@ -133,6 +136,7 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
 }
 
 std::optional<Fractal> flattened(Fractal fractal, const ifs::Vector<3>& direction) {
+    fractal = expanded(std::move(fractal));
     if (!flattenObstacle(fractal, direction).isEmpty()) return std::nullopt;
     const Shadow shadow = *shadowAlong(direction);
     const System3 system = *displayedSystem(*space(fractal));

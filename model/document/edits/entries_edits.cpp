@@ -122,6 +122,7 @@ FractalFile turnedOver(FractalFile file, const QList<EntryId>& ids) {
         Fractal fractal = *entry.fractal;
         for (auto& map : system2(fractal)->maps)
             map.map = ifs::flipped(map.map);
+        system2(fractal)->symmetry = ifs::flipped(system2(fractal)->symmetry);
         entry.fractal = std::make_shared<const Fractal>(std::move(fractal));
     }
     return file;

@@ -17,6 +17,29 @@ template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
     return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
 }
 
+// The listed maps that are not off, whatever the symmetry.
+template <int Dim> ActiveMaps<Dim> activeListed(const IteratedFunctionSystem<Dim>& system) {
+    ActiveMaps<Dim> active;
+    std::vector<double> weights;
+    active.maps.reserve(system.maps.size());
+    active.index.reserve(system.maps.size());
+    weights.reserve(system.maps.size());
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const auto& map = system.maps[i];
+        if (isOff(map)) continue;
+        active.maps.push_back(map.map);
+        active.index.push_back(i);
+        if (map.weight) weights.push_back(*map.weight);
+    }
+    const bool everyWeightGiven = weights.size() == active.maps.size();
+    active.probabilities =
+        everyWeightGiven ? shares(std::move(weights)) : determinantWeights<Dim>(active.maps);
+    // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
+    for (double& probability : active.probabilities)
+        probability = std::max(probability, std::numeric_limits<double>::min());
+    return active;
+}
+
 } // namespace
 
 std::vector<double> shares(std::vector<double> masses, double floor) {
@@ -84,35 +107,56 @@ template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSyst
 
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system) {
     std::vector<double> result(system.maps.size());
-    const ActiveMaps<Dim> active = activeMaps(system);
+    const ActiveMaps<Dim> active = activeListed(system);
     for (std::size_t k = 0; k < active.index.size(); ++k)
         result[active.index[k]] = active.probabilities[k];
     return result;
 }
 
+template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system) {
+    const std::size_t order = groupOrder(system.symmetry.group, system.symmetry.order);
+    return system.maps.size() <= maxSymmetricMaps / order ? order : 1;
+}
+
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
-    return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+    const auto off = std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+    return (system.maps.size() - off) * copiesOfEachMap(system);
+}
+
+template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system) {
+    const std::size_t copies = copiesOfEachMap(system);
+    IteratedFunctionSystem<Dim> result;
+    if (copies == 1) {
+        result.maps = system.maps;
+        return result;
+    }
+    const std::vector<double> given = probabilities(system);
+    const bool isRuled = std::ranges::any_of(
+        system.maps, [](const WeightedMap<Dim>& map) { return !isOff(map) && !map.weight; });
+    const std::vector<MapId> ids = freshIds(system, system.maps.size() * (copies - 1));
+    const std::vector<AffineMap<Dim>> group = elements(system.symmetry);
+    result.maps.reserve(system.maps.size() * copies);
+    auto id = ids.begin();
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        WeightedMap<Dim> copy = system.maps[i];
+        if (isRuled && !isOff(copy)) copy.weight = given[i];
+        if (copy.weight) *copy.weight /= double(copies);
+        result.maps.push_back(copy);
+        for (std::size_t k = 1; k < copies; ++k) {
+            copy.id = *id++;
+            copy.map = group[k] * system.maps[i].map;
+            result.maps.push_back(copy);
+        }
+    }
+    return result;
 }
 
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system) {
-    ActiveMaps<Dim> active;
-    std::vector<double> weights;
-    active.maps.reserve(system.maps.size());
-    active.index.reserve(system.maps.size());
-    weights.reserve(system.maps.size());
-    for (std::size_t i = 0; i < system.maps.size(); ++i) {
-        const auto& map = system.maps[i];
-        if (isOff(map)) continue;
-        active.maps.push_back(map.map);
-        active.index.push_back(i);
-        if (map.weight) weights.push_back(*map.weight);
-    }
-    const bool everyWeightGiven = weights.size() == active.maps.size();
-    active.probabilities =
-        everyWeightGiven ? shares(std::move(weights)) : determinantWeights<Dim>(active.maps);
-    // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
-    for (double& probability : active.probabilities)
-        probability = std::max(probability, std::numeric_limits<double>::min());
+    const std::size_t copies = copiesOfEachMap(system);
+    if (copies == 1) return activeListed(system);
+    ActiveMaps<Dim> active = activeListed(expanded(system));
+    for (std::size_t& index : active.index)
+        index /= copies;
     return active;
 }
 
@@ -140,6 +184,7 @@ std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& trans
         if (!conjugated) return std::nullopt;
         map.map = *conjugated;
     }
+    result.symmetry = conjugate(transformation, system.symmetry);
     return result;
 }
 
@@ -150,6 +195,8 @@ std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& trans
     template std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>&);                         \
     template std::vector<double> probabilities(const IteratedFunctionSystem<Dim>&);                          \
     template std::size_t countActive(const IteratedFunctionSystem<Dim>&);                                    \
+    template std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>&);                                \
+    template IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>&);                       \
     template ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&);                                 \
     template std::vector<double> determinantWeights(std::span<const AffineMap<Dim>>, double);                \
     template std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>&,                     \

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/system/affine_map.h"
+#include "ifs/system/symmetry.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +25,11 @@ template <int Dim> struct WeightedMap {
     friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
 };
 
-// w_1 … w_N with their weights, in the order in which addresses number them.
+// w_1 … w_N with their weights, in the order in which addresses number them, and the group Γ under which the
+// attractor is symmetric: it is the attractor of {γ∘w_i : γ ∈ Γ}.
 template <int Dim> struct IteratedFunctionSystem {
     std::vector<WeightedMap<Dim>> maps;
+    Symmetry<Dim> symmetry{}; // valid
 
     friend bool operator==(const IteratedFunctionSystem&, const IteratedFunctionSystem&) = default;
 };
@@ -40,21 +43,30 @@ template <int Dim>
 MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map,
              std::optional<double> weight = std::nullopt);
 
-// The maps in their order, without weights and ids.
+// γ∘w_i for every element of the group, the weight of w_i shared among them: for each map in turn the
+// identity, which keeps the id, then the other elements in their order under fresh ids. The result has no
+// symmetry. A system that would have more than maxSymmetricMaps maps loses its symmetry instead.
+template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system);
+// How many maps each map stands for there: |Γ|, and 1 beyond the limit.
+template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system);
+
+// The maps in their order, without weights, ids and symmetry.
 template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>& system);
 
-// One probability per map, 0 for a map that is off and for no other, sum 1 unless every map is off.
-// A disabled map and a weight ≤ 0 (or not finite) mean off. If any enabled map has no weight at all,
-// the determinant rule serves for all maps that are not off.
+// One probability per listed map, its copies under the symmetry together, 0 for a map that is off and for no
+// other, sum 1 unless every map is off. A disabled map and a weight ≤ 0 (or not finite) mean off. If any
+// enabled map has no weight at all, the determinant rule serves for all maps that are not off.
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);
 
-// Those maps that have a positive probability; `index` holds their indices in the system.
+// Those maps of the expanded system that have a positive probability; `index` holds, in ascending order, the
+// indices in `system` of the maps that they are copies of. Without a symmetry each index occurs once.
 template <int Dim> struct ActiveMaps {
     std::vector<AffineMap<Dim>> maps;
     std::vector<double> probabilities;
     std::vector<std::size_t> index;
 };
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
+// How many maps activeMaps() holds.
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system);
 
 // The masses divided by their sum, none below `floor` of it before renormalising. A mass that is negative or
@@ -72,7 +84,8 @@ std::vector<double> equalWeights(std::size_t count);
 template <int Dim>
 std::vector<double> dimensionWeights(std::span<const AffineMap<Dim>> maps, double floor = 0.01);
 
-// T∘w∘T⁻¹ for every map ("baking"): its attractor is T of the old one. Weights, ids and order stay.
+// T∘w∘T⁻¹ for every map ("baking"): its attractor is T of the old one. Weights, ids and order stay, and
+// the symmetry is that of the new attractor.
 // nullopt when T is singular or its condition number exceeds 1e6, where the code would lose its digits.
 template <int Dim>
 std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& transformation,

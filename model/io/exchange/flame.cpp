@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame.h"
 
+#include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 #include "io/exchange/flame_colours.h"
+#include "io/exchange/flame_symmetry.h"
 #include "io/text/coefficient.h"
 #include "io/text/export_weights.h"
 #include "io/text/number.h"
@@ -97,7 +99,8 @@ struct Xform {
     double linear = 0;   // the amount of `linear`, which leaves z out
     double linear3D = 0; // the amount of `linear3D`
     double weight = 0;
-    QString refusal; // why it is no row of an iterated function system; empty when it is one
+    bool standsStill = false; // in animations, as transforms do that stand for a symmetry
+    QString refusal;          // why it is no row of an iterated function system; empty when it is one
 
     bool isSpatial() const { return !(yz == ifs::AffineMap<2>()) || !(zx == ifs::AffineMap<2>()); }
 
@@ -181,6 +184,10 @@ ifs::AffineMap<2> part(const QXmlStreamAttributes& attributes, const char* name,
     return map.value_or(ifs::AffineMap<2>());
 }
 
+bool isNumber(const QXmlStreamAttributes& attributes, const char* name, double value) {
+    return parseNumber(attributes.value(QLatin1String(name))) == value;
+}
+
 Xform readXform(const QXmlStreamAttributes& attributes) {
     Xform xform;
     readAmounts(attributes, xform);
@@ -199,6 +206,7 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
             Text::tr("a number is too large for a coefficient (the largest absolute value is 3.4e38)");
         return xform;
     }
+    xform.standsStill = isNumber(attributes, "animate", 0) || isNumber(attributes, "symmetry", 1);
     bool ok = false;
     const QList<double> chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
     if (!ok || std::any_of(chaos.begin(), chaos.end(), [](double v) { return v != 1; }))
@@ -267,6 +275,7 @@ private:
         const bool keepsZ = m_xml.attributes().value(QLatin1String("preserve_z")) == u"1";
         std::vector<Xform> xforms;
         FlameColourReader colours;
+        FlameSymmetryReader symmetry;
         colours.readFlame(m_xml.attributes());
         QString refusal;
         m_remarks.clear();
@@ -275,11 +284,11 @@ private:
             if (!m_xml.isStartElement() || !refusal.isEmpty()) continue;
             if (readColours(colours)) continue;
             if (m_xml.name() == u"xform")
-                refusal = addXform(xforms);
+                refusal = addXform(xforms, symmetry);
             else if (m_xml.name() == u"finalxform")
                 refusal = Text::tr("it has a final transform");
             else if (m_xml.name() == u"symmetry")
-                refusal = Text::tr("it adds a symmetry");
+                refusal = readSymmetry(symmetry);
             else if (m_xml.name() == u"motion")
                 refusal = Text::tr("it has motion");
             else if (m_xml.name() == u"layer")
@@ -288,7 +297,20 @@ private:
                 refuse(name,
                        Text::tr("The flame “%1” is not a system of affine maps: %2.").arg(name, refusal));
         }
-        if (!m_xml.hasError() && refusal.isEmpty()) addEntry(name, xforms, keepsZ, colours);
+        if (m_xml.hasError() || !refusal.isEmpty()) return;
+        const FlameSymmetryReader::Outcome found = symmetry.outcome();
+        for (auto index = found.transforms.rbegin(); index != found.transforms.rend(); ++index)
+            xforms.erase(xforms.begin() + std::ptrdiff_t(*index));
+        colours.forgetXforms(found.transforms);
+        addEntry({name, std::move(xforms), keepsZ, found.symmetry}, colours);
+    }
+
+    QString readSymmetry(FlameSymmetryReader& symmetry) const {
+        bool ok = false;
+        const int kind = m_xml.attributes().value(QLatin1String("kind")).trimmed().toInt(&ok);
+        return ok && symmetry.readKind(kind)
+                   ? QString()
+                   : Text::tr("its symmetry is not of a kind from −%1 to %1").arg(ifs::maxSymmetryOrder);
     }
 
     // Whether the element is one of colours alone; that of a transform is read and says false.
@@ -308,7 +330,7 @@ private:
         return m_xml.name() != u"xform";
     }
 
-    QString addXform(std::vector<Xform>& xforms) {
+    QString addXform(std::vector<Xform>& xforms, FlameSymmetryReader& symmetry) {
         if (qsizetype(xforms.size()) >= maxXforms)
             return Text::tr("it has more than %1 transforms").arg(maxXforms);
         const Xform xform = readXform(m_xml.attributes());
@@ -321,6 +343,10 @@ private:
                                  int(m_xml.lineNumber()),
                                  int(m_xml.columnNumber()) + 1,
                                  *remark};
+        if (xform.standsStill && !xform.isSpatial()) {
+            const ifs::AffineMap<2> map = xform.inPlane();
+            symmetry.addTransform(xforms.size(), m_axis == FlameAxis::Flipped ? ifs::flipped(map) : map);
+        }
         xforms.push_back(xform);
         return {};
     }
@@ -351,8 +377,16 @@ private:
         return shape;
     }
 
-    void addEntry(const QString& name, const std::vector<Xform>& xforms, bool keepsZ,
-                  const FlameColourReader& colours) {
+    // What is left of a flame when all of it has been read.
+    struct Flame {
+        QString name;
+        std::vector<Xform> xforms; // that are maps
+        bool keepsZ = false;
+        ifs::Symmetry<2> symmetry;
+    };
+
+    void addEntry(const Flame& flame, const FlameColourReader& colours) {
+        const auto& [name, xforms, keepsZ, symmetry] = flame;
         if (xforms.empty()) {
             refuse(name, Text::tr("The flame “%1” has no transforms.").arg(name));
             return;
@@ -365,6 +399,11 @@ private:
             fractal.shape = spaceOf(xforms, keepsZ);
         else
             fractal.shape = planeOf(xforms);
+        const QString crowded =
+            document::symmetryObstacle(fractal, ifs::groupOrder(symmetry.group, symmetry.order));
+        if (!crowded.isEmpty()) return refuse(name, crowded);
+        if (auto* plane = document::plane(fractal)) plane->system.symmetry = symmetry;
+        if (auto* space = document::space(fractal)) space->system.symmetry = ifs::lifted(symmetry);
         colours.applyTo(fractal);
         if (colours.namesForeignPalette())
             m_remarks << Problem{Problem::Severity::Warning,
@@ -420,6 +459,20 @@ QString hexPalette(const FlameColours& colours) {
     return text + QLatin1String("\n    ");
 }
 
+// As flam3 adds them: as likely as a map of weight 1, at rest in animations, and without a colour of their
+// own.
+void writeSymmetryTransforms(QXmlStreamWriter& xml, const ifs::Symmetry<2>& symmetry, FlameAxis axis) {
+    for (const ifs::AffineMap<2>& map : symmetryTransforms(symmetry)) {
+        xml.writeEmptyElement(QStringLiteral("xform"));
+        for (const auto& [name, value] :
+             {std::pair{"weight", "1"}, std::pair{"color", "0"}, std::pair{"color_speed", "0"},
+              std::pair{"animate", "0"}, std::pair{"linear", "1"}})
+            xml.writeAttribute(QLatin1String(name), QLatin1String(value));
+        xml.writeAttribute(QStringLiteral("coefs"),
+                           coefficientText(axis == FlameAxis::Flipped ? ifs::flipped(map) : map));
+    }
+}
+
 void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const document::System2& system,
               FlameAxis axis) {
     constexpr int side = 1000; // pixels of the frame that the flame's scale and centre speak of
@@ -444,6 +497,10 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
     xml.writeAttribute(QStringLiteral("background"), QString::fromLatin1(levels.join(' ')));
     xml.writeAttribute(QLatin1String(flameColourByKey), flameColourBy(fractal.appearance.colourBy));
 
+    if (const auto kind = flameKind(system.symmetry)) {
+        xml.writeEmptyElement(QStringLiteral("symmetry"));
+        xml.writeAttribute(QStringLiteral("kind"), QString::number(*kind));
+    }
     const std::vector<double> weights = exportWeights(system);
     const FlameColours colours = flameColoursOf(fractal);
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
@@ -455,6 +512,7 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
         xml.writeAttribute(QStringLiteral("coefs"),
                            coefficientText(axis == FlameAxis::Flipped ? ifs::flipped(map) : map));
     }
+    writeSymmetryTransforms(xml, system.symmetry, axis);
     xml.writeStartElement(QStringLiteral("palette"));
     xml.writeAttribute(QStringLiteral("count"), QStringLiteral("256"));
     xml.writeAttribute(QStringLiteral("format"), QStringLiteral("RGB"));
@@ -490,8 +548,11 @@ QByteArray writeFlame(const QList<std::shared_ptr<const document::Fractal>>& fra
     xml.setAutoFormattingIndent(2);
     xml.writeStartElement(QStringLiteral("flames"));
     for (const auto& fractal : fractals)
-        if (const document::System2* system = document::system2(*fractal))
-            writeOne(xml, *fractal, *system, axis);
+        if (document::system2(*fractal)) {
+            const document::Fractal held =
+                flameHoldsSymmetry(*fractal) ? *fractal : document::expanded(*fractal);
+            writeOne(xml, held, *document::system2(held), axis);
+        }
     xml.writeEndElement();
     return bytes.trimmed() + '\n';
 }

@@ -129,6 +129,11 @@ void FlameColourReader::readXform(const QXmlStreamAttributes& attributes) {
     m_positions.push_back(parseNumber(end < 0 ? text : text.first(end)));
 }
 
+void FlameColourReader::forgetXforms(const std::vector<std::size_t>& indices) {
+    for (auto index = indices.rbegin(); index != indices.rend(); ++index)
+        m_positions.erase(m_positions.begin() + std::ptrdiff_t(*index));
+}
+
 void FlameColourReader::applyTo(document::Fractal& fractal) const {
     attractor::Appearance& appearance = fractal.appearance;
     if (m_background) appearance.background = *m_background;

@@ -24,6 +24,8 @@ public:
     void readColour(const QXmlStreamAttributes& attributes); // of <color>: index, rgb
     void readColours(const QString& data);                   // of <colors>: 00RRGGBB for each
     void readXform(const QXmlStreamAttributes& attributes);  // the next xform: color
+    // Ascending: those of xforms that turned out to be no maps.
+    void forgetXforms(const std::vector<std::size_t>& indices);
 
     // Needs the system and the name in place.
     void applyTo(document::Fractal& fractal) const;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/text_formats.h"
 
+#include "document/edits/symmetry_edits.h"
 #include "io/exchange/aifs.h"
 #include "io/exchange/flame_colours.h"
+#include "io/exchange/flame_symmetry.h"
 #include "io/fractint/entry_writer.h"
 #include "io/table/table_reader.h"
 #include "io/text/lost_parts.h"
@@ -49,6 +51,16 @@ bool holds(TextFormat format, const document::Fractal& fractal) {
 
 namespace {
 
+// Whether the format has a place for the symmetry of an entry; in the others its maps are listed.
+bool holdsSymmetry(TextFormat format) {
+    return format == TextFormat::Fractint || format == TextFormat::Flame; // which lists them itself if need be
+}
+
+std::shared_ptr<const document::Fractal> plain(const std::shared_ptr<const document::Fractal>& fractal) {
+    if (!document::isSymmetric(*fractal)) return fractal;
+    return std::make_shared<const document::Fractal>(document::expanded(*fractal));
+}
+
 QByteArray tableOf(const document::Fractal& fractal, const TableColumns& columns, TableSeparator separator) {
     const auto* space = document::system3(fractal);
     return space ? writeTable(*space, separator)
@@ -62,7 +74,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
     KeptParts kept;
     if (format == TextFormat::Flame && document::system2(fractal)) {
         const FlameColours colours = flameColoursOf(fractal);
-        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours};
+        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours,
+                flameHoldsSymmetry(fractal)};
     }
     return lossBeside(kept, fractal);
 }
@@ -71,7 +84,7 @@ QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractal
                   const TextOptions& options) {
     QList<std::shared_ptr<const document::Fractal>> held;
     for (const auto& fractal : fractals)
-        if (holds(format, *fractal)) held << fractal;
+        if (holds(format, *fractal)) held << (holdsSymmetry(format) ? fractal : plain(fractal));
     if (held.isEmpty()) return {};
     switch (format) {
     case TextFormat::Flame:

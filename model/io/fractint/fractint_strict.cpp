@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_strict.h"
+
+#include "document/edits/symmetry_edits.h"
 #include "document/unique_names.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/fractint/fractint_rows.h"
@@ -61,7 +63,7 @@ public:
 
 private:
     void append(const Entry& entry) {
-        const document::Fractal& fractal = *entry.fractal;
+        const document::Fractal fractal = document::expanded(*entry.fractal);
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
             return m_text.problems.append({Problem::Severity::Error, fractal.name, 0, 0,
@@ -82,7 +84,7 @@ private:
         if (!title.isEmpty()) m_text.bytes += " ; " + title.first();
         m_text.bytes += '\n' + rowText(rows).join('\n') + "\n}\n";
         checkLimits(fractal, rows.size());
-        if (const auto loss = lossBeside({}, fractal)) warn(fractal.name, *loss);
+        if (const auto loss = lossBeside({}, *entry.fractal)) warn(fractal.name, *loss);
     }
 
     void addComment(const QString& text) {

@@ -103,7 +103,7 @@ template <int Dim> QByteArrayList placementLines(const document::Shape<Dim>& sha
     }
     for (const ifs::MovedBranch<Dim>& branch : document::movedBranches(shape))
         lines << branchLines(branch);
-    return lines << animationComments(shape);
+    return lines << symmetryComments(shape.system.symmetry) << animationComments(shape);
 }
 
 QByteArrayList paletteLines(const attractor::Palette& palette) {
@@ -203,6 +203,7 @@ bool MetadataComments::read(QByteArrayView comment) {
     const QByteArray key = values.takeFirst();
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
            readPalette(key, values) || readBranch(key, values) || m_inSpace.read(key, values) ||
+           m_symmetry.read(key, values, m_ownComments - 1) ||
            m_animations.read(key, values, m_ownComments - 1);
 }
 
@@ -459,6 +460,10 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
                                              "kept.")
                                      .arg(document::dimension(fractal));
         applyToMaps(shape.system, fractal.appearance.mapColours, outcome.sentences);
+        if (const auto flaw = m_symmetry.applyTo(shape.system)) {
+            outcome.sentences << *flaw;
+            append(outcome.kept, m_symmetry.lines());
+        }
         AnimationComments::Outcome animation = m_animations.applyTo(shape);
         outcome.sentences << animation.sentences;
         append(outcome.kept, animation.kept);
@@ -472,6 +477,7 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
             for (const Point& point : *points)
                 append(outcome.kept, point.lines);
         append(outcome.kept, m_deformationLines);
+        append(outcome.kept, m_symmetry.lines());
         append(outcome.kept, m_animations.lines());
         for (const Branch& branch : m_branches) {
             append(outcome.kept, branch.lines);

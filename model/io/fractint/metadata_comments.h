@@ -4,6 +4,7 @@
 #include "document/fractal.h"
 #include "io/fractint/animation_comments.h"
 #include "io/fractint/space_comments.h"
+#include "io/fractint/symmetry_comments.h"
 
 #include <QByteArrayList>
 #include <QByteArrayView>
@@ -33,11 +34,12 @@ public:
     struct Outcome {
         QStringList sentences; // one for everything that did not fit the system
         // Of the own comments read, counted from 0 and ascending: those of a cage or a branch that is not of
-        // the system's dimension, and of an animation that is not valid. They are kept as they are.
+        // the system's dimension, and of an animation or a symmetry that is not valid. They are kept as they
+        // are.
         std::vector<std::size_t> kept;
     };
-    // Needs the system in place. Of an entry that could not be read, the cage, all branches and the animation
-    // are kept.
+    // Needs the system in place. Of an entry that could not be read, the cage, all branches, the symmetry and
+    // the animation are kept.
     Outcome applyTo(document::Fractal& fractal) const;
 
 private:
@@ -78,6 +80,7 @@ private:
     ifs::Deformation m_deformation = ifs::Deformation::Bend;
     Lines m_deformationLines;
     std::vector<Branch> m_branches;
+    SymmetryComments m_symmetry;
     AnimationComments m_animations;
     attractor::Appearance m_appearance;
     SpaceComments m_inSpace;

@@ -7,6 +7,7 @@
 #include "ifs/facts.h"
 #include "io/fractint/animation_lines.h"
 #include "io/report/json_writer.h"
+#include "io/text/symmetry_text.h"
 
 #include <cmath>
 #include <numeric>
@@ -316,11 +317,13 @@ std::vector<const char*> keysOf(ifs::LongFact fact) {
 template <int Dim>
 void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& system, const QString& name,
                  const InfoSubject& subject) {
-    const ifs::Facts<Dim> facts = factsFor(system, name, subject);
+    // Addresses number the maps as the expanded system lists them.
+    const std::vector<double> probabilities = ifs::probabilities(system);
+    const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), name, subject);
     json.key("maps");
     json.beginArray();
     for (std::size_t i = 0; i < system.maps.size(); ++i)
-        writeMap(json, system.maps[i], facts.probabilities[i]);
+        writeMap(json, system.maps[i], probabilities[i]);
     json.endArray();
     if (facts.isLate(ifs::LongFact::Existence))
         writeNull(json, "attractor");
@@ -341,6 +344,21 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
             json.value(QString::fromLatin1(key));
     json.endArray();
     writeInvariants(json, facts);
+}
+
+template <int Dim> void writeSymmetry(JsonWriter& json, const ifs::Symmetry<Dim>& symmetry) {
+    if (symmetry.group == ifs::SymmetryGroup::None) return writeNull(json, "symmetry");
+    json.key("symmetry");
+    json.beginObject(Layout::Inline);
+    json.member("group", symmetryName(symmetry.group, symmetry.order));
+    json.key("elements");
+    json.value(int(ifs::groupOrder(symmetry.group, symmetry.order)));
+    json.member("angle", symmetry.angle);
+    json.key("centre");
+    writeVector<Dim>(json, symmetry.centre);
+    json.key("frame");
+    writeMatrix<Dim>(json, symmetry.frame);
+    json.endObject();
 }
 
 template <int Dim> void writeMovedBranches(JsonWriter& json, const document::Shape<Dim>& shape) {
@@ -364,6 +382,7 @@ template <int Dim>
 void writeShape(JsonWriter& json, const document::Shape<Dim>& shape, const QString& name,
                 const InfoSubject& subject) {
     writeSystem(json, shape.system, name, subject);
+    writeSymmetry(json, shape.system.symmetry);
     writeCage(json, shape.cage);
     writeMovedBranches(json, shape);
 }
@@ -418,6 +437,7 @@ void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubj
                                 "entropy",
                                 "lyapunov_exponent",
                                 "measure_dimension",
+                                "symmetry",
                                 "cage"})
             writeNull(json, key);
         json.key("moved_branches");

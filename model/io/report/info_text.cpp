@@ -6,6 +6,7 @@
 #include "document/fractal_geometry.h"
 #include "ifs/facts.h"
 #include "io/report/figure_error.h"
+#include "io/text/symmetry_text.h"
 
 #include <QCoreApplication>
 
@@ -335,9 +336,12 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
 template <int Dim>
 void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const QString& name,
                const InfoSubject& subject) {
-    const ifs::Facts<Dim> facts = factsFor(system, name, subject);
+    const std::vector<double> probabilities = ifs::probabilities(system);
+    const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), name, subject);
     for (std::size_t i = 0; i < system.maps.size(); ++i)
-        lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], facts.probabilities[i]));
+        lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], probabilities[i]));
+    if (system.symmetry.group != ifs::SymmetryGroup::None)
+        lines.add(Text::tr("symmetry"), symmetrySentence(system.symmetry));
     const bool isExistenceLate = facts.isLate(ifs::LongFact::Existence);
     lines.add(Text::tr("attractor"),
               isExistenceLate ? notComputed() : verdictSentence(facts.existence, facts.active.index));

@@ -14,15 +14,13 @@ struct Text {
 } // namespace
 
 template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
-    const auto active = ifs::activeMaps(system);
+    const std::vector<double> probabilities = ifs::probabilities(system);
     bool allGiven = true;
-    for (const std::size_t i : active.index)
-        allGiven = allGiven && system.maps[i].weight;
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        allGiven = allGiven && (probabilities[i] == 0 || system.maps[i].weight);
     std::vector<double> weights(system.maps.size());
-    for (std::size_t k = 0; k < active.index.size(); ++k) {
-        const std::size_t i = active.index[k];
-        weights[i] = allGiven ? *system.maps[i].weight : active.probabilities[k];
-    }
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        if (probabilities[i] > 0) weights[i] = allGiven ? *system.maps[i].weight : probabilities[i];
     return weights;
 }
 

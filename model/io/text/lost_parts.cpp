@@ -2,6 +2,7 @@
 #include "io/text/lost_parts.h"
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 
 #include <QCoreApplication>
@@ -29,7 +30,9 @@ Held heldBy(const document::Fractal& fractal) {
 
 } // namespace
 
-std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal& fractal) {
+namespace {
+
+std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal& fractal) {
     const attractor::Appearance usual = document::Fractal{}.appearance;
     attractor::Appearance rest = fractal.appearance;
     const Held held = heldBy(fractal);
@@ -51,6 +54,19 @@ std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal
     return isDifferent ? Text::tr("“%1” is written without %2: other programs will draw a different picture.")
                              .arg(fractal.name, all)
                        : Text::tr("“%1” is written without %2.").arg(fractal.name, all);
+}
+
+std::optional<QString> lostSymmetry(const KeptParts& kept, const document::Fractal& fractal) {
+    if (kept.symmetry || !document::isSymmetric(fractal)) return std::nullopt;
+    return Text::tr("The symmetry of “%1” is written as the maps that it stands for.").arg(fractal.name);
+}
+
+} // namespace
+
+std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal& fractal) {
+    const auto parts = lostParts(kept, fractal), symmetry = lostSymmetry(kept, fractal);
+    if (parts && symmetry) return *parts + u' ' + *symmetry;
+    return parts ? parts : symmetry;
 }
 
 } // namespace io

@@ -15,9 +15,10 @@ struct KeptParts {
     bool background = false;
     bool colourBy = false;
     bool mapColours = false;
+    bool symmetry = false; // as a group, not as the maps it stands for
 };
 
-// What is lost, as a sentence; nullopt when nothing is, or only what is as in a new entry.
+// What is lost, in sentences; nullopt when nothing is, or only what is as in a new entry.
 std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal& fractal);
 
 } // namespace io

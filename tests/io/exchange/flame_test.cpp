@@ -26,6 +26,11 @@ private slots:
     void flamesInSpace();
     void linearLeavesZOut();
     void refusesADocumentType();
+    void kindsOfSymmetry_data();
+    void kindsOfSymmetry();
+    void transformsOfSymmetry();
+    void symmetriesComeBack_data();
+    void symmetriesComeBack();
     void oneBadFlameDoesNotStopTheOthers();
     void writesWhatFlamesExpect();
     void roundTripIsExact();
@@ -139,6 +144,8 @@ void FlameTest::refusesWhatIsNotAffine_data() {
     QTest::newRow("plotmode") << QByteArray(
                                      R"(<xform weight="1" linear="1" plotmode="off" coefs="1 0 0 1 0 0"/>)")
                               << "opacity";
+    QTest::newRow("random symmetry") << QByteArray(R"(<symmetry kind="0"/>)") << "symmetry";
+    QTest::newRow("25 mirrors") << QByteArray(R"(<symmetry kind="-25"/>)") << "symmetry";
     QTest::newRow("space")
         << QByteArray(R"(<xform weight="1" linear="1" yzPost="1 0 0 1 0 2" coefs="1 0 0 1 0 0"/>)")
         << "yzPost";
@@ -155,6 +162,99 @@ void FlameTest::refusesWhatIsNotAffine() {
     QCOMPARE(file.problems.size(), 1);
     QVERIFY2(file.problems.first().message.contains(because), qPrintable(file.problems.first().message));
     QCOMPARE(file.problems.first().line, 3);
+}
+
+void FlameTest::kindsOfSymmetry_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("elements");
+    QTest::newRow("none") << 1 << 1;
+    QTest::newRow("mirror") << -1 << 2;
+    QTest::newRow("rotation") << 6 << 6;
+    QTest::newRow("dihedral") << -5 << 10;
+    QTest::newRow("even dihedral") << -4 << 8;
+}
+
+// As flam3 reads them: n − 1 rotations and, of a negative kind, the mirror image x → −x generate the group.
+void FlameTest::kindsOfSymmetry() {
+    QFETCH(int, kind);
+    QFETCH(int, elements);
+    const QByteArray bytes = flame("<symmetry kind=\"" + QByteArray::number(kind) +
+                                   R"("/><xform weight="1" linear="1" coefs=".5 0 0 .5 1 0"/>)");
+    const System2 system = onlySystem(io::readFlame(bytes));
+    QCOMPARE(system.maps.size(), std::size_t(1));
+    const auto group = ifs::elements(system.symmetry);
+    QCOMPARE(int(group.size()), elements);
+    const ifs::AffineMap<2> mirror = ifs::affineMap(-1, 0, 0, 1, 0, 0);
+    QCOMPARE(std::ranges::any_of(
+                 group, [&](const auto& element) { return (element.linear - mirror.linear).norm() < 1e-12; }),
+             kind < 0);
+}
+
+void FlameTest::transformsOfSymmetry() {
+    const QByteArray map = R"(<xform weight=".5" color="0.25" linear="1" coefs=".5 0 0 .5 1 0"/>)";
+    const QByteArray third =
+        R"(<xform weight="1" color="1" color_speed="0" animate="0" linear="1" coefs="-0.5 0.866025 -0.866025 -0.5 0 0"/>)";
+    const QByteArray mirror = R"(<xform weight="1" symmetry="1" linear="1" coefs="-1 0 0 1 0 0"/>)";
+    const System2 rotated = onlySystem(io::readFlame(flame(map + third)));
+    QCOMPARE(rotated.maps.size(), std::size_t(1));
+    QVERIFY(rotated.symmetry.group == ifs::SymmetryGroup::Rotation);
+    QCOMPARE(rotated.symmetry.order, 3);
+    const System2 dihedral = onlySystem(io::readFlame(flame(mirror + map + third)));
+    QCOMPARE(dihedral.maps.size(), std::size_t(1));
+    QCOMPARE(dihedral.maps[0].weight.value(), 0.5);
+    QVERIFY(dihedral.symmetry.group == ifs::SymmetryGroup::Dihedral);
+    // Both forms at once, as newer programs write them.
+    const System2 twice = onlySystem(io::readFlame(flame("<symmetry kind=\"3\"/>" + map + third)));
+    QCOMPARE(twice.maps.size(), std::size_t(1));
+    QCOMPARE(twice.symmetry.order, 3);
+    // What makes no finite group, or moves in animations, is a map.
+    const QByteArray odd =
+        R"(<xform weight="1" animate="0" linear="1" coefs="0.9689124 0.247404 -0.247404 0.9689124 0 0"/>)";
+    QCOMPARE(onlySystem(io::readFlame(flame(map + odd))).maps.size(), std::size_t(2));
+    const QByteArray moving = R"(<xform weight="1" linear="1" coefs="-1 0 0 -1 0 0"/>)";
+    const System2 plain = onlySystem(io::readFlame(flame(map + moving)));
+    QCOMPARE(plain.maps.size(), std::size_t(2));
+    QVERIFY(plain.symmetry.group == ifs::SymmetryGroup::None);
+}
+
+void FlameTest::symmetriesComeBack_data() {
+    using enum ifs::SymmetryGroup;
+    QTest::addColumn<ifs::Symmetry<2>>("symmetry");
+    QTest::addColumn<bool>("hasKind");
+    QTest::newRow("rotation") << ifs::Symmetry<2>{Rotation, 7} << true;
+    QTest::newRow("mirror along y") << ifs::Symmetry<2>{Mirror, 1, 90} << true;
+    QTest::newRow("dihedral") << ifs::Symmetry<2>{Dihedral, 6} << true;
+    QTest::newRow("mirror") << ifs::Symmetry<2>{Mirror, 1, 30} << false;
+    QTest::newRow("elsewhere") << ifs::Symmetry<2>{Rotation, 6, 0, {1, 0.5}} << false;
+    QTest::newRow("turned") << ifs::Symmetry<2>{Dihedral, 5, 10, {1, 0.5}} << false;
+}
+
+void FlameTest::symmetriesComeBack() {
+    QFETCH(ifs::Symmetry<2>, symmetry);
+    QFETCH(bool, hasKind);
+    auto fractal = std::make_shared<document::Fractal>();
+    fractal->name = QStringLiteral("star");
+    document::System2 system;
+    ifs::append(system, ifs::affineMap(.5, .1, -.1, .5, 1, .25), 1.0);
+    system.symmetry = symmetry;
+    fractal->shape = document::Shape<2>{system};
+    const QByteArray bytes = io::writeFlame({fractal});
+    QCOMPARE(bytes.contains("<symmetry kind="), hasKind);
+    const System2 back = onlySystem(io::readFlame(bytes));
+    QCOMPARE(back.maps.size(), std::size_t(1));
+    QVERIFY(back.maps[0].map == system.maps[0].map);
+    const auto group = ifs::elements(symmetry), found = ifs::elements(back.symmetry);
+    QCOMPARE(found.size(), group.size());
+    for (const auto& element : group)
+        QVERIFY(std::ranges::any_of(found, [&](const auto& each) {
+            return (each.linear - element.linear).norm() + (each.translation - element.translation).norm() <
+                   1e-12;
+        }));
+    // A frame that keeps no angles is listed.
+    document::system2(*fractal)->symmetry.frame << 1, 1, 0, 1;
+    const System2 listed = onlySystem(io::readFlame(io::writeFlame({fractal})));
+    QCOMPARE(listed.maps.size(), group.size());
+    QVERIFY(listed.symmetry.group == ifs::SymmetryGroup::None);
 }
 
 // XY first, then YZ, then ZX; two-by-twos column by column. docs/formats.md, "Flame XML".

@@ -5,7 +5,9 @@
 #include "canvas/items/attractor_item.h"
 #include "canvas/items/cage_item.h"
 #include "canvas/items/motion_path_item.h"
+#include "canvas/items/symmetry_item.h"
 #include "canvas/scene/frame_layout.h"
+#include "canvas/scene/symmetry_layout.h"
 #include "document/fractal_geometry.h"
 
 #include <QFont>
@@ -30,6 +32,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_attractor(std::make_unique<AttractorItem>()),
       m_grid(std::make_unique<GridItem>()),
       m_pathItem(std::make_unique<MotionPathItem>()),
+      m_symmetryItem(std::make_unique<SymmetryItem>()),
       m_cageItem(std::make_unique<CageItem>()),
       m_mapFrames(std::make_unique<MapFramesItem>()),
       m_gizmo(std::make_unique<GizmoItem>()) {
@@ -67,7 +70,7 @@ std::vector<OverlayItem*> CanvasScene::overlays() {
         items.insert(items.end(), more.begin(), more.end());
     };
     add(m_marks.itemsBelowHandles());
-    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get()});
+    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get()});
     add(m_marks.itemsAboveHandles());
     add(m_notes.items());
     return items;
@@ -183,6 +186,7 @@ void CanvasScene::layoutItems() {
     m_cageItem->setPolygon(cagePolygon());
     layoutFrames();
     layoutPaths();
+    layoutSymmetry();
     if (m_handles.cage()) {
         m_gizmoLayout = gizmoLayout(pixelsOf(m_camera, m_handles.heldPoints()),
                                     pixelOf(m_camera, m_handles.pivot()), sceneRect());
@@ -194,6 +198,19 @@ void CanvasScene::layoutItems() {
     m_notes.avoid(handlePositions());
     mark();
     updateVisibility();
+}
+
+void CanvasScene::layoutSymmetry() {
+    m_symmetryItem->setMarks(symmetryLayout(m_document->fractal(), m_camera));
+}
+
+std::optional<QPointF> CanvasScene::symmetryKnob() const {
+    const auto& marks = m_symmetryItem->marks();
+    return marks && m_symmetryItem->isVisible() ? std::optional(marks->knob) : std::nullopt;
+}
+
+void CanvasScene::holdSymmetry(bool held) {
+    m_symmetryItem->setHeld(held);
 }
 
 // Those that can be taken now.
@@ -269,6 +286,7 @@ void CanvasScene::updateVisibility() {
     m_cageItem->setVisible(cage);
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
+    m_symmetryItem->setVisible(cage);
     m_gizmo->setVisible(cage && m_handles.isAnythingHeld());
 }
 

@@ -23,6 +23,7 @@ namespace view {
 class AttractorItem;
 class CageItem;
 class MotionPathItem;
+class SymmetryItem;
 
 // What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
 // Places the items. Follows the document and never edits it.
@@ -59,6 +60,10 @@ public:
     // The pressed rotate or scale handle follows the pointer.
     void holdKnobAt(const std::optional<QPointF>& position);
 
+    // The handle of the centre of a symmetry; nullopt without one, and while the handles are hidden.
+    std::optional<QPointF> symmetryKnob() const;
+    void holdSymmetry(bool held);
+
     Snapping snapping() const { return m_snapping; }
     void setSnapping(Snapping snapping) { m_snapping = snapping; }
     // Without those vertices of the part that move.
@@ -88,6 +93,7 @@ private:
     void layoutItems(); // all that depends on camera, cage and maps
     void layoutFrames();
     void layoutPaths();
+    void layoutSymmetry();
     std::vector<QPointF> handlePositions() const;
     void mark();
     void restyle();
@@ -117,6 +123,7 @@ private:
     document::MotionPaths m_paths; // of the animation
     std::unique_ptr<GridItem> m_grid;
     std::unique_ptr<MotionPathItem> m_pathItem;
+    std::unique_ptr<SymmetryItem> m_symmetryItem;
     std::unique_ptr<CageItem> m_cageItem;
     std::unique_ptr<MapFramesItem> m_mapFrames;
     std::unique_ptr<GizmoItem> m_gizmo;

@@ -13,10 +13,11 @@ Toolbox::Toolbox(CanvasScene& scene, CanvasOptions& options)
       m_cageTool(scene),
       m_mapsTool(scene),
       m_branchTool(scene),
-      m_defineTool(scene) {
-    for (CanvasTool* tool :
-         {static_cast<CanvasTool*>(&m_cageTool), static_cast<CanvasTool*>(&m_mapsTool),
-          static_cast<CanvasTool*>(&m_branchTool), static_cast<CanvasTool*>(&m_defineTool)}) {
+      m_defineTool(scene),
+      m_symmetryTool(scene) {
+    for (CanvasTool* tool : {static_cast<CanvasTool*>(&m_cageTool), static_cast<CanvasTool*>(&m_mapsTool),
+                             static_cast<CanvasTool*>(&m_branchTool), static_cast<CanvasTool*>(&m_defineTool),
+                             static_cast<CanvasTool*>(&m_symmetryTool)}) {
         connect(tool, &CanvasTool::message, this, &Toolbox::message);
         connect(tool, &CanvasTool::cursorChanged, this, &Toolbox::cursorChanged);
         connect(tool, &CanvasTool::finished, this, [this] { setTool(Tool::Cage); });
@@ -27,12 +28,20 @@ Toolbox::Toolbox(CanvasScene& scene, CanvasOptions& options)
 }
 
 void Toolbox::stop() {
+    m_symmetryTool.stop();
     if (m_document) active().stop();
 }
 
 CanvasTool& Toolbox::active() {
+    if (m_symmetryTool.isBusy()) return m_symmetryTool;
     if (PolygonTool* tool = polygonTool()) return *tool;
     return m_defineTool;
+}
+
+CanvasTool& Toolbox::toolAt(const Pointer& pointer) {
+    if (m_tool != Tool::DefineTriangle && !active().isBusy() && m_symmetryTool.isAt(pointer))
+        return m_symmetryTool;
+    return active();
 }
 
 PolygonTool* Toolbox::polygonTool() {
@@ -57,6 +66,7 @@ void Toolbox::setTool(Tool tool) {
     }
     if (tool != Tool::Cage) m_options.setOverlaysVisible(true);
     emit used();
+    m_symmetryTool.stop();
     active().stop();
     m_tool = tool;
     active().start();

@@ -5,6 +5,7 @@
 #include "canvas/tools/branch_tool.h"
 #include "canvas/tools/cage_tool.h"
 #include "canvas/tools/define_tool.h"
+#include "canvas/tools/symmetry_tool.h"
 
 #include <QPointer>
 
@@ -24,6 +25,8 @@ public:
     Tool tool() const { return m_tool; }
     void stop(); // what is held is let go
     CanvasTool& active();
+    // The tool that a press there goes to: the one in use, or that of the handle of a symmetry.
+    CanvasTool& toolAt(const Pointer& pointer);
     PolygonTool* polygonTool(); // the tool in use when it takes polygons, else nullptr
 
     CageTool& cageTool() { return m_cageTool; }
@@ -48,6 +51,7 @@ private:
     MapsTool m_mapsTool;
     BranchTool m_branchTool;
     DefineTool m_defineTool;
+    SymmetryTool m_symmetryTool;
     Tool m_tool = Tool::Cage;
 };
 

@@ -108,8 +108,12 @@ template <int Dim> double errorOf(const ifs::Vector<Dim>& fixedPoint, const ifs:
 double fixedPointError(const Analysis& analysis, std::size_t k) {
     const auto& active = analysis.facts.active;
     if (active.maps.empty()) return 0;
-    const auto row = std::ranges::lower_bound(active.index, analysis.fixedBy[k]) - active.index.begin();
-    return errorOf<2>(analysis.fixedPoints[k], active.maps[std::size_t(row)]);
+    double error = std::numeric_limits<double>::infinity();
+    const auto copies = std::ranges::equal_range(active.index, analysis.fixedBy[k]); // under a symmetry
+    for (auto copy = copies.begin(); copy != copies.end(); ++copy)
+        error = std::min(error, errorOf<2>(analysis.fixedPoints[k],
+                                           active.maps[std::size_t(copy - active.index.begin())]));
+    return error;
 }
 
 template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {

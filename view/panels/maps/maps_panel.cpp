@@ -10,6 +10,7 @@
 #include "panels/maps/maps_delegate.h"
 #include "panels/maps/maps_row_header.h"
 #include "panels/maps/maps_table.h"
+#include "panels/maps/symmetry_row.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
@@ -70,6 +71,9 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_facts->setForegroundRole(QPalette::PlaceholderText);
     m_facts->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto* symmetry = new SymmetryRow(document, content);
+    connect(symmetry, &SymmetryRow::message, this, &MapsPanel::message);
+    contentLayout->addWidget(symmetry);
     contentLayout->addWidget(m_shape);
     contentLayout->addWidget(m_facts);
     m_pages->addWidget(content);
@@ -515,8 +519,7 @@ void MapsPanel::copyMaps() const {
     document::MapRows rows;
     for (const int row : selectedRows())
         rows.push_back(system->maps[static_cast<std::size_t>(row)]);
-    if (rows.empty()) return;
-    QGuiApplication::clipboard()->setMimeData(mapsMimeData(std::move(rows)).release());
+    if (!rows.empty()) QGuiApplication::clipboard()->setMimeData(mapsMimeData(std::move(rows)).release());
 }
 
 void MapsPanel::pasteMaps() {
@@ -556,16 +559,13 @@ void MapsPanel::paste(const document::Rows& rows) {
     }
     for (const auto& problem : table.problems) {
         if (problem.severity != document::Problem::Severity::Error) continue;
-        emit message(problem.line > 0 ? tr("Nothing was pasted. Line %1 of the clipboard: %2")
-                                            .arg(problem.line)
-                                            .arg(problem.message)
-                                      : tr("Nothing was pasted. %1").arg(problem.message));
-        return;
+        return emit message(problem.line > 0 ? tr("Nothing was pasted. Line %1 of the clipboard: %2")
+                                                   .arg(problem.line)
+                                                   .arg(problem.message)
+                                             : tr("Nothing was pasted. %1").arg(problem.message));
     }
-    if (table.rows.empty()) {
-        emit message(tr("Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers."));
-        return;
-    }
+    if (table.rows.empty())
+        return emit message(tr("Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers."));
     const auto count = static_cast<int>(table.rows.size());
     applyEdit(count == 1 ? tr("Paste a map") : tr("Paste %1 maps").arg(count),
               withMapsPasted(m_document->fractal(), rows, table.rows));

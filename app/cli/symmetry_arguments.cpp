@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "symmetry_arguments.h"
+#include "usage_error.h"
+
+#include "document/edits/symmetry_edits.h"
+
+#include <QCoreApplication>
+
+#include <memory>
+#include <utility>
+
+namespace cli {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("cli", text);
+}
+
+template <int Dim>
+std::optional<document::Fractal> symmetric(const document::Fractal& fractal, const io::NamedSymmetry& named) {
+    const auto symmetry = io::symmetryIn<Dim>(named);
+    return symmetry ? std::optional(document::withSymmetry(fractal, *symmetry)) : std::nullopt;
+}
+
+} // namespace
+
+void addSymmetryOptions(CLI::App& command, SymmetryArguments& arguments) {
+    command
+        .add_option(
+            "--symmetry", arguments.symmetry,
+            "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
+            "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
+            "centre")
+        ->type_name("GROUP[:DEGREES][@X,Y[,Z]]")
+        ->group("Symmetry");
+    command
+        .add_flag("--expand", arguments.expand,
+                  "Write the maps that a symmetry stands for, for programs that know no symmetry")
+        ->group("Symmetry");
+}
+
+SymmetryChange symmetryChange(const SymmetryArguments& arguments) {
+    SymmetryChange change{{}, arguments.expand};
+    if (!arguments.symmetry) return change;
+    const QString text = QString::fromStdString(*arguments.symmetry);
+    change.symmetry = io::symmetryNamed(text);
+    if (!change.symmetry)
+        throw UsageError{
+            tr("--symmetry “%1” is not a symmetry: it must be none, mirror, c2 to c24, d2 to d24, "
+               "tetrahedral, octahedral or icosahedral, optionally followed by an angle in degrees "
+               "(mirror:30, d6:15) and a centre (c6@1,2).")
+                .arg(text)};
+    return change;
+}
+
+std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChange& change) {
+    if (!change.symmetry) return std::nullopt;
+    const document::Fractal& fractal = *entry.fractal;
+    const std::size_t order = ifs::groupOrder(change.symmetry->group, change.symmetry->order);
+    if (QString reason = document::symmetryObstacle(fractal, order); !reason.isEmpty()) return reason;
+    auto changed = document::space(fractal) ? symmetric<3>(fractal, *change.symmetry)
+                                            : symmetric<2>(fractal, *change.symmetry);
+    if (!changed)
+        return tr("“%1” was omitted: it is a system in the plane, where neither the symmetries of the "
+                  "polyhedra "
+                  "nor centres of three coordinates exist; --lift takes it into space.")
+            .arg(fractal.name);
+    entry.fractal = std::make_shared<const document::Fractal>(*std::move(changed));
+    return std::nullopt;
+}
+
+std::optional<QString> expandSymmetry(document::Entry& entry, const SymmetryChange& change) {
+    if (!change.expand || !document::isSymmetric(*entry.fractal)) return std::nullopt;
+    if (QString reason = document::expandObstacle(*entry.fractal); !reason.isEmpty()) return reason;
+    entry.fractal = std::make_shared<const document::Fractal>(document::expanded(*entry.fractal));
+    return std::nullopt;
+}
+
+} // namespace cli

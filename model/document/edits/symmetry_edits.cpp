@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/symmetry_edits.h"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+namespace document {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+template <class Visit> auto ofSystem(const Fractal& fractal, Visit visit) {
+    if (const auto* shape = plane(fractal)) return visit(*shape);
+    if (const auto* shape = space(fractal)) return visit(*shape);
+    return visit(Shape<2>{});
+}
+
+template <int Dim> Fractal withSymmetryIn(Fractal fractal, const ifs::Symmetry<Dim>& symmetry) {
+    if (auto* shape = std::get_if<Shape<Dim>>(&fractal.shape)) shape->system.symmetry = symmetry;
+    return fractal;
+}
+
+template <int Dim> void expand(Shape<Dim>& shape, attractor::Appearance& appearance) {
+    const std::size_t copies = ifs::copiesOfEachMap(shape.system);
+    ifs::IteratedFunctionSystem<Dim> listed = ifs::expanded(shape.system);
+    const bool isByMap = appearance.colourBy == attractor::ColourBy::Map;
+    attractor::MapColours colours;
+    for (std::size_t i = 0; copies > 1 && i < listed.maps.size(); ++i) {
+        const std::size_t of = i / copies;
+        const ifs::MapId id = shape.system.maps[of].id;
+        if (isByMap || appearance.mapColours.find(id) != nullptr)
+            colours[listed.maps[i].id] = attractor::mapColour(appearance, id, of);
+    }
+    if (copies > 1) appearance.mapColours = std::move(colours);
+    shape.system = std::move(listed);
+}
+
+} // namespace
+
+std::size_t symmetryOrder(const Fractal& fractal) {
+    return ofSystem(fractal, [](const auto& shape) {
+        return ifs::groupOrder(shape.system.symmetry.group, shape.system.symmetry.order);
+    });
+}
+
+bool isSymmetric(const Fractal& fractal) {
+    return symmetryOrder(fractal) > 1;
+}
+
+QString symmetryObstacle(const Fractal& fractal, std::size_t groupOrder) {
+    const std::size_t maps = ofSystem(fractal, [](const auto& shape) { return shape.system.maps.size(); });
+    if (groupOrder <= 1 || maps <= ifs::maxSymmetricMaps / groupOrder) return {};
+    return Text::
+        tr("“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.")
+            .arg(fractal.name)
+            .arg(maps)
+            .arg(groupOrder)
+            .arg(ifs::maxSymmetricMaps);
+}
+
+Fractal withSymmetry(Fractal fractal, const ifs::Symmetry<2>& symmetry) {
+    return withSymmetryIn(std::move(fractal), symmetry);
+}
+Fractal withSymmetry(Fractal fractal, const ifs::Symmetry<3>& symmetry) {
+    return withSymmetryIn(std::move(fractal), symmetry);
+}
+
+QString expandObstacle(const Fractal& fractal) {
+    if (!isSymmetric(fractal)) return {};
+    const bool moves = ofSystem(fractal, [](const auto& shape) {
+        return shape.animation && !(shape.animation->maps.empty() && shape.animation->motions.empty());
+    });
+    if (!moves) return {};
+    return Text::
+        tr("The maps of “%1” move in its animation, and the copies that its symmetry makes would not move "
+           "with them. Remove the motions and the keys of the maps first.")
+            .arg(fractal.name);
+}
+
+Fractal expanded(Fractal fractal) {
+    if (auto* shape = plane(fractal))
+        expand(*shape, fractal.appearance);
+    else if (auto* solid = space(fractal))
+        expand(*solid, fractal.appearance);
+    return fractal;
+}
+
+} // namespace document

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/items/overlay_item.h"
+
+#include <QLineF>
+
+#include <optional>
+#include <vector>
+
+namespace view {
+
+// Where the centre of a symmetry is, in pixels of the view.
+struct SymmetryMarks {
+    QPointF centre;
+    QPointF knob; // the handle of the centre, beside it so that neither hides the other handles there
+    std::vector<QLineF> mirrors;
+    QPolygonF spokes; // ends of lines from the centre that the rotations take into each other
+
+    friend bool operator==(const SymmetryMarks&, const SymmetryMarks&) = default;
+};
+
+// The centre of a symmetry with its handle, the mirrors, and spokes for the rotations.
+class SymmetryItem : public OverlayItem {
+public:
+    void setMarks(const std::optional<SymmetryMarks>& marks);
+    const std::optional<SymmetryMarks>& marks() const { return m_marks; }
+    void setHeld(bool held);
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    std::optional<SymmetryMarks> m_marks;
+    bool m_held = false;
+};
+
+} // namespace view

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/scene/canvas_scene.h"
+#include "canvas/tools/canvas_tool.h"
+#include "document/edit_gesture.h"
+
+#include <optional>
+
+namespace view {
+
+// Drags the centre of a symmetry by its handle, whichever tool is in use.
+class SymmetryTool : public CanvasTool {
+    Q_OBJECT
+
+public:
+    explicit SymmetryTool(CanvasScene& scene) : m_scene(scene) {}
+
+    bool isAt(const Pointer& pointer) const; // a press there would take the handle
+
+    void press(const Pointer& pointer) override;
+    void move(const Pointer& pointer) override;
+    void release(const Pointer& pointer) override;
+    bool cancel() override;
+    bool isBusy() const override { return m_drag.has_value(); }
+    void stop() override { cancel(); }
+    QCursor cursor(const Pointer&) const override;
+
+private:
+    struct Drag {
+        document::EditGesture gesture;
+        QPointF press;            // pixels
+        ifs::Vector<2> displayed; // the centre, at the press
+        bool hasMoved = false;    // far enough to mean a drag
+    };
+    void end();
+
+    CanvasScene& m_scene;
+    std::optional<Drag> m_drag;
+};
+
+} // namespace view
