@@ -22,7 +22,9 @@ struct Known {
 };
 
 Support computed(const System& system) {
-    auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(system).maps);
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
+    if (active.isLinked()) return nullptr; // that of the maps without their links is another one
+    auto support = ifs::SupportFunction<2>::of(active.maps);
     return support ? std::make_shared<const ifs::SupportFunction<2>>(*std::move(support)) : nullptr;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/iterated_function_system.h"
 
+#include "ifs/system/links.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,11 +15,26 @@ namespace {
 
 constexpr double maxConditionNumber = 1e6;
 
-template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
-    return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
+// The part of the matrix that belongs to active maps; empty where any may follow any as its weight says.
+template <int Dim>
+std::vector<double> activeLinks(const IteratedFunctionSystem<Dim>& system,
+                                const std::vector<std::size_t>& index) {
+    const std::vector<double> matrix = linkMatrix(system);
+    std::vector<double> result;
+    bool isEven = true;
+    for (const std::size_t i : index)
+        for (const std::size_t j : index) {
+            result.push_back(matrix[i * system.maps.size() + j]);
+            isEven = isEven && result.back() == matrix[i * system.maps.size() + index.front()];
+        }
+    return isEven ? std::vector<double>{} : result;
 }
 
 } // namespace
+
+template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
+    return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
+}
 
 std::vector<double> shares(std::vector<double> masses, double floor) {
     for (double& mass : masses)
@@ -49,6 +66,8 @@ template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>
     std::uint32_t largest = 0;
     for (const auto& map : system.maps)
         largest = std::max(largest, std::uint32_t(map.id));
+    for (const Link& link : system.links) // also those of maps that were deleted
+        largest = std::max({largest, std::uint32_t(link.from), std::uint32_t(link.to)});
     std::vector<MapId> ids;
     if (count <= std::numeric_limits<std::uint32_t>::max() - largest) {
         while (ids.size() < count)
@@ -58,6 +77,8 @@ template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>
     std::unordered_set<std::uint32_t> taken;
     for (const auto& map : system.maps)
         taken.insert(std::uint32_t(map.id));
+    for (const Link& link : system.links)
+        taken.insert({std::uint32_t(link.from), std::uint32_t(link.to)});
     for (std::uint32_t id = 1; ids.size() < count; ++id)
         if (!taken.contains(id)) ids.push_back(MapId{id});
     return ids;
@@ -91,7 +112,9 @@ template <int Dim> std::vector<double> probabilities(const IteratedFunctionSyste
 }
 
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
-    return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+    if (system.links.empty())
+        return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
+    return std::size_t(std::ranges::count(linkStates(system), LinkState::TakesPart));
 }
 
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system) {
@@ -100,9 +123,11 @@ template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&
     active.maps.reserve(system.maps.size());
     active.index.reserve(system.maps.size());
     weights.reserve(system.maps.size());
+    const bool isLinked = !system.links.empty();
+    const std::vector<LinkState> states = isLinked ? linkStates(system) : std::vector<LinkState>{};
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i];
-        if (isOff(map)) continue;
+        if (isLinked ? states[i] != LinkState::TakesPart : isOff(map)) continue;
         active.maps.push_back(map.map);
         active.index.push_back(i);
         if (map.weight) weights.push_back(*map.weight);
@@ -113,6 +138,7 @@ template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&
     // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
     for (double& probability : active.probabilities)
         probability = std::max(probability, std::numeric_limits<double>::min());
+    if (isLinked) active.links = activeLinks(system, active.index);
     return active;
 }
 
@@ -144,6 +170,7 @@ std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& trans
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template bool isOff(const WeightedMap<Dim>&);                                                            \
     template std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>&, std::size_t);                   \
     template MapId freshId(const IteratedFunctionSystem<Dim>&);                                              \
     template MapId append(IteratedFunctionSystem<Dim>&, const AffineMap<Dim>&, std::optional<double>);       \

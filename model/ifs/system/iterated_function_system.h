@@ -24,14 +24,27 @@ template <int Dim> struct WeightedMap {
     friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
 };
 
+// How likely the chaos game applies `to` just after `from`: the weight of `to` is multiplied by this.
+struct Link {
+    MapId from = MapId::None;
+    MapId to = MapId::None;
+    double weight = 1;
+
+    friend bool operator==(const Link&, const Link&) = default;
+};
+
+// Whether its weight says that the map takes no part.
+template <int Dim> bool isOff(const WeightedMap<Dim>& map);
+
 // w_1 … w_N with their weights, in the order in which addresses number them.
 template <int Dim> struct IteratedFunctionSystem {
     std::vector<WeightedMap<Dim>> maps;
+    std::vector<Link> links{}; // those other than 1; see ifs/system/links.h
 
     friend bool operator==(const IteratedFunctionSystem&, const IteratedFunctionSystem&) = default;
 };
 
-// Ids that no map of the system has, in increasing order.
+// Ids that no map of the system has and no link names, in increasing order.
 template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system);
 template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>& system, std::size_t count);
 
@@ -48,11 +61,15 @@ template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSyst
 // the determinant rule serves for all maps that are not off.
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);
 
-// Those maps that have a positive probability; `index` holds their indices in the system.
+// Those maps that have a positive probability; `index` holds their indices in the system. Of linked maps,
+// those that the chaos game applies for ever: LinkState::TakesPart of ifs/system/links.h.
 template <int Dim> struct ActiveMaps {
     std::vector<AffineMap<Dim>> maps;
     std::vector<double> probabilities;
     std::vector<std::size_t> index;
+    std::vector<double> links{}; // P_ij by rows; empty where all weights of a row are alike
+
+    bool isLinked() const { return !links.empty(); }
 };
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system);

@@ -62,7 +62,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
     KeptParts kept;
     if (format == TextFormat::Flame && document::system2(fractal)) {
         const FlameColours colours = flameColoursOf(fractal);
-        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours};
+        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours,
+                true};
     }
     return lossBeside(kept, fractal);
 }

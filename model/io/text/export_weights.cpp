@@ -14,7 +14,9 @@ struct Text {
 } // namespace
 
 template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
-    const auto active = ifs::activeMaps(system);
+    auto unlinked = system; // a map to which no link leads has a weight all the same
+    unlinked.links.clear();
+    const auto active = ifs::activeMaps(unlinked);
     bool allGiven = true;
     for (const std::size_t i : active.index)
         allGiven = allGiven && system.maps[i].weight;

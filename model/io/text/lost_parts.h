@@ -15,6 +15,7 @@ struct KeptParts {
     bool background = false;
     bool colourBy = false;
     bool mapColours = false;
+    bool links = false;
 };
 
 // What is lost, as a sentence; nullopt when nothing is, or only what is as in a new entry.
