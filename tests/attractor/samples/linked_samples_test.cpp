@@ -35,10 +35,10 @@ double meanX(const PreparedSystem& system, const SampleSet& set) {
                                    SampleSet::size;
 }
 
-// A chain in which the second map comes once in ten thousand steps.
+// Rauzy's tile, and a map that comes once in a hundred thousand steps.
 System rarely() {
-    System result = goldenMean();
-    result.maps[1].weight = 1e-4;
+    System result = rauzy();
+    ifs::append(result, similarity(.3, .2), 1e-5);
     return result;
 }
 
@@ -67,7 +67,7 @@ private slots:
     void likeColumnsShareASet() {
         QCOMPARE(prepared(rauzy()).sampleSetOf, (std::vector<std::uint32_t>{0, 1, 2}));
         System system = threeOnALine();
-        ifs::setLinks(system, std::vector<double>{1, 2, 0, 1, 2, 0, 1, 2, 1});
+        ifs::setLinks(system, std::vector<double>{1, 2, 1, 1, 2, 0, 1, 2, 1});
         QCOMPARE(prepared(system).sampleSetOf, (std::vector<std::uint32_t>{0, 0, 1}));
     }
 
@@ -75,7 +75,7 @@ private slots:
     void setsOfRareMapsAreFull() {
         const PreparedSystem system = prepared(rarely());
         const auto sets = drawn(system);
-        std::set<float> different(sets[1].x.begin(), sets[1].x.begin() + SampleSet::size);
+        std::set<float> different(sets.back().x.begin(), sets.back().x.begin() + SampleSet::size);
         QVERIFY(different.size() > SampleSet::size / 4);
     }
 
@@ -102,7 +102,7 @@ private slots:
             settings.words = 256;
             const Projection seen = projection(camera, {}, 1);
             const AddressCut cut = addressCut(system, seen, settings);
-            QVERIFY(cut.words.size() > 100 || code == rarely());
+            QVERIFY(cut.words.size() > 10);
             QVERIFY(std::abs(cut.probability - 1) < 1e-12);
             double x = 0, y = 0;
             for (std::size_t k = 0; k < cut.words.size(); ++k) {
@@ -203,11 +203,12 @@ private slots:
 
     // The images of the polygon under the admissible words alone.
     void imagesOfAdmissibleWords() {
-        RenderRequest request = systems::request(threeOnALine(), 1, 810, 30);
+        RenderRequest request = systems::request(threeOnALine(), 1, 810, 810);
         request.algorithm = Algorithm::Deterministic;
         request.iterations = 3;
-        request.cage = ifs::cageAtRest<2>({{0, -.1}, {1, -.1}, {1, .1}, {0, .1}});
-        request.camera = fitted(request.camera, {0, -.1}, {1, .1});
+        const std::vector<ifs::Vector<2>> corners{{0, -.1}, {1, -.1}, {1, .1}, {0, .1}};
+        request.cage = ifs::ControlCage<2>{corners, corners};
+        request.camera = fitted(request.camera, {0, -.5}, {1, .5});
         folds::Drawing<PrefractalFold> drawing(request);
         QVERIFY(drawing.pass(1));
         const auto counts = folds::countsOf(drawing.sums());
@@ -215,7 +216,7 @@ private slots:
             const double x =
                 (digits / 100 % 10) / 3.0 + (digits / 10 % 10) / 9.0 + (digits % 10) / 27.0 + 1 / 54.0;
             const auto pixel = ifs::Vector<2>(worldToPixel(request.camera)(ifs::Vector<2>(x, 0)));
-            return counts[std::size_t(15) * 810 + std::size_t(pixel.x())];
+            return counts[std::size_t(405) * 810 + std::size_t(pixel.x())];
         };
         for (const int word : {222, 221, 210, 22, 21, 102}) // newest digit first: 3←3, 3←2, 2←1, 1←3
             QVERIFY2(at(word) > 0, QByteArray::number(word));

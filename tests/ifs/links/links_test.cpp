@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/links.h"
 
+#include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
 #include "ifs/links/linked_existence.h"
 #include "ifs/links/linked_extent.h"
@@ -36,7 +37,7 @@ std::vector<double> transposed(const System& system) {
 
 bool spans(const LinkedExtent& extent, std::size_t part, double low, double high) {
     const auto right = extent.ofPart(part, {1, 0}), left = extent.ofPart(part, {-1, 0});
-    return near(right.value, high, 1e-14) && near(-left.value, low, 1e-14) && right.error < 1e-12 &&
+    return near(right.value, high, 5e-14) && near(-left.value, low, 5e-14) && right.error < 1e-12 &&
            left.error < 1e-12;
 }
 
