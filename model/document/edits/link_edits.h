@@ -8,7 +8,7 @@
 // Edits of the links between maps, as functions from fractal to fractal; maps by their rows.
 namespace document {
 
-constexpr std::size_t maxLinkedMaps = 1024;
+constexpr std::size_t maxLinkedMaps = 256;
 
 // Why the maps cannot be linked; empty when they can.
 QString linkObstacle(const Fractal& fractal);

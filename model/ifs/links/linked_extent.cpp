@@ -16,7 +16,8 @@ namespace ifs {
 
 namespace {
 
-constexpr std::size_t maxNodes = 20'000; // open at once
+constexpr std::size_t maxNodes = 20'000;     // open at once
+constexpr std::size_t maxChildren = 400'000; // of the open ones, looked at together
 constexpr int maxLevels = 20'000;
 constexpr double unit = std::numeric_limits<double>::epsilon();
 
@@ -119,7 +120,8 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
                 best.point = node.map(inner);
             }
         }
-        if (most <= best.value + std::max(rounding, tolerance) || open.size() > maxNodes) break;
+        const bool isTooMuch = open.size() > maxNodes || open.size() * parts() > maxChildren;
+        if (most <= best.value + std::max(rounding, tolerance) || (level > 0 && isTooMuch)) break;
         open = lengthened(open, best.value);
     }
     best.error = std::max(0.0, most - best.value) + 2 * rounding;

@@ -27,17 +27,20 @@ template <int Dim> std::map<MapId, std::size_t> rowsOf(const IteratedFunctionSys
 
 // Removes states that have no edge to a state that stays, until all have. `edge(i, j)`: from i to j.
 template <class Edge> Flags lasting(Flags stays, Edge edge) {
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t i = 0; i < stays.size(); ++i) {
-            if (!stays[i]) continue;
-            bool leads = false;
-            for (std::size_t j = 0; j < stays.size() && !leads; ++j)
-                leads = stays[j] && edge(i, j);
-            if (leads) continue;
-            stays[i] = 0;
-            changed = true;
-        }
+    const std::size_t n = stays.size();
+    std::vector<std::size_t> exits(n, 0);
+    std::vector<std::size_t> gone;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j)
+            exits[i] += stays[i] && stays[j] && edge(i, j) ? 1 : 0;
+        if (stays[i] && exits[i] == 0) gone.push_back(i);
+    }
+    while (!gone.empty()) {
+        const std::size_t j = gone.back();
+        gone.pop_back();
+        stays[j] = 0;
+        for (std::size_t i = 0; i < n; ++i)
+            if (stays[i] && edge(i, j) && --exits[i] == 0) gone.push_back(i);
     }
     return stays;
 }

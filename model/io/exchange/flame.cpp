@@ -330,7 +330,7 @@ private:
     }
 
     static QString linkObstacle(const std::vector<Xform>& xforms) {
-        constexpr std::size_t maxLinked = 1024;
+        constexpr std::size_t maxLinked = 256;
         if (std::ranges::none_of(xforms, &Xform::isLinked)) return {};
         if (xforms.size() > maxLinked)
             return Text::tr("it links more than %1 transforms by “chaos”").arg(maxLinked);

@@ -25,7 +25,7 @@ constexpr qsizetype maxLine = maxMetadataLine;
 constexpr const char* continued = " \\"; // at the end of a line: more coordinates follow
 constexpr int maxVertices = 4096;        // a hostile file must not make a cage of a million corners
 constexpr int maxStops = 4096;
-constexpr std::size_t maxLinkedMaps = 1024;
+constexpr std::size_t maxLinkedMaps = 256;
 constexpr std::size_t maxBranches = 1024;
 constexpr std::size_t maxWord = 64;
 constexpr std::size_t maxPieces = 100'000; // of what is shown
@@ -377,6 +377,14 @@ template <int Dim> void MetadataComments::applyLinks(document::Shape<Dim>& shape
         outcome.sentences << QCoreApplication::translate(
             "Text", "Maps of a system in space cannot be linked: the links are not applied, and their lines "
                     "are kept.");
+        return;
+    }
+    if (n > maxLinkedMaps) {
+        append(outcome.kept, m_linkLines);
+        outcome.sentences << QCoreApplication::translate(
+                                 "Text", "More than %1 maps cannot be linked: the links are not "
+                                         "applied, and their lines are kept.")
+                                 .arg(maxLinkedMaps);
         return;
     }
     const auto fits = [n](const auto& numbered) {
