@@ -58,7 +58,10 @@ io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format 
     io::PngExport picture = pngOf(shown, camera, arguments, steps.first);
     if (const io::Failure reason = io::whyImpossible(picture)) throw UsageError{*reason};
     if (picture.overlay.hull && !document::supportFunction(shown.fractal))
-        throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
+        throw UsageError{
+            document::linkedExtent(shown.fractal)
+                ? tr("--overlay hull cannot be used here: the maps are linked.")
+                : tr("--overlay hull cannot be used here: the system has no certified attractor.")};
     if (steps.first == steps.last) return picture;
     if (camera.width > maxSide / (steps.last - steps.first + 1))
         throw UsageError{

@@ -73,7 +73,7 @@ private slots:
         System system = threeOnALine();
         const std::vector<MapId> originals{system.maps[0].id, system.maps[2].id};
         std::vector<MapId> copies;
-        for (const MapId id : originals)
+        while (copies.size() < originals.size())
             copies.push_back(append(system, AffineMap<2>{}, 1.0));
         copyLinks(system, originals, copies);
         const auto matrix = linkMatrix(system);
