@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/iterated_function_system.h"
 
-#include "ifs/system/links.h"
+#include "ifs/system/link_graph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double maxConditionNumber = 1e6;
 template <int Dim>
 std::vector<double> activeLinks(const IteratedFunctionSystem<Dim>& system,
                                 const std::vector<std::size_t>& index) {
-    const std::vector<double> matrix = linkMatrix(system);
+    const std::vector<double> matrix = matrixOf(system.maps, system.links);
     std::vector<double> result;
     bool isEven = true;
     for (const std::size_t i : index)
@@ -35,6 +35,17 @@ std::vector<double> activeLinks(const IteratedFunctionSystem<Dim>& system,
 template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
     return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
 }
+
+namespace {
+
+template <int Dim> std::vector<LinkState> linkedStates(const IteratedFunctionSystem<Dim>& system) {
+    std::vector<char> on;
+    for (const auto& map : system.maps)
+        on.push_back(isOff(map) ? 0 : 1);
+    return statesOf(matrixOf(system.maps, system.links), on);
+}
+
+} // namespace
 
 std::vector<double> shares(std::vector<double> masses, double floor) {
     for (double& mass : masses)
@@ -114,7 +125,7 @@ template <int Dim> std::vector<double> probabilities(const IteratedFunctionSyste
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
     if (system.links.empty())
         return system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
-    return std::size_t(std::ranges::count(linkStates(system), LinkState::TakesPart));
+    return std::size_t(std::ranges::count(linkedStates(system), LinkState::TakesPart));
 }
 
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system) {
@@ -124,7 +135,7 @@ template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>&
     active.index.reserve(system.maps.size());
     weights.reserve(system.maps.size());
     const bool isLinked = !system.links.empty();
-    const std::vector<LinkState> states = isLinked ? linkStates(system) : std::vector<LinkState>{};
+    const std::vector<LinkState> states = isLinked ? linkedStates(system) : std::vector<LinkState>{};
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i];
         if (isLinked ? states[i] != LinkState::TakesPart : isOff(map)) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/system/iterated_function_system.h"
+#include "ifs/system/link_graph.h"
 
 #include <cstddef>
 #include <map>
@@ -32,19 +33,7 @@ template <int Dim> void dropStaleLinks(IteratedFunctionSystem<Dim>& system);
 // table.
 template <int Dim> void renumberLinks(IteratedFunctionSystem<Dim>& system, const std::map<MapId, MapId>& ids);
 
-// What becomes of a map in the chaos game.
-enum class LinkState {
-    TakesPart, // applied again and again
-    Off,       // its weight is 0
-    Ends,      // after it, the chaos game comes to an end: no map may follow for ever
-    Unreached, // no map that is reached leads to it
-    Left,      // the chaos game leaves it and never comes back
-};
 template <int Dim> std::vector<LinkState> linkStates(const IteratedFunctionSystem<Dim>& system);
-
-// The maps of each strongly connected part of the graph of positive entries, in increasing order; a map that
-// no cycle passes is a part of its own. Parts that lead to others come after them.
-std::vector<std::vector<std::size_t>> connectedParts(std::span<const double> matrix, std::size_t size);
 
 // The Markov chain of the maps applied, when it has run for long; each array by rows.
 struct Transitions {
