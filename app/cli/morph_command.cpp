@@ -67,6 +67,8 @@ QString sentence(document::MorphFlaw flaw) {
                   "compared.");
     case document::MorphFlaw::TooMany:
         return tr("A morph is possible between entries of at most 256 maps each.");
+    case document::MorphFlaw::Linked:
+        return tr("The maps of one of the entries are linked, and maps with links cannot be morphed.");
     case document::MorphFlaw::BentCage:
         return tr("The cage of one of the entries is flat or bends the picture; bake it or put it at rest "
                   "first.");

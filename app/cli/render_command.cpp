@@ -51,7 +51,10 @@ void checkDepth(const document::Fractal& fractal, const attractor::Camera& camer
 io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format format,
                     const RenderArguments& arguments, const Steps& steps) {
     if (overlayOf(arguments).hull && !document::supportFunction(shown.fractal))
-        throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
+        throw UsageError{
+            document::linkedExtent(shown.fractal)
+                ? tr("--overlay hull cannot be used here: the maps are linked.")
+                : tr("--overlay hull cannot be used here: the system has no certified attractor.")};
     if (format == Format::Svg || format == Format::Pdf) {
         checkDepth(shown.fractal, camera, arguments);
         const auto file = format == Format::Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;

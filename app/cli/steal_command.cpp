@@ -81,6 +81,9 @@ QString sentence(const document::CouplingOutcome& outcome, const QString& name) 
             .arg(name);
     case document::CouplingFlaw::NoMaps:
         return tr("“%1” has no active map, so there is nothing to draw.").arg(name);
+    case document::CouplingFlaw::Linked:
+        return tr("The maps of “%1” are linked; colours are stolen between entries whose maps are not.")
+            .arg(name);
     case document::CouplingFlaw::NoAttractor:
         return tr("“%1” has no attractor that could be proved, so its points have no addresses.").arg(name);
     case document::CouplingFlaw::Order:

@@ -27,6 +27,7 @@
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/history/history_panel.h"
+#include "panels/links/links_panel.h"
 #include "panels/maps/maps_panel.h"
 #include "panels/problems/problems_panel.h"
 #include "panels/timeline/timeline_panel.h"
@@ -185,6 +186,10 @@ void MainWindow::createPanels() {
         previous = next;
     }
     createCollage(previous);
+    auto* links = new view::LinksPanel(&m_document);
+    QDockWidget* linksDock = dock(links, tr("Links"), QStringLiteral("links"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(previous, linksDock);
+    linksDock->hide();
     mapsDock->raise();
     QDockWidget* problemsDock =
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
@@ -203,6 +208,7 @@ void MainWindow::createPanels() {
     connect(entries, &view::EntriesPanel::message, m_messages, &WindowMessages::say);
     connect(entries, &view::EntriesPanel::flamesPasted, this,
             [this](const QList<document::EntryId>& ids) { FlameBanner::offer(this, m_document, ids); });
+    connect(links, &view::LinksPanel::message, m_messages, &WindowMessages::say);
     connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::message, m_messages, &WindowMessages::say);
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
@@ -264,6 +270,7 @@ void MainWindow::explainPanels() {
                     tr("The fractals in the open file. The canvas shows the one you select here.")},
           {"collection", tr("Ready-made fractals by theme, and your own folders of fractals.")},
           {"maps", tr("The maps of the fractal: its code, one map per row.")},
+          {"links", tr("Which maps the chaos game may apply after which, as a matrix.")},
           {"cage", tr("The control cage in numbers: its vertices, their positions at rest, what moving them "
                       "does, and other cages to choose from.")},
           {"appearance",

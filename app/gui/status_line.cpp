@@ -4,7 +4,7 @@
 #include "canvas/geometry/coordinate_text.h"
 #include "document/addresses.h"
 #include "document/fractal_geometry.h"
-#include "ifs/existence/attractor_existence.h"
+#include "ifs/links/linked_existence.h"
 #include "widgets/elided_label.h"
 #include "widgets/number_text.h"
 
@@ -154,7 +154,7 @@ void StatusLine::showVerdict(const document::Fractal& fractal) {
     if (!document::system2(fractal)) m_frame->clear();  // nothing is drawn of it
     if (const auto* plane = document::system2(fractal)) // as displayed, which is what the analysis speaks of
         m_verdict->setText(verdictText(
-            ifs::classify<2>(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane)).maps)));
+            ifs::classifyLinked<2>(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane)))));
     else if (const auto* space = document::system3(fractal))
         m_verdict->setText(verdictText(ifs::classify<3>(ifs::activeMaps(*space).maps)));
     else

@@ -33,10 +33,20 @@ Polygon ellipse(const ifs::Moments<2>& moments) {
     return result;
 }
 
+// Whether the chaos game may apply a map after another, and after itself.
+bool mayFollow(const ifs::ActiveMaps<2>& active, std::size_t before, std::size_t after) {
+    return !active.isLinked() || active.links[before * active.maps.size() + after] > 0;
+}
+
+bool mayRepeat(const ifs::ActiveMaps<2>& active, std::size_t map) {
+    return mayFollow(active, map, map);
+}
+
 // The images of the hull under all words of one length, at most so long that there are few enough to see.
 void addCylinders(std::vector<OutlineShape>& shapes, const ifs::Facts<2>& facts, int depth,
                   const std::vector<attractor::Rgba>& colours) {
     const auto& maps = facts.active.maps;
+    std::vector<std::size_t> outermost{0}; // map of each shape
     if (!facts.hull || maps.empty()) return;
     const Polygon hull = ifs::convexHull(facts.hull->vertices, 1e-3 * std::sqrt(facts.hull->area));
     shapes.push_back({Outline::Cylinders, hull, {}});
@@ -45,6 +55,8 @@ void addCylinders(std::vector<OutlineShape>& shapes, const ifs::Facts<2>& facts,
         const std::size_t end = shapes.size();
         for (std::size_t i = 0; i < maps.size(); ++i)
             for (std::size_t shorter = first; shorter < end; ++shorter) {
+                if (k > 0 && !mayFollow(facts.active, outermost[shorter], i)) continue;
+                outermost.push_back(i);
                 OutlineShape shape{Outline::Cylinders, {}, colours[facts.active.index[i]]};
                 for (const auto& corner : shapes[shorter].points)
                     shape.points.push_back(maps[i](corner));
@@ -131,7 +143,8 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
     m_display = analysis.isOfCode ? ifs::AffineMap<2>{} : placed.affine();
     analysis.facts = ifs::moved(m_display, *m_code);
     for (std::size_t k = 0; k < m_code->active.maps.size(); ++k)
-        if (const auto fixed = ifs::fixedPoint(m_code->active.maps[k])) {
+        if (const auto fixed = ifs::fixedPoint(m_code->active.maps[k]);
+            fixed && mayRepeat(m_code->active, k)) {
             analysis.fixedPoints.push_back(m_display(*fixed));
             analysis.fixedBy.push_back(m_code->active.index[k]);
         }
@@ -154,7 +167,8 @@ std::optional<Analysis> Analyser::completedInSpace(Analysis analysis, const std:
 std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_token& stop) {
     if (analysis.solid) return completedInSpace(std::move(analysis), stop);
     if (!m_hasDimension) {
-        m_code->affinityDimension = ifs::affinityDimension(m_code->active.maps, stop);
+        if (!m_code->active.isLinked())
+            m_code->affinityDimension = ifs::affinityDimension(m_code->active.maps, stop);
         const auto& moran = m_code->similarityDimension;
         m_code->affinityDimensionError = moran ? ifs::similarityDimensionError<2>(m_code->active.maps, *moran)
                                                : ifs::affinityDimensionError;

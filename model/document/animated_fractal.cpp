@@ -2,6 +2,7 @@
 #include "document/animated_fractal.h"
 
 #include "document/fractal_geometry.h"
+#include "ifs/links/linked_existence.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,7 +49,7 @@ template <int Dim> std::optional<AnimationFacts> factsOf(const Shape<Dim>& shape
 }
 
 template <int Dim> ifs::Verdict verdictOf(const Shape<Dim>& shape) {
-    return ifs::classify<Dim>(ifs::activeMaps(shape.system).maps).verdict;
+    return ifs::classifyLinked<Dim>(ifs::activeMaps(shape.system)).verdict;
 }
 
 ifs::Verdict verdictAt(const Fractal& fractal, const animation::Moment& moment) {

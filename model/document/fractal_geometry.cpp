@@ -3,6 +3,7 @@
 
 #include "attractor/cut/address_cut.h"
 #include "ifs/extent/extent.h"
+#include "ifs/links/linked_existence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,13 @@ std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fr
     return system ? fractal.supports.support(*system) : nullptr;
 }
 
+std::optional<ifs::LinkedExtent> linkedExtent(const Fractal& fractal) {
+    const System2* system = system2(fractal);
+    if (!system || system->links.empty()) return std::nullopt;
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system);
+    return active.isLinked() ? ifs::LinkedExtent::of(active, ifs::classifyLinked<2>(active)) : std::nullopt;
+}
+
 ifs::Placement placement(const Fractal& fractal) {
     const ifs::ControlCage<2>* cage = cage2(fractal);
     if (!cage || !ifs::isValid(*cage)) return {};
@@ -117,6 +125,8 @@ ifs::ControlCage<2> canonicalCage(const Fractal& fractal) {
     if (const auto support = supportFunction(fractal))
         return ifs::cageAtRest(
             ifs::minimalCanonicalSimplex(*support, relativeTolerance * support->radius()).vertices);
+    if (const auto linked = linkedExtent(fractal))
+        return ifs::cageAtRest(ifs::minimalCanonicalSimplex(*linked).vertices);
     return ifs::cageAtRest<2>({ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 0), ifs::Vector<2>(0, 1)});
 }
 
@@ -148,7 +158,16 @@ attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::
 
 std::optional<Box> displayedBox(const Fractal& fractal) {
     const auto support = supportFunction(fractal);
-    if (!support) return std::nullopt;
+    const auto linked = linkedExtent(fractal);
+    if (!support && !linked) return std::nullopt;
+    const auto height = [&](const ifs::Vector<2>& u) {
+        if (linked) {
+            const auto h = (*linked)(u, relativeTolerance * linked->radius() * u.norm());
+            return h.value + h.error;
+        }
+        const auto h = (*support)(u, relativeTolerance * support->radius() * u.norm());
+        return h.value + h.error;
+    };
     const ifs::Placement placed = placement(fractal);
     if (placed.bend() != nullptr) return boxOfBend(fractal, placed);
     const std::vector<ifs::AffineMap<2>> pieces =
@@ -158,9 +177,8 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
         double farthest = -HUGE_VAL;
         for (const ifs::AffineMap<2>& piece : pieces) {
             const ifs::AffineMap<2> display = placed.affine() * piece;
-            const ifs::Vector<2> pulledBack = display.linear.transpose() * u;
-            const auto h = (*support)(pulledBack, relativeTolerance * support->radius() * pulledBack.norm());
-            farthest = std::max(farthest, h.value + h.error + u.dot(display.translation));
+            farthest =
+                std::max(farthest, height(display.linear.transpose() * u) + u.dot(display.translation));
         }
         return farthest;
     };

@@ -5,6 +5,7 @@
 #include "document/fractal.h"
 #include "ifs/cage/control_cage.h"
 #include "ifs/extent/support_function.h"
+#include "ifs/links/linked_extent.h"
 #include "ifs/system/branch.h"
 
 #include <memory>
@@ -14,9 +15,11 @@
 // What follows from a fractal: the extent, the cage in force, and where the picture is.
 namespace document {
 
-// The extent of the code's attractor; nullptr when it has none. Any thread. The fractal and its copies
-// remember what takes long (SupportCache).
+// The extent of the code's attractor; nullptr when it has none, or its maps are linked. Any thread. The
+// fractal and its copies remember what takes long (SupportCache).
 std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fractal);
+// The same of linked maps; nullopt where they are not.
+std::optional<ifs::LinkedExtent> linkedExtent(const Fractal& fractal);
 
 // The minimal canonical simplex of the code at rest; when the code has no attractor, a unit triangle.
 ifs::ControlCage<2> canonicalCage(const Fractal& fractal);

@@ -235,6 +235,8 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
     const std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
     const AffineMap<2> moved = changeAround(*fractal, word) * changeOf(*fractal, word);
     if (branch.size() == 1) return BranchHandles{{fractal, cage, moved}, std::size_t(branch.front())};
+    if (edit == BranchEdit::OwnMap && active.isLinked())
+        return std::nullopt; // the maps that divide the others would have links of their own
     if (edit == BranchEdit::OwnMap)
         return BranchHandles{
             {std::make_shared<const Fractal>(withBranchAsMap(*fractal, *letters)), cage, moved}, 0};
@@ -262,7 +264,11 @@ Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch) {
 std::optional<Vector<2>> root(const Fractal& fractal) {
     const System2* system = system2(fractal);
     if (system == nullptr) return std::nullopt;
-    const auto attractor = ifs::SupportFunction<2>::of(ifs::activeMaps(*system).maps);
+    if (const auto linked = linkedExtent(fractal)) {
+        const AffineMap<2> seen = ifs::firstOrder(placement(fractal), linked->centre());
+        return (*linked)(seen.linear.transpose() * Vector<2>(0, -1), 1e-9 * linked->radius()).point;
+    }
+    const auto attractor = supportFunction(fractal);
     if (!attractor) return std::nullopt;
     const AffineMap<2> seen = ifs::firstOrder(placement(fractal), attractor->centre());
     const Vector<2> down = seen.linear.transpose() * Vector<2>(0, -1);

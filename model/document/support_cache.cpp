@@ -22,7 +22,9 @@ constexpr std::size_t fewMaps = 256; // for which comparing is hardly worth it
 constexpr std::size_t maxKnown = 4;
 
 template <int Dim> Support<Dim> computed(const System<Dim>& system) {
-    auto support = ifs::SupportFunction<Dim>::of(ifs::activeMaps(system).maps);
+    const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
+    if (active.isLinked()) return nullptr; // that of the maps without their links is another one
+    auto support = ifs::SupportFunction<Dim>::of(active.maps);
     return support ? std::make_shared<const ifs::SupportFunction<Dim>>(*std::move(support)) : nullptr;
 }
 

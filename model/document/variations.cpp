@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations.h"
+
 #include "document/fractal_geometry.h"
 
 #include "attractor/render/renderer.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/extent/polygon.h"
+#include "ifs/system/links.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +112,7 @@ System2 varied(System2 system, double strength, Chance& chance) {
     }
     if (chance.between(0, 1) < 0.35 * strength && system.maps.size() > 2)
         system.maps.erase(system.maps.begin() + std::ptrdiff_t(chance.below(system.maps.size())));
+    ifs::dropStaleLinks(system);
     if (chance.between(0, 1) < 0.35 * strength && system.maps.size() < 12) {
         ifs::AffineMap<2> map = randomMap(chance);
         map.translation *= extent;

@@ -6,6 +6,9 @@
 #include "ifs/dimension/dimension.h"
 #include "ifs/dimension/measure.h"
 #include "ifs/extent/polygon.h"
+#include "ifs/links/linked_existence.h"
+#include "ifs/links/linked_extent.h"
+#include "ifs/links/linked_measure.h"
 #include "ifs/processor_clock.h"
 #include "ifs/separation/exact_hull.h"
 
@@ -88,12 +91,72 @@ template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolera
     });
 }
 
+bool exists(Verdict verdict) {
+    return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
+}
+
+template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
+    facts.moments = linkedMoments<Dim>(facts.active);
+    if (facts.moments) facts.mean = Mean<Dim>{facts.moments->mean, facts.moments->meanError};
+    facts.similarityDimension = linkedDimension<Dim>(facts.active);
+    if (facts.similarityDimension)
+        facts.affinityDimension = std::min(*facts.similarityDimension, double(Dim));
+    Invariants& invariants = facts.invariants;
+    invariants.entropy = entropyRate(transitions(facts.active));
+    invariants.lyapunovExponent = linkedLyapunovExponent<Dim>(facts.active);
+    if (const auto& rate = invariants.lyapunovExponent; rate && *rate < 0)
+        invariants.measureDimension = std::min(*invariants.entropy / -*rate, double(Dim));
+}
+
+void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Budget& budget) {
+    std::optional<LinkedExtent> extent;
+    budget.spend(LongFact::Extents, [&](const std::stop_token&) {
+        extent = LinkedExtent::of(facts.active, facts.existence);
+        if (!extent) return true;
+        facts.box = boundingBox(*extent);
+        facts.simplex = minimalCanonicalSimplex(*extent);
+        return true;
+    });
+    if (!extent) return;
+    budget.spend(LongFact::Hull, [&](const std::stop_token& stop) {
+        const double diagonal = (facts.box->max - facts.box->min).norm();
+        facts.hull = convexHull(*extent, hullTolerance.value_or(1e-6 * diagonal), stop);
+        if (facts.hull) facts.extremePoints.assign(facts.hull->vertices.size(), std::nullopt);
+        return facts.hull.has_value();
+    });
+}
+
+// Of linked maps everything is different; what has no counterpart stays empty.
+template <int Dim> void findLinked(Facts<Dim>& facts, std::optional<double> hullTolerance, Budget& budget) {
+    const bool isKnown = budget.spend(LongFact::Existence, [&](const std::stop_token&) {
+        facts.existence = classifyLinked<Dim>(facts.active);
+        return true;
+    });
+    if (!isKnown) budget.leaveOut({LongFact::Extents, LongFact::Hull});
+    if (!isKnown || !exists(facts.existence.verdict)) return;
+    findLinkedMeasure(facts);
+    if constexpr (Dim == 2) findLinkedExtents(facts, hullTolerance, budget);
+}
+
+// False, and nothing is found, where the maps are not linked.
+template <int Dim>
+bool areLinked(Facts<Dim>& facts, const IteratedFunctionSystem<Dim>& system,
+               std::optional<double> hullTolerance, Budget& budget) {
+    if (system.links.empty()) return false;
+    facts.probabilities = probabilities(system);
+    facts.active = activeMaps(system);
+    if (!facts.active.isLinked()) return false;
+    findLinked(facts, hullTolerance, budget);
+    return true;
+}
+
 } // namespace
 
 template <int Dim>
 Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance) {
     Facts<Dim> facts;
     Budget unlimited({}, facts.late);
+    if (areLinked(facts, system, hullTolerance, unlimited)) return facts;
     findExistence(facts, system, unlimited);
     if (!facts.support) return facts;
     findExtents(facts, unlimited);
@@ -166,6 +229,7 @@ void findExtremePoints(Facts<2>& facts, Budget& budget) {
 } // namespace
 
 template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts) {
+    if (facts.active.isLinked()) return facts.invariants;
     Invariants result;
     std::vector<LongFact> late;
     Budget unlimited({}, late);
@@ -178,6 +242,7 @@ Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<doub
                    const FactLimits& limits) {
     Facts<Dim> facts;
     Budget budget(limits, facts.late);
+    if (areLinked(facts, system, hullTolerance, budget)) return facts;
     const bool isExistenceKnown = findExistence(facts, system, budget);
     if (!isExistenceKnown) budget.leaveOut({LongFact::Extents, LongFact::Contacts, LongFact::Hull});
     if (!isExistenceKnown && Dim == 3) budget.leaveOut({LongFact::AffinityDimension});
@@ -253,6 +318,21 @@ template <int Dim> Moments<Dim> moved(const AffineMap<Dim>& transformation, cons
     return result;
 }
 
+// The extents are those of the maps of the image.
+template <int Dim> Facts<Dim> linkedImage(Facts<Dim> image) {
+    std::vector<LongFact> late;
+    Budget unlimited({}, late);
+    Facts<Dim> found;
+    found.active = image.active;
+    findLinked(found, {}, unlimited);
+    image.box = found.box;
+    image.simplex = found.simplex;
+    image.hull = std::move(found.hull);
+    image.extremePoints = std::move(found.extremePoints);
+    if (found.existence.verdict != Verdict::Undecided) image.existence = found.existence;
+    return image;
+}
+
 } // namespace
 
 template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const Facts<Dim>& facts) {
@@ -280,6 +360,7 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
     }
     for (auto& map : result.active.maps)
         map = *conjugate(transformation, map);
+    if (facts.active.isLinked()) return linkedImage(std::move(result));
     // An attractor has an image, whether or not words of the image's maps are seen to contract.
     if (const auto seen = classify<Dim>(result.active.maps);
         seen.verdict != Verdict::Undecided || facts.existence.verdict == Verdict::Undecided)

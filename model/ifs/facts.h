@@ -50,7 +50,9 @@ struct FactLimits {
     Time together = {}; // what has not begun by then is left out
 };
 
-// What can be said for certain about a system; nullopt where nothing can.
+// What can be said for certain about a system; nullopt where nothing can. Facts of linked maps are those of
+// the linked system; they have no support function, contacts, joint spectral radius, periodic extreme points,
+// nor an affinity dimension unless all maps are similarities.
 template <int Dim> struct Facts {
     std::vector<double> probabilities; // one for each map, 0 for a map that takes no part
     ActiveMaps<Dim> active;

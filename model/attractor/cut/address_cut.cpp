@@ -35,6 +35,7 @@ template <class Real> struct Node {
     double step = 1;    // N^−|σ|
     std::uint64_t key = 0;
     std::uint32_t firstMap = 0;
+    std::uint32_t lastMap = 0; // the innermost
     int depth = 0;
     Shown shown;
 };
@@ -188,7 +189,8 @@ template <class Real, class View> class Tree {
 public:
     Tree(const PreparedSystem& system, const Projection& projection, const CutSettings& settings,
          CutMemory& memory)
-        : m_settings(settings),
+        : m_system(system),
+          m_settings(settings),
           m_width(projection.grid.width),
           m_height(projection.grid.height),
           m_maxSize(2.0 * std::max(m_width, m_height)),
@@ -198,12 +200,17 @@ public:
           m_view(system, projection, memory.bends) {
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));
+        // The empty word has no sample set where maps are linked.
+        if (system.isLinked()) {
+            m_settings.minDepth = std::max(m_settings.minDepth, 1);
+            m_settings.maxDepth = std::max(m_settings.maxDepth, 1);
+        }
         for (const auto& [word, change] : ifs::pieces<2>(system.moved, system.maps.size())) {
             Node<Real> node = m_view.root(change);
             node.shown = m_view.shown(node);
             for (const int symbol : word)
                 node = child(node, static_cast<std::size_t>(symbol));
-            m_roots.push_back(node);
+            if (node.probability > 0) m_roots.push_back(node);
         }
     }
 
@@ -256,7 +263,8 @@ private:
         result.yy = node.yx * b.xy + node.yy * b.yy;
         result.x = node.x + (node.xx * b.x + node.xy * b.y);
         result.y = node.y + (node.yx * b.x + node.yy * b.y);
-        result.probability = node.probability * b.probability;
+        result.probability = node.probability * (m_system.isLinked() ? share(node, i) : b.probability);
+        result.lastMap = static_cast<std::uint32_t>(i);
         result.step = node.step / static_cast<double>(m_branches.size());
         result.address = node.address + static_cast<double>(i) * result.step;
         result.key = mixed(node.key + i + 1);
@@ -264,6 +272,12 @@ private:
         result.depth = node.depth + 1;
         result.shown = m_view.shown(result);
         return result;
+    }
+
+    // Of the measure of a word of linked maps, what its child has; 0 where the child is not admissible.
+    double share(const Node<Real>& node, std::size_t i) const {
+        const ifs::Transitions& chain = m_system.chain;
+        return node.depth == 0 ? chain.stationary[i] : chain.backward[node.lastMap * chain.size + i];
     }
 
     bool visible(const Node<Real>& node) const { // false for anything not finite in its middle
@@ -350,6 +364,7 @@ private:
                 }
                 children += m_branches.size();
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {
+                    if (m_system.isLinked() && !(share(node, i) > 0)) continue;
                     const Node<Real> candidate = child(node, i);
                     if (visible(candidate)) next.push_back(candidate);
                 }
@@ -404,6 +419,7 @@ private:
         result.words.reserve(nodes.size());
         const auto add = [&](const Node<Real>& node) {
             result.words.push_back(word(node));
+            if (m_system.isLinked()) result.sampleSets.push_back(m_system.sampleSetOf[node.lastMap]);
             result.probability += node.probability;
         };
         const auto isAffine = [this](const Node<Real>& node) { return node.shown.affineMiss <= m_maxMiss; };
@@ -445,6 +461,7 @@ private:
         return result;
     }
 
+    const PreparedSystem& m_system;
     CutSettings m_settings;
     double m_width;
     double m_height;

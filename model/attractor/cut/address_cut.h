@@ -61,6 +61,10 @@ struct AddressCut {
         return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
     }
     ShownWord shown(std::size_t word) const { return {words[word], curveOf(word)}; } // before firstExact
+    // Of linked maps, for each word the number of the sample set that it shows (PreparedSystem::sampleSetOf);
+    // empty otherwise.
+    std::vector<std::uint32_t> sampleSets;
+    std::uint32_t sampleSet(std::size_t word) const { return sampleSets.empty() ? 0 : sampleSets[word]; }
     bool isThinned = false; // words stand for others; another seed chooses others
     double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
 };

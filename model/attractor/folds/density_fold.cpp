@@ -4,6 +4,7 @@
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/cells/splat.h"
 #include "attractor/samples/chaos_game.h"
+#include "attractor/samples/linked_samples.h"
 
 #include <algorithm>
 #include <limits>
@@ -94,6 +95,17 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
     return true;
 }
 
+void DensityFold::drawSampleSet() {
+    const PreparedSystem& system = prepared().system();
+    const std::uint64_t seed = prepared().request().seed;
+    if (system.isLinked()) {
+        drawLinkedSamples(system, seed, m_sampleSets, m_samples);
+    } else {
+        m_strata.follow(system);
+        drawSamples(system, seed, m_sampleSets, m_samples.front(), &m_strata);
+    }
+}
+
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
 // exact.
 void DensityFold::planSampleSet() {
@@ -103,10 +115,8 @@ void DensityFold::planSampleSet() {
     makeRoomFor(number);
     const std::uint64_t firstUnit = m_sampleSets * PicturePart::unitsPerSet;
     const bool isInPart = m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
-    if (isInPart) {
-        m_strata.follow(system);
-        drawSamples(system, seed, m_sampleSets, m_samples, &m_strata);
-    }
+    m_samples.resize(system.isLinked() ? 1 + std::ranges::max(system.sampleSetOf) : 1);
+    if (isInPart) drawSampleSet();
     const double perMeasure = static_cast<double>(number) / m_cut->probability;
     double sum = unitInterval(mixed(mixed(seed) ^ m_sampleSets));
     std::uint64_t before = 0;
@@ -119,7 +129,7 @@ void DensityFold::planSampleSet() {
         const std::uint64_t unit = firstUnit + k * PicturePart::unitsPerSet / m_cut->words.size();
         // Where samples that go through the cage one by one may fall, the word does not tell.
         const auto isMet = [&] {
-            return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), m_samples, window);
+            return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), samplesOf(k), window);
         };
         m_counts.push_back(isInPart && m_part.holds(unit) && isMet() ? after - before : 0);
         counted(m_counts.back());
@@ -165,14 +175,15 @@ void DensityFold::runJob(const Job& job, std::size_t thread) {
             continue;
         }
         const ShownWord shown = m_cut->shown(k);
-        const CellRegion cells = reachedCells(shown, m_samples, window);
+        const SampleSet& samples = samplesOf(k);
+        const CellRegion cells = reachedCells(shown, samples, window);
         if (!prepared().coloured()) {
-            splat(shown, m_samples, count, window, sums().counts(thread, cells));
+            splat(shown, samples, count, window, sums().counts(thread, cells));
             continue;
         }
         const Word& word = shown.word;
         const ColourCell& colour = prepared().colourOf(word.firstMap, word.addressCoordinate);
-        if (splat(shown, m_samples, count, window, colour, sums().colours(thread, cells)))
+        if (splat(shown, samples, count, window, colour, sums().colours(thread, cells)))
             sums().carryOverColours(thread);
     }
 }
@@ -180,12 +191,13 @@ void DensityFold::runJob(const Job& job, std::size_t thread) {
 // The samples of a word that bends too much for a second-order map, in coordinates of the code.
 void DensityFold::plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread) {
     const Word& word = m_cut->words[k];
+    const SampleSet& samples = samplesOf(k);
     const ifs::AffineMap<2>& map = m_cut->exact[k - m_cut->firstExact];
     const ColourCell* colour =
         prepared().coloured() ? &prepared().colourOf(word.firstMap, word.addressCoordinate) : nullptr;
     for (std::uint64_t n = 0; n < count; ++n) {
         const std::size_t at = word.offset + static_cast<std::size_t>(n % SampleSet::size);
-        plot(map({m_samples.x[at], m_samples.y[at]}), colour, thread);
+        plot(map({samples.x[at], samples.y[at]}), colour, thread);
     }
 }
 

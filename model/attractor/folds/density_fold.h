@@ -50,6 +50,8 @@ private:
 
     CutSettings cutSettings() const;
     bool makeCut(const std::stop_token& stop);
+    void drawSampleSet();
+    const SampleSet& samplesOf(std::size_t word) const { return m_samples[m_cut->sampleSet(word)]; }
     void planSampleSet();
     void planJobs();
     void runJob(const Job& job, std::size_t thread);
@@ -59,7 +61,7 @@ private:
     std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
     CutMemory m_cutMemory;
     AddressStrata m_strata;
-    SampleSet m_samples;
+    std::vector<SampleSet> m_samples;    // one, or as many as AddressCut::sampleSets tells apart
     std::uint64_t m_sampleSets = 0;      // drawn so far
     std::vector<std::uint64_t> m_counts; // samples of every word
     std::vector<Job> m_jobs;

@@ -40,22 +40,33 @@ public:
             ifs::AffineMap<2> map;
             int depth = 0;
             std::uint32_t firstMap = 0;
-            double address = 0; // Σ σ_k N^−k
+            std::size_t lastMap = 0; // the innermost
+            double address = 0;      // Σ σ_k N^−k
             double step = 1;
         };
         const auto count = static_cast<double>(m_job.system.maps.size());
         const auto child = [&](const Node& node, std::size_t i) {
             const double step = node.step / count;
-            return Node{node.map * m_job.system.maps[i], node.depth + 1,
+            return Node{node.map * m_job.system.maps[i],
+                        node.depth + 1,
                         node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap,
-                        node.address + static_cast<double>(i) * step, step};
+                        i,
+                        node.address + static_cast<double>(i) * step,
+                        step};
+        };
+        const std::vector<double>& links = m_job.system.links;
+        const auto isChild = [&](const Node& node, std::size_t i) { // whether the word is admissible
+            return links.empty() || node.depth == 0 || links[i * m_job.system.maps.size() + node.lastMap] > 0;
         };
         std::vector<Node> stack;
         for (const auto& [word, change] : pieces()) {
             Node node{change};
-            for (const int symbol : word)
+            bool isAdmissible = true;
+            for (const int symbol : word) {
+                isAdmissible = isAdmissible && isChild(node, static_cast<std::size_t>(symbol));
                 node = child(node, static_cast<std::size_t>(symbol));
-            stack.push_back(node);
+            }
+            if (isAdmissible) stack.push_back(node);
         }
         std::ranges::reverse(stack);
         std::size_t visits = 0;
@@ -74,7 +85,7 @@ public:
                 continue;
             }
             for (std::size_t i = m_job.system.maps.size(); i-- > 0;)
-                stack.push_back(child(node, i));
+                if (isChild(node, i)) stack.push_back(child(node, i));
         }
         return true;
     }

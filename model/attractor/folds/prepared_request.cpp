@@ -26,7 +26,7 @@ void PreparedRequest::set(RenderRequest request) {
 ifs::Placement PreparedRequest::placement() {
     if (!m_request.cage || !ifs::isValid(*m_request.cage)) return {};
     if (ifs::bends(*m_request.cage) && m_bent != m_request.cage->rest) {
-        const auto support = ifs::SupportFunction<2>::of(m_system.maps);
+        const auto support = m_system.isLinked() ? std::nullopt : ifs::SupportFunction<2>::of(m_system.maps);
         m_coordinates = ifs::suitableCoordinates(m_request.cage->rest, support ? &*support : nullptr,
                                                  shownPieces(m_system));
         m_bent = m_request.cage->rest;

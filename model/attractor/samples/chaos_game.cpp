@@ -123,6 +123,18 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
             m_alias[i] = static_cast<std::int32_t>(i < count ? static_cast<std::ptrdiff_t>(i) : likeliest);
 }
 
+std::vector<AliasTable> nextMaps(const PreparedSystem& system) {
+    if (!system.isLinked()) return {AliasTable(system.probabilities)};
+    const std::size_t n = system.chain.size;
+    std::vector<AliasTable> tables;
+    tables.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto row = system.chain.forward.begin() + std::ptrdiff_t(i * n);
+        tables.emplace_back(std::vector<double>(row, row + std::ptrdiff_t(n)));
+    }
+    return tables;
+}
+
 void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
                  const AddressStrata* strata) {
     samples.x.resize(2 * SampleSet::size + kernels::chunk);
@@ -157,7 +169,7 @@ void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t
 
 Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed)
     : m_system(&system),
-      m_table(system.probabilities),
+      m_next(nextMaps(system)),
       m_pieces(ifs::pieces<2>(system.moved, system.maps.size())),
       m_random(mixed(seed)) {
     std::size_t longest = 0;
@@ -165,6 +177,11 @@ Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed)
         longest = std::max(longest, word.size());
     m_address.assign(longest, 0); // as the fixed point of the first map has it
     m_point.x = ifs::fixedPoint(system.maps.front()).value_or(ifs::Vector<2>::Zero());
+    if (system.isLinked()) {
+        m_point.x = system.centre;
+        m_point.lastMap =
+            AliasTable(system.chain.stationary).draw(static_cast<std::uint32_t>(mixed(m_random++) >> 32));
+    }
     m_farAway = 1e6 * (system.halfExtent.maxCoeff() + (m_point.x - system.centre).cwiseAbs().maxCoeff());
     for (int n = 0; n < skipped; ++n)
         step();
@@ -183,7 +200,7 @@ const ifs::AffineMap<2>& Orbit::change() const {
 
 void Orbit::step() {
     const auto random = static_cast<std::uint32_t>(mixed(m_random++) >> 32);
-    const std::uint32_t i = m_table.draw(random);
+    const std::uint32_t i = m_next[m_next.size() > 1 ? m_point.lastMap : 0].draw(random);
     m_point.x = m_system->maps[i](m_point.x);
     m_point.lastMap = i;
     if (!m_address.empty()) {

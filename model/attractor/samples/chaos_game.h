@@ -34,14 +34,18 @@ private:
     std::vector<std::int32_t> m_alias;
 };
 
-// 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits
+// For each map the table that draws the next one; where maps are not linked, one for all of them.
+std::vector<AliasTable> nextMaps(const PreparedSystem& system);
+
+// Of maps that are not linked: 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits
 // whatever the instruction set. An orbit that escapes begins anew in the middle of the box. Neighbours along
 // an orbit are correlated; strata of the same system undo that.
 void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
                  const AddressStrata* strata = nullptr);
 
 // The seed paper's chaos game: one orbit from a fixed point of the first map (or the origin) of which the
-// first `skipped` points are not plotted. An orbit that escapes begins anew.
+// first `skipped` points are not plotted. An orbit that escapes begins anew. Of linked maps, the orbit begins
+// in the middle of the box, and the first map is drawn as all are in the long run.
 class Orbit {
 public:
     static constexpr int skipped = 14;
@@ -60,7 +64,7 @@ private:
     const ifs::AffineMap<2>& change() const; // of the piece that the point lies in
 
     const PreparedSystem* m_system; // outlives the orbit
-    AliasTable m_table;
+    std::vector<AliasTable> m_next; // nextMaps()
     std::vector<ifs::MovedBranch<2>> m_pieces;
     ifs::Word m_address; // of the point, as far as it tells the piece
     Point m_point;       // where it is

@@ -11,6 +11,12 @@ namespace attractor {
 // The active maps of finite coefficients; their probabilities sum to 1.
 template <int Dim> ifs::ActiveMaps<Dim> finiteMaps(const ifs::IteratedFunctionSystem<Dim>& system) {
     const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
+    if (active.isLinked()) { // what only maps that are left out lead to is left out too
+        ifs::IteratedFunctionSystem<Dim> finite = system;
+        for (auto& map : finite.maps)
+            map.enabled = map.enabled && ifs::isFinite(map.map);
+        return ifs::activeMaps(finite);
+    }
     ifs::ActiveMaps<Dim> result;
     double total = 0;
     for (std::size_t i = 0; i < active.maps.size(); ++i) {

@@ -6,6 +6,8 @@
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/support_function.h"
+#include "ifs/links/linked_existence.h"
+#include "ifs/links/linked_extent.h"
 
 #include <algorithm>
 #include <array>
@@ -204,6 +206,82 @@ void placeBox(PreparedSystem& system) {
     system.halfExtent += Vector<2>::Constant(slack * size);
 }
 
+// Maps that are applied to the same points, as far as their columns of the matrix tell.
+std::vector<std::uint32_t> setsByColumn(const ifs::Transitions& chain) {
+    constexpr double alike = 1e-12;
+    const std::size_t n = chain.size;
+    std::vector<std::uint32_t> sets(n);
+    std::vector<std::size_t> first; // map of each set
+    for (std::size_t j = 0; j < n; ++j) {
+        const auto hasItsColumn = [&](std::size_t k) {
+            for (std::size_t i = 0; i < n; ++i)
+                if (!(std::abs(chain.backward[k * n + i] - chain.backward[j * n + i]) <= alike)) return false;
+            return true;
+        };
+        const auto known = std::ranges::find_if(first, hasItsColumn);
+        sets[j] = static_cast<std::uint32_t>(known - first.begin());
+        if (known == first.end()) first.push_back(j);
+    }
+    return sets;
+}
+
+double linkedLogarithm(const PreparedSystem& system) {
+    double sum = 0;
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        sum += system.chain.stationary[i] * naturalLogarithm(ifs::spectralNorm<2>(system.maps[i].linear));
+    return sum;
+}
+
+void setBox(PreparedSystem& system, const ifs::Vector<2>& low, const ifs::Vector<2>& high, double slack) {
+    system.centre = (low + high) / 2;
+    system.halfExtent = (high - low) / 2;
+    const double size = system.halfExtent.maxCoeff();
+    if (size > 0 && std::isfinite(size))
+        system.halfExtent += ifs::Vector<2>::Constant(slack * size);
+    else
+        system.halfExtent = ifs::Vector<2>::Constant(
+            std::isfinite(size) ? 1e-9 + 1e-12 * system.centre.cwiseAbs().maxCoeff() : 1);
+    if (!system.centre.allFinite()) system.centre = ifs::Vector<2>::Zero();
+}
+
+void placeLinkedBox(PreparedSystem& system, const ifs::LinkedExtent& extent) {
+    const double tolerance = 1e-3 * extent.radius();
+    const auto reach = [&](double x, double y) {
+        const auto height = extent({x, y}, tolerance);
+        return height.value + height.error;
+    };
+    setBox(system, {-reach(-1, 0), -reach(0, -1)}, {reach(1, 0), reach(0, 1)}, 1e-2);
+}
+
+// Without a certificate: where a short orbit has been.
+void placeBoxByOrbit(PreparedSystem& system) {
+    ifs::Vector<2> low = ifs::Vector<2>::Zero(), high = low, x = low;
+    double reach = 0;
+    for (const ifs::AffineMap<2>& map : system.maps)
+        reach = std::max(reach, map.translation.cwiseAbs().maxCoeff());
+    const auto drawn = [](std::span<const double> shares, double u) {
+        std::size_t i = 0;
+        while (i + 1 < shares.size() && u >= shares[i])
+            u -= shares[i++];
+        return i;
+    };
+    const std::size_t maps = system.maps.size();
+    const std::span<const double> forward(system.chain.forward);
+    std::size_t last = 0;
+    for (std::uint64_t n = 0; n < 1500; ++n) {
+        const double u = static_cast<double>(mixed(n + 1) >> 11) * 0x1p-53;
+        last = drawn(n % 500 == 0 ? std::span<const double>(system.chain.stationary)
+                                  : forward.subspan(last * maps, maps),
+                     u);
+        x = system.maps[last](x);
+        if (!(x.cwiseAbs().maxCoeff() <= 1e3 * reach)) x.setZero();
+        if (n < 100) continue;
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    setBox(system, low, high, 1);
+}
+
 } // namespace
 
 RenderNote existenceNote(ifs::Verdict verdict) {
@@ -219,6 +297,24 @@ RenderNote existenceNote(ifs::Verdict verdict) {
     }
 }
 
+namespace {
+
+void prepareLinked(PreparedSystem& system) {
+    system.chain = ifs::transitions(system);
+    system.sampleSetOf = setsByColumn(system.chain);
+    system.meanLogarithm = linkedLogarithm(system);
+    const ifs::Existence existence = ifs::classifyLinked<2>(system, 2000);
+    system.note = existenceNote(existence.verdict);
+    if (!(system.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
+        system.meanLogarithm = naturalLogarithm(existence.contractivity);
+    if (const auto extent = ifs::LinkedExtent::of(system, existence))
+        placeLinkedBox(system, *extent);
+    else
+        placeBoxByOrbit(system);
+}
+
+} // namespace
+
 PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
                         std::span<const ifs::MovedBranch<2>> moved) {
     PreparedSystem result{finiteMaps(system)};
@@ -227,6 +323,10 @@ PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
         return result;
     }
     result.moved = ifs::overMaps<2>(moved, result.index);
+    if (result.isLinked()) {
+        prepareLinked(result);
+        return result;
+    }
     for (std::size_t i = 0; i < result.maps.size(); ++i)
         result.meanLogarithm +=
             result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));

@@ -6,7 +6,9 @@
 #include "ifs/system/affine_map.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
+#include "ifs/system/links.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,6 +24,11 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
     // Σ p ln‖A‖. Unless it is negative, composing maps only expands, and restarted orbits are all there is.
     double meanLogarithm = 0;
     RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
+
+    // Of linked maps: the chain of the maps applied, and for each map which sample set holds the points that
+    // it is applied to. Empty otherwise.
+    ifs::Transitions chain{};
+    std::vector<std::uint32_t> sampleSetOf{};
 };
 
 // `moved` has words over indices in the system; a word with a map that takes no part names nothing.

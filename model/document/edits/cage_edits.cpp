@@ -264,6 +264,9 @@ QString fitObstacle(const Fractal& fractal) {
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (ifs::activeMaps(*system2(fractal)).maps.empty())
         return sentence(QT_TRANSLATE_NOOP("CageEdits", "No map is active, so there is nothing to enclose."));
+    if (ifs::activeMaps(*system2(fractal)).isLinked())
+        return sentence(
+            QT_TRANSLATE_NOOP("CageEdits", "The maps are linked; a cage cannot be fitted to linked maps."));
     const ifs::ControlCage<2>* cage = cage2(fractal);
     if (cage && ifs::bends(*cage))
         return sentence(QT_TRANSLATE_NOOP(

@@ -24,6 +24,7 @@ Shown shownOf(const Fractal& fractal) {
     if (!system) return {fractal, {}, CouplingFlaw::BentCage};
     *shape = {*system};
     shown.active = ifs::activeMaps(*system);
+    if (shown.active.isLinked()) shown.flaw = CouplingFlaw::Linked;
     if (shown.active.maps.empty()) shown.flaw = CouplingFlaw::NoMaps;
     return shown;
 }

@@ -28,6 +28,7 @@ enum class CouplingFlaw {
     NotInPlane,
     BentCage, // flat or bent: what is shown is not that of any code
     NoMaps,
+    Linked,
     NoAttractor, // none is proved
     Counts,      // different numbers of maps take part
     Order,       // does not name every map of the first entry that takes part, each once

@@ -90,6 +90,8 @@ QString liftObstacle(const Fractal& fractal) {
     const Shape<2>* shape = plane(fractal);
     if (!shape)
         return Text::tr("“%1” is not a system in the plane, so it cannot be lifted.").arg(fractal.name);
+    if (ifs::activeMaps(shape->system).isLinked())
+        return Text::tr("The maps of “%1” are linked, which maps in space cannot be.").arg(fractal.name);
     if (shape->cage && shape->cage->rest.size() != 3 && shape->cage->current != shape->cage->rest)
         return Text::tr("The cage of “%1” has more than three corners, so it cannot become a tetrahedron. "
                         "Bake or reset it first.")

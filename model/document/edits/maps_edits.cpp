@@ -3,6 +3,7 @@
 
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "ifs/system/links.h"
 
 #include <QCoreApplication>
 
@@ -98,6 +99,7 @@ std::vector<double> ruleWeights(const ifs::IteratedFunctionSystem<Dim>& enabled,
 
 template <int Dim> void setWeight(ifs::IteratedFunctionSystem<Dim>& system, std::size_t row, double weight) {
     ifs::IteratedFunctionSystem<Dim> allOn = system;
+    allOn.links.clear();
     for (auto& map : allOn.maps)
         map.enabled = true;
     const std::vector<double> now = ifs::probabilities(allOn);
@@ -135,7 +137,13 @@ MapsEdit withNewMap(Fractal fractal) {
 MapsEdit withDuplicates(Fractal fractal, const Rows& rows) {
     if (rows.empty()) return {std::move(fractal), {}};
     return edited(std::move(fractal), [&](auto& system) {
-        return insert(system, static_cast<std::size_t>(rows.back()) + 1, rowsOf(system, rows));
+        const auto originals = rowsOf(system, rows);
+        auto copies = insert(system, static_cast<std::size_t>(rows.back()) + 1, originals);
+        std::vector<ifs::MapId> ids;
+        for (const auto& map : originals)
+            ids.push_back(map.id);
+        ifs::copyLinks(system, ids, copies);
+        return copies;
     });
 }
 
@@ -151,6 +159,7 @@ MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
                 kept.push_back(maps[i]);
         }
         maps = std::move(kept);
+        ifs::dropStaleLinks(system);
         std::vector<ifs::MapId> touched;
         if (!rows.empty() && !maps.empty())
             touched.push_back(maps[std::min(static_cast<std::size_t>(rows.front()), maps.size() - 1)].id);

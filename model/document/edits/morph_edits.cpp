@@ -40,6 +40,7 @@ MorphOutcome morphedIn(const Fractal& from, const Fractal& to, int length,
     const auto last = shownSystem(to, std::get<Shape<Dim>>(to.shape));
     if (!first || !last) return {{}, MorphFlaw::BentCage};
     const auto begin = ifs::activeMaps(*first), end = ifs::activeMaps(*last);
+    if (begin.isLinked() || end.isLinked()) return {{}, MorphFlaw::Linked};
     if (std::max(begin.maps.size(), end.maps.size()) > animation::maxMorphMaps)
         return {{}, MorphFlaw::TooMany};
     const auto pairs = animation::correspondence<Dim>(begin, end, overActive<Dim>(pins, begin, end));

@@ -14,6 +14,7 @@ enum class MorphFlaw {
     Dimensions, // one is in the plane and the other in space, or one could not be read
     Measure,    // the measure of one of them has no covariance
     TooMany,    // more than 256 maps
+    Linked,     // the maps of one of them are linked
     BentCage,   // what one of them shows is not that of any code
 };
 

@@ -53,13 +53,15 @@ bool isSymmetric(const Fractal& fractal) {
 
 QString symmetryObstacle(const Fractal& fractal, std::size_t groupOrder) {
     const std::size_t maps = ofSystem(fractal, [](const auto& shape) { return shape.system.maps.size(); });
-    if (groupOrder <= 1 || maps <= ifs::maxSymmetricMaps / groupOrder) return {};
+    const bool isLinked = ofSystem(fractal, [](const auto& shape) { return !shape.system.links.empty(); });
+    const std::size_t most = isLinked ? ifs::maxSymmetricLinkedMaps : ifs::maxSymmetricMaps;
+    if (groupOrder <= 1 || maps <= most / groupOrder) return {};
     return Text::
         tr("“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.")
             .arg(fractal.name)
             .arg(maps)
             .arg(groupOrder)
-            .arg(ifs::maxSymmetricMaps);
+            .arg(most);
 }
 
 Fractal withSymmetry(Fractal fractal, const ifs::Symmetry<2>& symmetry) {

@@ -3,6 +3,7 @@
 #include "document/fractal_geometry.h"
 
 #include "ifs/dimension/moments.h"
+#include "ifs/links/linked_measure.h"
 #include "ifs/system/decomposition.h"
 
 #include <QtMath>
@@ -59,7 +60,10 @@ std::optional<ifs::Vector<2>> middleOfBox(const Fractal& fractal) {
 std::optional<ifs::Vector<2>> displayedMean(const Fractal& fractal) {
     const System2* system = system2(fractal);
     if (!system) return std::nullopt;
-    const auto moments = ifs::moments(ifs::activeMaps(*system));
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system);
+    const auto moments = !active.isLinked()      ? ifs::moments(active)
+                         : linkedExtent(fractal) ? ifs::linkedMoments(active)
+                                                 : std::nullopt;
     if (!moments) return std::nullopt;
     const ifs::ControlCage<2>* cage = cage2(fractal);
     const bool atRest = !cage || cage->rest == cage->current;

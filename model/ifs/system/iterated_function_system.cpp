@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/iterated_function_system.h"
 
+#include "ifs/system/link_graph.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <unordered_set>
 
@@ -13,8 +16,32 @@ namespace {
 
 constexpr double maxConditionNumber = 1e6;
 
+// The part of the matrix that belongs to active maps; empty where any may follow any as its weight says.
+template <int Dim>
+std::vector<double> activeLinks(const IteratedFunctionSystem<Dim>& system,
+                                const std::vector<std::size_t>& index) {
+    const std::vector<double> matrix = matrixOf(system.maps, system.links);
+    std::vector<double> result;
+    bool isEven = true;
+    for (const std::size_t i : index)
+        for (const std::size_t j : index) {
+            result.push_back(matrix[i * system.maps.size() + j]);
+            isEven = isEven && result.back() == matrix[i * system.maps.size() + index.front()];
+        }
+    return isEven ? std::vector<double>{} : result;
+}
+
+} // namespace
+
 template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
     return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
+}
+
+template <int Dim> std::vector<LinkState> linkedStates(const IteratedFunctionSystem<Dim>& system) {
+    std::vector<char> on;
+    for (const auto& map : system.maps)
+        on.push_back(isOff(map) ? 0 : 1);
+    return statesOf(matrixOf(system.maps, system.links), on);
 }
 
 // The listed maps that are not off, whatever the symmetry.
@@ -24,9 +51,11 @@ template <int Dim> ActiveMaps<Dim> activeListed(const IteratedFunctionSystem<Dim
     active.maps.reserve(system.maps.size());
     active.index.reserve(system.maps.size());
     weights.reserve(system.maps.size());
+    const bool isLinked = !system.links.empty();
+    const std::vector<LinkState> states = isLinked ? linkedStates(system) : std::vector<LinkState>{};
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const auto& map = system.maps[i];
-        if (isOff(map)) continue;
+        if (isLinked ? states[i] != LinkState::TakesPart : isOff(map)) continue;
         active.maps.push_back(map.map);
         active.index.push_back(i);
         if (map.weight) weights.push_back(*map.weight);
@@ -37,6 +66,7 @@ template <int Dim> ActiveMaps<Dim> activeListed(const IteratedFunctionSystem<Dim
     // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
     for (double& probability : active.probabilities)
         probability = std::max(probability, std::numeric_limits<double>::min());
+    if (isLinked) active.links = activeLinks(system, active.index);
     return active;
 }
 
@@ -72,6 +102,8 @@ template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>
     std::uint32_t largest = 0;
     for (const auto& map : system.maps)
         largest = std::max(largest, std::uint32_t(map.id));
+    for (const Link& link : system.links) // also those of maps that were deleted
+        largest = std::max({largest, std::uint32_t(link.from), std::uint32_t(link.to)});
     std::vector<MapId> ids;
     if (count <= std::numeric_limits<std::uint32_t>::max() - largest) {
         while (ids.size() < count)
@@ -81,6 +113,8 @@ template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>
     std::unordered_set<std::uint32_t> taken;
     for (const auto& map : system.maps)
         taken.insert(std::uint32_t(map.id));
+    for (const Link& link : system.links)
+        taken.insert({std::uint32_t(link.from), std::uint32_t(link.to)});
     for (std::uint32_t id = 1; ids.size() < count; ++id)
         if (!taken.contains(id)) ids.push_back(MapId{id});
     return ids;
@@ -115,17 +149,44 @@ template <int Dim> std::vector<double> probabilities(const IteratedFunctionSyste
 
 template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system) {
     const std::size_t order = groupOrder(system.symmetry.group, system.symmetry.order);
-    return system.maps.size() <= maxSymmetricMaps / order ? order : 1;
+    const std::size_t most = system.links.empty() ? maxSymmetricMaps : maxSymmetricLinkedMaps;
+    return system.maps.size() <= most / order ? order : 1;
 }
 
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system) {
-    const auto off = std::size_t(std::ranges::count_if(system.maps, isOff<Dim>));
-    return (system.maps.size() - off) * copiesOfEachMap(system);
+    const std::size_t listed =
+        system.links.empty()
+            ? system.maps.size() - std::size_t(std::ranges::count_if(system.maps, isOff<Dim>))
+            : std::size_t(std::ranges::count(linkedStates(system), LinkState::TakesPart));
+    return listed * copiesOfEachMap(system);
 }
+
+namespace {
+
+// Of a system whose maps are each followed by their copies.
+template <int Dim>
+std::vector<Link> linksOfCopies(const IteratedFunctionSystem<Dim>& system,
+                                const std::vector<WeightedMap<Dim>>& expanded, std::size_t copies) {
+    std::map<MapId, std::size_t> first;
+    for (std::size_t i = 0; i < system.maps.size(); ++i)
+        first.emplace(system.maps[i].id, i * copies);
+    std::vector<Link> links;
+    for (const Link& link : system.links) {
+        const auto from = first.find(link.from), to = first.find(link.to);
+        if (from == first.end() || to == first.end()) continue;
+        for (std::size_t k = 0; k < copies; ++k)
+            for (std::size_t l = 0; l < copies; ++l)
+                links.push_back({expanded[from->second + k].id, expanded[to->second + l].id, link.weight});
+    }
+    return links;
+}
+
+} // namespace
 
 template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system) {
     const std::size_t copies = copiesOfEachMap(system);
     IteratedFunctionSystem<Dim> result;
+    result.links = system.links;
     if (copies == 1) {
         result.maps = system.maps;
         return result;
@@ -148,6 +209,7 @@ template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSy
             result.maps.push_back(copy);
         }
     }
+    result.links = linksOfCopies(system, result.maps, copies);
     return result;
 }
 
@@ -189,6 +251,7 @@ std::optional<IteratedFunctionSystem<Dim>> conjugate(const AffineMap<Dim>& trans
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template bool isOff(const WeightedMap<Dim>&);                                                            \
     template std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>&, std::size_t);                   \
     template MapId freshId(const IteratedFunctionSystem<Dim>&);                                              \
     template MapId append(IteratedFunctionSystem<Dim>&, const AffineMap<Dim>&, std::optional<double>);       \

@@ -25,16 +25,29 @@ template <int Dim> struct WeightedMap {
     friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
 };
 
+// How likely the chaos game applies `to` just after `from`: the weight of `to` is multiplied by this.
+struct Link {
+    MapId from = MapId::None;
+    MapId to = MapId::None;
+    double weight = 1;
+
+    friend bool operator==(const Link&, const Link&) = default;
+};
+
+// Whether its weight says that the map takes no part.
+template <int Dim> bool isOff(const WeightedMap<Dim>& map);
+
 // w_1 … w_N with their weights, in the order in which addresses number them, and the group Γ under which the
-// attractor is symmetric: it is the attractor of {γ∘w_i : γ ∈ Γ}.
+// attractor is symmetric: it is the attractor of {γ∘w_i : γ ∈ Γ}. Links hold for all copies of a map.
 template <int Dim> struct IteratedFunctionSystem {
     std::vector<WeightedMap<Dim>> maps;
-    Symmetry<Dim> symmetry{}; // valid
+    Symmetry<Dim> symmetry{};  // valid
+    std::vector<Link> links{}; // those other than 1; see ifs/system/links.h
 
     friend bool operator==(const IteratedFunctionSystem&, const IteratedFunctionSystem&) = default;
 };
 
-// Ids that no map of the system has, in increasing order.
+// Ids that no map of the system has and no link names, in increasing order.
 template <int Dim> MapId freshId(const IteratedFunctionSystem<Dim>& system);
 template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>& system, std::size_t count);
 
@@ -45,7 +58,7 @@ MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map,
 
 // γ∘w_i for every element of the group, the weight of w_i shared among them: for each map in turn the
 // identity, which keeps the id, then the other elements in their order under fresh ids. The result has no
-// symmetry. A system that would have more than maxSymmetricMaps maps loses its symmetry instead.
+// symmetry. A system that would have more than maxSymmetricMaps maps, or if linked maxSymmetricLinkedMaps, loses it.
 template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system);
 // How many maps each map stands for there: |Γ|, and 1 beyond the limit.
 template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system);
@@ -60,10 +73,14 @@ template <int Dim> std::vector<double> probabilities(const IteratedFunctionSyste
 
 // Those maps of the expanded system that have a positive probability; `index` holds, in ascending order, the
 // indices in `system` of the maps that they are copies of. Without a symmetry each index occurs once.
+// Of linked maps, those that the chaos game applies for ever: LinkState::TakesPart of ifs/system/links.h.
 template <int Dim> struct ActiveMaps {
     std::vector<AffineMap<Dim>> maps;
     std::vector<double> probabilities;
     std::vector<std::size_t> index;
+    std::vector<double> links{}; // P_ij by rows; empty where all weights of a row are alike
+
+    bool isLinked() const { return !links.empty(); }
 };
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
 // How many maps activeMaps() holds.

@@ -35,6 +35,7 @@ constexpr int minSymmetryOrder = 2;
 constexpr int maxSymmetryOrder = 24;
 // A system of more maps than this, counted with the symmetry, is not drawn with it.
 constexpr std::size_t maxSymmetricMaps = 100'000;
+constexpr std::size_t maxSymmetricLinkedMaps = 1024; // whose links are a matrix
 
 // Whether the group exists in this dimension, its order is allowed, the numbers are finite and the frame can
 // be inverted.

@@ -3,6 +3,7 @@
 
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "ifs/system/links.h"
 #include "io/exchange/flame_colours.h"
 #include "io/exchange/flame_symmetry.h"
 #include "io/text/coefficient.h"
@@ -100,8 +101,12 @@ struct Xform {
     double linear3D = 0; // the amount of `linear3D`
     double weight = 0;
     bool standsStill = false; // in animations, as transforms do that stand for a symmetry
-    QString refusal;          // why it is no row of an iterated function system; empty when it is one
+    QList<double> chaos; // P_ij of its successors; 1 beyond the last
+    QString refusal;     // why it is no row of an iterated function system; empty when it is one
 
+    bool isLinked() const {
+        return std::ranges::any_of(chaos, [](double link) { return link != 1; });
+    }
     bool isSpatial() const { return !(yz == ifs::AffineMap<2>()) || !(zx == ifs::AffineMap<2>()); }
 
     ifs::AffineMap<2> inPlane() const {
@@ -208,10 +213,9 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
     }
     xform.standsStill = isNumber(attributes, "animate", 0) || isNumber(attributes, "symmetry", 1);
     bool ok = false;
-    const QList<double> chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
-    if (!ok || std::any_of(chaos.begin(), chaos.end(), [](double v) { return v != 1; }))
-        xform.refusal =
-            Text::tr("its “chaos” allows only some successors, which a list of maps cannot express");
+    xform.chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
+    if (!ok || std::ranges::any_of(xform.chaos, [](double v) { return !(v >= 0); }))
+        xform.refusal = Text::tr("its “chaos” is not a list of numbers from 0 upwards");
     else if (const auto opacity = parseNumber(attributes.value(QLatin1String("opacity")));
              (opacity && *opacity == 0) || attributes.value(QLatin1String("plotmode")) == u"off") // as flam3
         xform.refusal = Text::tr("it is active but not drawn (opacity 0)");
@@ -351,7 +355,27 @@ private:
         return {};
     }
 
+    static QString linkObstacle(const std::vector<Xform>& xforms) {
+        constexpr std::size_t maxLinked = 256;
+        if (std::ranges::none_of(xforms, &Xform::isLinked)) return {};
+        if (xforms.size() > maxLinked)
+            return Text::tr("it links more than %1 transforms by “chaos”").arg(maxLinked);
+        if (std::ranges::any_of(xforms, &Xform::isSpatial))
+            return Text::tr("it links transforms in space by “chaos”");
+        return {};
+    }
+
     static ifs::MapId idOf(std::size_t index) { return static_cast<ifs::MapId>(index + 1); }
+
+    // Rows of the matrix, each as long as there are transforms; what a row leaves out is 1.
+    static void link(document::System2& system, const std::vector<Xform>& xforms) {
+        const std::size_t n = xforms.size();
+        std::vector<double> matrix;
+        for (const Xform& xform : xforms)
+            for (std::size_t j = 0; j < n; ++j)
+                matrix.push_back(j < std::size_t(xform.chaos.size()) ? xform.chaos[qsizetype(j)] : 1);
+        ifs::setLinks(system, matrix);
+    }
 
     document::Shape<2> planeOf(const std::vector<Xform>& xforms) const {
         document::Shape<2> shape;
@@ -361,6 +385,7 @@ private:
                                          .map = m_axis == FlameAxis::Flipped ? ifs::flipped(map) : map,
                                          .weight = xforms[i].weight});
         }
+        if (std::ranges::any_of(xforms, &Xform::isLinked)) link(shape.system, xforms);
         return shape;
     }
 
@@ -389,6 +414,10 @@ private:
         const auto& [name, xforms, keepsZ, symmetry] = flame;
         if (xforms.empty()) {
             refuse(name, Text::tr("The flame “%1” has no transforms.").arg(name));
+            return;
+        }
+        if (const QString obstacle = linkObstacle(xforms); !obstacle.isEmpty()) {
+            refuse(name, Text::tr("The flame “%1” is not a system of affine maps: %2.").arg(name, obstacle));
             return;
         }
         document::Fractal fractal;
@@ -448,6 +477,13 @@ QString coefficientText(const ifs::AffineMap<2>& map) {
     return QString::fromLatin1(parts.join(' '));
 }
 
+QString chaosText(const std::vector<double>& matrix, std::size_t row, std::size_t size) {
+    QByteArrayList parts;
+    for (std::size_t j = 0; j < size; ++j)
+        parts << formatNumber(matrix[row * size + j]);
+    return QString::fromLatin1(parts.join(' '));
+}
+
 QString hexPalette(const FlameColours& colours) {
     QString text;
     for (std::size_t i = 0; i < flameColours; ++i) {
@@ -503,6 +539,7 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
     }
     const std::vector<double> weights = exportWeights(system);
     const FlameColours colours = flameColoursOf(fractal);
+    const auto links = system.links.empty() ? std::vector<double>{} : ifs::linkMatrix(system);
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const ifs::AffineMap<2>& map = system.maps[i].map;
         xml.writeEmptyElement(QStringLiteral("xform"));
@@ -511,6 +548,8 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
         xml.writeAttribute(QStringLiteral("linear"), QStringLiteral("1"));
         xml.writeAttribute(QStringLiteral("coefs"),
                            coefficientText(axis == FlameAxis::Flipped ? ifs::flipped(map) : map));
+        if (!system.links.empty())
+            xml.writeAttribute(QStringLiteral("chaos"), chaosText(links, i, system.maps.size()));
     }
     writeSymmetryTransforms(xml, system.symmetry, axis);
     xml.writeStartElement(QStringLiteral("palette"));

@@ -75,7 +75,7 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
     if (format == TextFormat::Flame && document::system2(fractal)) {
         const FlameColours colours = flameColoursOf(fractal);
         kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours,
-                flameHoldsSymmetry(fractal)};
+                flameHoldsSymmetry(fractal), true};
     }
     return lossBeside(kept, fractal);
 }

@@ -14,7 +14,9 @@ namespace io::fractint {
 namespace {
 
 template <int Dim> std::vector<Row> rows(const ifs::IteratedFunctionSystem<Dim>& system) {
-    const std::vector<double> probabilities = ifs::probabilities(system);
+    auto unlinked = system; // links travel in comments, and leave the rows as they are
+    unlinked.links.clear();
+    const std::vector<double> probabilities = ifs::probabilities(unlinked);
     const std::vector<double> written = exportWeights(system);
     std::vector<Row> result;
     for (std::size_t k = 0; k < system.maps.size(); ++k) {

@@ -10,6 +10,9 @@
 #include <QByteArrayView>
 #include <QStringList>
 
+#include <map>
+#include <vector>
+
 // What a Fractint entry has no place for (cage, appearance, maps that are off) travels in comment lines
 // "; barycage: key values". docs/formats.md, "Our own lines".
 namespace io {
@@ -67,6 +70,8 @@ private:
     bool readMapSetting(const QByteArray& key, const QByteArrayList& values);
     bool readPalette(const QByteArray& key, const QByteArrayList& values);
     bool readBranch(const QByteArray& key, const QByteArrayList& values);
+    bool readLinks(const QByteArray& key, const QByteArrayList& values);
+    template <int Dim> void applyLinks(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim> void applyCage(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim> void applyBranches(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim>
@@ -82,6 +87,8 @@ private:
     std::vector<Branch> m_branches;
     SymmetryComments m_symmetry;
     AnimationComments m_animations;
+    std::map<int, std::vector<double>> m_links; // rows by map, 1-based
+    Lines m_linkLines;
     attractor::Appearance m_appearance;
     SpaceComments m_inSpace;
     std::optional<std::string> m_paletteName;

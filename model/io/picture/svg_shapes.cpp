@@ -113,6 +113,8 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
             for (const auto& vertex : *polygon)
                 fits = fits && isWritable(toPixel(camera, vertex));
     if (!fits) return {{}, Text::tr("In this view the picture is too large to be written as shapes.")};
+    if (ifs::activeMaps(*system).isLinked())
+        return {{}, Text::tr("The maps are linked, so the picture is not made of copies of itself.")};
     auto levels = ifs::CopyHierarchy::of(*system, display, moved);
     if (!levels)
         return {{},

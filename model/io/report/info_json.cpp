@@ -5,6 +5,7 @@
 #include "document/fractal_geometry.h"
 #include "ifs/extent/extent.h"
 #include "ifs/facts.h"
+#include "ifs/system/links.h"
 #include "io/fractint/animation_lines.h"
 #include "io/report/json_writer.h"
 #include "io/text/symmetry_text.h"
@@ -378,11 +379,63 @@ template <int Dim> void writeMovedBranches(JsonWriter& json, const document::Sha
     json.endArray();
 }
 
+QString stateName(ifs::LinkState state) {
+    switch (state) {
+    case ifs::LinkState::Off:
+        return QStringLiteral("off");
+    case ifs::LinkState::Ends:
+        return QStringLiteral("ends");
+    case ifs::LinkState::Unreached:
+        return QStringLiteral("unreached");
+    case ifs::LinkState::Left:
+        return QStringLiteral("left");
+    case ifs::LinkState::TakesPart:
+        break;
+    }
+    return QStringLiteral("takes_part");
+}
+
+// Null where any map may follow any other as its weight says.
+template <int Dim> void writeLinks(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& system) {
+    if (system.links.empty()) {
+        for (const char* key : {"links", "link_states", "visits"})
+            writeNull(json, key);
+        return;
+    }
+    const std::size_t n = system.maps.size();
+    const std::vector<double> matrix = ifs::linkMatrix(system);
+    json.key("links");
+    json.beginArray(Layout::Inline);
+    for (std::size_t i = 0; i < n; ++i) {
+        json.beginArray(Layout::Inline);
+        for (std::size_t j = 0; j < n; ++j)
+            json.value(matrix[i * n + j]);
+        json.endArray();
+    }
+    json.endArray();
+    json.key("link_states");
+    json.beginArray(Layout::Inline);
+    for (const ifs::LinkState state : ifs::linkStates(system))
+        json.value(stateName(state));
+    json.endArray();
+    const auto active = ifs::activeMaps(system);
+    std::vector<double> visits(n, 0);
+    const std::vector<double> stationary = ifs::transitions(active).stationary;
+    for (std::size_t k = 0; k < active.index.size(); ++k)
+        visits[active.index[k]] = stationary[k];
+    json.key("visits");
+    json.beginArray(Layout::Inline);
+    for (const double share : visits)
+        json.value(share);
+    json.endArray();
+}
+
 template <int Dim>
 void writeShape(JsonWriter& json, const document::Shape<Dim>& shape, const QString& name,
                 const InfoSubject& subject) {
     writeSystem(json, shape.system, name, subject);
     writeSymmetry(json, shape.system.symmetry);
+    writeLinks(json, shape.system);
     writeCage(json, shape.cage);
     writeMovedBranches(json, shape);
 }
@@ -438,6 +491,9 @@ void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubj
                                 "lyapunov_exponent",
                                 "measure_dimension",
                                 "symmetry",
+                                "links",
+                                "link_states",
+                                "visits",
                                 "cage"})
             writeNull(json, key);
         json.key("moved_branches");

@@ -5,6 +5,7 @@
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 #include "ifs/facts.h"
+#include "ifs/system/links.h"
 #include "io/report/figure_error.h"
 #include "io/text/symmetry_text.h"
 
@@ -376,10 +377,46 @@ QString titleOf(const document::Fractal& fractal) {
                        .arg(fractal.name, mapCount(document::system2(fractal)->maps.size()));
 }
 
+// Empty for a map that takes part, and for one that its weight switches off.
+QString stateText(ifs::LinkState state) {
+    switch (state) {
+    case ifs::LinkState::Ends:
+        return Text::tr("takes no part: after it, the chaos game comes to an end");
+    case ifs::LinkState::Unreached:
+        return Text::tr("takes no part: no map leads to it");
+    case ifs::LinkState::Left:
+        return Text::tr("takes no part: the chaos game leaves it and never comes back");
+    case ifs::LinkState::TakesPart:
+    case ifs::LinkState::Off:
+        break;
+    }
+    return {};
+}
+
+template <int Dim> void addLinks(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system) {
+    if (system.links.empty()) return;
+    const std::size_t n = system.maps.size();
+    const std::vector<double> matrix = ifs::linkMatrix(system);
+    const std::vector<ifs::LinkState> states = ifs::linkStates(system);
+    for (std::size_t i = 0; i < n; ++i) {
+        QStringList row;
+        for (std::size_t j = 0; j < n; ++j)
+            row << digits(matrix[i * n + j]);
+        const QString state = stateText(states[i]);
+        lines.add(Text::tr("links from map %1").arg(i + 1),
+                  row.join(u' ') + (state.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(state)));
+    }
+    if (ifs::activeMaps(system).isLinked())
+        lines.add(Text::tr("linked maps"),
+                  Text::tr("separation, connectedness, joint spectral radius and periodic addresses are not "
+                           "worked out for linked maps"));
+}
+
 template <int Dim>
 void addShape(Lines& lines, const document::Shape<Dim>& shape, const QString& name,
               const InfoSubject& subject) {
     addSystem(lines, shape.system, name, subject);
+    addLinks(lines, shape.system);
     if (shape.cage) {
         lines.add(Text::tr("cage at rest"), list(shape.cage->rest));
         lines.add(Text::tr("cage now"), list(shape.cage->current));

@@ -14,7 +14,9 @@ struct Text {
 } // namespace
 
 template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
-    const std::vector<double> probabilities = ifs::probabilities(system);
+    auto unlinked = system; // a map to which no link leads has a weight all the same
+    unlinked.links.clear();
+    const std::vector<double> probabilities = ifs::probabilities(unlinked);
     bool allGiven = true;
     for (std::size_t i = 0; i < system.maps.size(); ++i)
         allGiven = allGiven && (probabilities[i] == 0 || system.maps[i].weight);

@@ -19,10 +19,13 @@ struct Text {
 struct Held {
     bool cage = false;
     bool moved = false;
+    bool linked = false;
 };
 
 Held heldBy(const document::Fractal& fractal) {
-    const auto of = [](const auto& shape) { return Held{shape.cage.has_value(), !shape.moved.empty()}; };
+    const auto of = [](const auto& shape) {
+        return Held{shape.cage.has_value(), !shape.moved.empty(), ifs::activeMaps(shape.system).isLinked()};
+    };
     if (const auto* plane = document::plane(fractal)) return of(*plane);
     if (const auto* space = document::space(fractal)) return of(*space);
     return {};
@@ -39,6 +42,8 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     QStringList lost;
     if (held.cage) lost << Text::tr("its cage");
     if (held.moved) lost << Text::tr("its moved branches");
+    const bool losesLinks = held.linked && !kept.links;
+    if (losesLinks) lost << Text::tr("the links of its maps");
     if (!kept.palette && !(rest.palette == usual.palette)) lost << Text::tr("its palette");
     if (!kept.background && !(rest.background == usual.background)) lost << Text::tr("its background");
     rest.palette = usual.palette;
@@ -50,7 +55,7 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     const QString last = lost.takeLast();
     const QString all =
         lost.isEmpty() ? last : Text::tr("%1 and %2").arg(lost.join(QStringLiteral(", ")), last);
-    const bool isDifferent = held.moved || !document::isAtRest(fractal);
+    const bool isDifferent = held.moved || losesLinks || !document::isAtRest(fractal);
     return isDifferent ? Text::tr("“%1” is written without %2: other programs will draw a different picture.")
                              .arg(fractal.name, all)
                        : Text::tr("“%1” is written without %2.").arg(fractal.name, all);

@@ -16,6 +16,7 @@ struct KeptParts {
     bool colourBy = false;
     bool mapColours = false;
     bool symmetry = false; // as a group, not as the maps it stands for
+    bool links = false;
 };
 
 // What is lost, in sentences; nullopt when nothing is, or only what is as in a new entry.

@@ -3,7 +3,7 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/fractal_geometry.h"
-#include "ifs/existence/attractor_existence.h"
+#include "ifs/links/linked_existence.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
 
@@ -58,7 +58,7 @@ QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& wi
 // The renderer only says that the picture is not to be trusted; the reason is looked for here.
 QString doubtful(const document::System2& system) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
-    const ifs::Existence existence = ifs::classify<2>(active.maps);
+    const ifs::Existence existence = ifs::classifyLinked<2>(active);
     if (existence.verdict == ifs::Verdict::None && !existence.witness.empty())
         return noAttractor(active, existence.witness);
     for (std::size_t i = 0; i < active.maps.size(); ++i) {

@@ -129,10 +129,13 @@ void MapsModel::follow(const document::Change& change) {
 }
 
 bool MapsModel::isCodeShown(const document::Fractal& fractal) const {
+    const auto isShown = [](const auto& system, const auto& shown) {
+        return system.maps == shown.maps && system.links == shown.links;
+    };
     if (const document::System2* system = document::system2(fractal))
-        return dimension() == 2 && system->maps == std::get<0>(m_shown).maps;
+        return dimension() == 2 && isShown(*system, std::get<0>(m_shown));
     const document::System3* system = document::system3(fractal);
-    return system && dimension() == 3 && system->maps == std::get<1>(m_shown).maps;
+    return system && dimension() == 3 && isShown(*system, std::get<1>(m_shown));
 }
 
 bool MapsModel::areRowsShown(const document::Fractal& fractal) const {
@@ -148,7 +151,7 @@ bool MapsModel::areRowsShown(const document::Fractal& fractal) const {
 void MapsModel::reload(bool sameCode) {
     const auto show = [&]<int Dim>(const document::Shape<Dim>& shape) {
         if (!sameCode) {
-            m_shown = Shown<Dim>{shape.system.maps, {}};
+            m_shown = Shown<Dim>{shape.system.maps, shape.system.links, {}};
             m_probabilities = ifs::probabilities(shape.system);
         }
         std::get<Shown<Dim>>(m_shown).display = displayOf(shape);

@@ -50,6 +50,8 @@ QString morphObstacle(document::MorphFlaw flaw) {
         return TimelinePanel::tr("A fractal of the plane cannot become one in space.");
     case document::MorphFlaw::TooMany:
         return TimelinePanel::tr("One of the two fractals has more than 256 maps.");
+    case document::MorphFlaw::Linked:
+        return TimelinePanel::tr("The maps of one of the two fractals are linked.");
     case document::MorphFlaw::BentCage:
         return TimelinePanel::tr("A bent cage has no code to start from. Reset or bake it first.");
     case document::MorphFlaw::Measure:

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/existence/attractor_existence.h"
+#include "ifs/extent/convex_hull.h"
+#include "ifs/extent/extent.h"
+#include "ifs/system/iterated_function_system.h"
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace ifs {
+
+// Certified extents of the parts A_j = ∪ w_j(A_i) over the i with P_ij > 0, of linked maps in the plane whose
+// attractor exists; A is the union of the parts. docs/mathematics.md, "Linked maps".
+class LinkedExtent {
+public:
+    // nullopt unless `existence`, that of the same maps, says that there is an attractor.
+    static std::optional<LinkedExtent> of(const ActiveMaps<2>& active, const Existence& existence);
+
+    // max ⟨u,x⟩ over A, or over one part: the value is within `error` below the truth.
+    struct Height {
+        double value = 0;
+        double error = 0;
+        Vector<2> point = Vector<2>::Zero(); // of the attractor, where the value is reached
+    };
+    // The error may be as large as `tolerance`, which ends the search sooner.
+    Height operator()(const Vector<2>& u, double tolerance = 0) const;
+    Height ofPart(std::size_t part, const Vector<2>& u, double tolerance = 0) const;
+
+    const Vector<2>& centre() const { return m_centre; } // A lies in Ball(centre, radius)
+    double radius() const { return m_radius; }
+    std::size_t parts() const { return m_active.maps.size(); }
+    const Vector<2>& pointOf(std::size_t part) const { return m_points[part]; } // of the part
+
+private:
+    struct Node;
+    Node first(std::size_t part, const Vector<2>& u) const;
+    std::vector<Node> lengthened(const std::vector<Node>& open, double reached) const;
+    Height search(std::vector<Node> open, const Vector<2>& u, double tolerance) const;
+
+    ActiveMaps<2> m_active;                         // with centre() as the origin
+    std::vector<std::vector<std::size_t>> m_before; // the maps i with P_ij > 0, for each j
+    std::vector<Vector<2>> m_points;                // one of each part
+    std::vector<Vector<2>> m_seen;                  // the same from the centre
+    Vector<2> m_centre = Vector<2>::Zero();
+    double m_radius = 0;
+};
+
+// As of plain maps, to rounding where the search allows it.
+BoundingBox<2> boundingBox(const LinkedExtent& extent);
+CanonicalSimplex<2> minimalCanonicalSimplex(const LinkedExtent& extent);
+std::optional<ConvexHull> convexHull(const LinkedExtent& extent, double tolerance,
+                                     const std::stop_token& stop = {}); // nullopt when stopped
+
+} // namespace ifs

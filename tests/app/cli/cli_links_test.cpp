@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+// Linked maps on the command line.
+class CliLinksTest : public CommandLineTest {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void infoShowsThem();
+    void infoShowsWhatTakesNoPart();
+    void drawsThem();
+    void convertsThem();
+    void expandsNothingElse();
+};
+
+void CliLinksTest::init() {
+    write("golden.ifs", "golden {\n; barycage: version 1\n; barycage: links 2 1 0\n"
+                        " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
+    write("ends.ifs", "ends {\n; barycage: version 1\n; barycage: links 1 1 1 0\n; barycage: links 2 0 0 0\n"
+                      "; barycage: links 3 1 0 0\n"
+                      " .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n .5 0 0 .5 0 .5 1\n}\n");
+}
+
+void CliLinksTest::infoShowsThem() {
+    const auto result = run("info --json golden.ifs");
+    QCOMPARE(result.status, 0);
+    const QJsonObject entry = result.entry();
+    QCOMPARE(entry["links"_L1].toArray().at(1).toArray(), (QJsonArray{1, 0}));
+    QCOMPARE(entry["link_states"_L1].toArray(), (QJsonArray{u"takes_part"_s, u"takes_part"_s}));
+    // 2 is always followed by 1, and 1 by either: π = (2/3, 1/3)
+    compare(entry["visits"_L1].toArray().at(0).toDouble(), 2 / 3.0, 1e-15);
+    compare(entry["similarity_dimension"_L1].toDouble(), 0.694241913630617, 1e-14);
+    compare(entry["bounding_box"_L1].toObject()["max"_L1].toArray().at(0).toDouble(), 2 / 3.0, 1e-13);
+    for (const char* key : {"separation", "connectedness", "joint_spectral_radius"})
+        QVERIFY(entry[QLatin1String(key)].isNull());
+    QVERIFY(run("info golden.ifs").out.contains("links from map 2"));
+    QVERIFY(run("info --json systems.ifs").entry()["links"_L1].isNull());
+}
+
+void CliLinksTest::infoShowsWhatTakesNoPart() {
+    const QJsonObject entry = run("info --json ends.ifs").entry();
+    QCOMPARE(entry["link_states"_L1].toArray(), (QJsonArray{u"takes_part"_s, u"ends"_s, u"unreached"_s}));
+    QCOMPARE(entry["maps"_L1].toArray().at(1).toObject()["weight"_L1].toDouble(), 0.0);
+    QCOMPARE(entry["maps"_L1].toArray().at(1).toObject()["weight_in_file"_L1].toDouble(), 1.0);
+    const QByteArray text = run("info ends.ifs").out;
+    QVERIFY(text.contains("comes to an end") && text.contains("no map leads to it"));
+}
+
+void CliLinksTest::drawsThem() {
+    for (const char* algorithm :
+         {"density --points 50000", "chaos-game --points 50000", "deterministic --iterations 5"}) {
+        const auto result = run(QByteArray("render golden.ifs -o out.png --size 300x40 --view "
+                                           "0.5,0,0.14 --background black --algorithm ") +
+                                algorithm);
+        QCOMPARE(result.status, 0);
+        const QImage image(path("out.png"));
+        const auto brightness = [&](double x) {
+            int most = 0;
+            for (int y = 0; y < image.height(); ++y)
+                most = std::max(most, qGray(image.pixel(int(x * 280 + 10), y)));
+            return most;
+        };
+        QVERIFY(brightness(0.02) > 20);
+        QVERIFY2(brightness(0.9) < 10, algorithm); // 11… is forbidden
+    }
+    const auto svg = run("render golden.ifs -o out.svg");
+    QCOMPARE(svg.status, 1);
+    QVERIFY(svg.err.contains("linked"));
+}
+
+void CliLinksTest::convertsThem() {
+    QCOMPARE(run("convert golden.ifs golden.flame").status, 0);
+    QVERIFY(read("golden.flame").contains("chaos=\"1 0\""));
+    QCOMPARE(run("convert golden.flame back.ifs").status, 0);
+    QVERIFY(read("back.ifs").contains("; barycage: links 2 1 0"));
+    const auto table = run("convert golden.ifs golden.csv");
+    QVERIFY(table.err.contains("links"));
+    const auto strict = run("convert --strict golden.ifs strict.ifs");
+    QVERIFY(strict.err.contains("links") && !read("strict.ifs").contains("links"));
+}
+
+// What is not worked out for linked maps is refused with a sentence.
+void CliLinksTest::expandsNothingElse() {
+    for (const char* command : {"morph golden.ifs --from golden --to golden -o out.ifs",
+                                "steal golden.ifs --entry golden --from golden --tear 0.01",
+                                "render golden.ifs --overlay hull -o out.png"}) {
+        const auto result = run(command);
+        QVERIFY2(result.status != 0 && result.err.contains("linked"), result.err);
+    }
+}
+
+QTEST_GUILESS_MAIN(CliLinksTest)
+#include "cli_links_test.moc"
