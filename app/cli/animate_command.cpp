@@ -3,8 +3,8 @@
 #include "animate_video.h"
 #include "animated_entry.h"
 #include "commands.h"
-#include "frame_drawing.h"
 #include "frame_request.h"
+#include "frame_source.h"
 #include "input.h"
 #include "interrupt.h"
 #include "messages.h"
@@ -75,10 +75,14 @@ private:
         const QString path = numbered(m_pattern, number);
         const int frame = number - 1;
         const QByteArray hash = requestHash(m_fractal, frame, m_arguments.picture);
-        if (m_arguments.whatExists == Existing::Skip && io::textOfCompletePng(path, requestKeyword) == hash)
+        if (m_arguments.whatExists == Existing::Skip &&
+            io::textOfCompletePng(path, io::frameRequestKeyword) == hash)
             return ExitStatus::Done;
         if (!m_drawing)
-            m_drawing = std::make_unique<FrameDrawing>(m_fractal, m_arguments.picture, m_input.name);
+            m_drawing = std::make_unique<io::FrameDrawing>(
+                std::make_unique<FrameSource>(m_fractal, m_arguments.picture, m_input.name,
+                                              FrameSource::Output::Pictures),
+                frameOptions(m_arguments.picture));
         const auto progress = [this](double fraction) { m_bar.show(m_before + m_share * fraction); };
         const io::ExportOutcome outcome =
             m_drawing->writePng(frame, path, hash, progress, m_interrupt.token());
@@ -101,8 +105,8 @@ private:
     QString m_pattern;
     Interrupt m_interrupt;
     ProgressBar m_bar;
-    double m_before = 0, m_share = 1;        // of the progress: before this frame, and for it
-    std::unique_ptr<FrameDrawing> m_drawing; // once a frame has to be drawn
+    double m_before = 0, m_share = 1;            // of the progress: before this frame, and for it
+    std::unique_ptr<io::FrameDrawing> m_drawing; // once a frame has to be drawn
     ExitStatus m_status = ExitStatus::Done;
 };
 

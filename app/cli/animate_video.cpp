@@ -2,7 +2,7 @@
 #include "animate_video.h"
 
 #include "animated_entry.h"
-#include "frame_drawing.h"
+#include "frame_source.h"
 #include "interrupt.h"
 #include "messages.h"
 #include "render_note.h"
@@ -13,7 +13,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
-#include <algorithm>
+#include <memory>
 
 namespace cli {
 
@@ -26,12 +26,6 @@ QString tr(const char* text) {
 ExitStatus refused(const QString& path, const QString& sentence) {
     reportError(path, sentence);
     return ExitStatus::CannotReadOrWrite;
-}
-
-// Whether any frame may be; in space all have the background of the first.
-bool isTransparent(const FrameDrawing& drawing, const document::Fractal& entry, std::vector<int> files) {
-    if (document::space(entry)) files.resize(1);
-    return std::ranges::any_of(files, [&](int file) { return drawing.isTransparent(file - 1); });
 }
 
 } // namespace
@@ -57,12 +51,17 @@ ExitStatus animateVideo(const AnimateArguments& arguments, const Input& input, c
     warnAboutAttractor(input, entry);
     const Interrupt interrupt;
     ProgressBar bar(mode);
-    FrameDrawing drawing(entry, arguments.picture, input.name);
-    source.count = int(files.size());
-    source.settings.isTransparent = isTransparent(drawing, entry, files);
+    io::FrameDrawing drawing(
+        std::make_unique<FrameSource>(entry, arguments.picture, input.name, FrameSource::Output::Video),
+        frameOptions(arguments.picture));
+    std::vector<int> frames = files; // counted from 0
+    for (int& frame : frames)
+        --frame;
+    source.count = int(frames.size());
+    source.settings.isTransparent = drawing.isTransparent(frames);
     attractor::RenderNote note = attractor::RenderNote::None;
     source.frame = [&](int index, const io::VideoWriter::Progress& progress) {
-        io::Picture picture = drawing.draw(files[std::size_t(index)] - 1, progress, interrupt.token());
+        io::Picture picture = drawing.draw(frames[std::size_t(index)], progress, interrupt.token());
         if (note == attractor::RenderNote::None) note = picture.note;
         return picture.image;
     };

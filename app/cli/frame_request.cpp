@@ -3,21 +3,17 @@
 
 #include "arguments.h"
 
-#include "io/fractint/entry_writer.h"
+#include "io/animation/request_text.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
-
-#include <QCryptographicHash>
 
 namespace cli {
 
 namespace {
 
-// Lines "name value"; an option that is not given is absent.
-class CanonicalRequest {
+// With the options as they were typed.
+class CanonicalRequest : public io::FrameRequestText {
 public:
-    void add(const char* name, const QByteArray& value) { m_text += QByteArray(name) + ' ' + value + '\n'; }
-    void addCount(const char* name, std::uint64_t value) { add(name, QByteArray::number(qulonglong(value))); }
     void addText(const char* name, const OptionText& value) {
         if (value) add(name, QByteArray::fromStdString(*value));
     }
@@ -29,10 +25,6 @@ public:
             parts << io::formatNumber(number);
         add(name, parts.join(','));
     }
-    const QByteArray& text() const { return m_text; }
-
-private:
-    QByteArray m_text;
 };
 
 QByteArray paletteText(const attractor::Palette& palette) {
@@ -46,7 +38,6 @@ QByteArray paletteText(const attractor::Palette& palette) {
 
 QByteArray requestHash(const document::Fractal& entry, int frame, const RenderArguments& options) {
     CanonicalRequest request;
-    request.add("barycage", BARYCAGE_VERSION);
     request.addCount("frame", std::uint64_t(frame));
     const QSize size = pictureSizeArgument("--size", options.size);
     request.addCount("width", std::uint64_t(size.width()));
@@ -77,8 +68,7 @@ QByteArray requestHash(const document::Fractal& entry, int frame, const RenderAr
     request.add("exposure", QByteArray::fromStdString(options.exposure));
     request.addNumbers("slice", options.slice);
     request.addText("stereo", options.stereo);
-    request.add("entry", io::writeEntry(entry));
-    return QCryptographicHash::hash(request.text(), QCryptographicHash::Sha256).toHex();
+    return request.hash(entry);
 }
 
 } // namespace cli

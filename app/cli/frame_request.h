@@ -9,9 +9,6 @@
 
 namespace cli {
 
-// The keyword of the text in which a frame carries the hash of what was asked for.
-inline constexpr const char* requestKeyword = "barycage:request";
-
 // SHA-256, in hexadecimal digits, of everything that the bytes of a frame depend on: the entry, the frame,
 // the options and the version of the program. The same however an option is spelled, and whatever the threads
 // and the instruction set.

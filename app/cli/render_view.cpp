@@ -32,18 +32,6 @@ private:
 
 } // namespace
 
-ViewBox boxOfAttractor(const document::Fractal& fractal) {
-    if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
-    const attractor::PreparedSystem system =
-        attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));
-    const ifs::Placement toDisplay = document::placement(fractal);
-    Extent extent;
-    for (const double x : {-1.0, 1.0})
-        for (const double y : {-1.0, 1.0})
-            extent.add(toDisplay(system.centre + ifs::Vector<2>(x, y).cwiseProduct(system.halfExtent)));
-    return extent.box(false);
-}
-
 ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
     const attractor::PreparedSystem system =
         attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));

@@ -2,17 +2,13 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "io/animation/frames_view.h"
 
 // What a picture must show when nobody says.
 namespace cli {
 
-struct ViewBox {
-    ifs::Vector<2> min;
-    ifs::Vector<2> max;
-    bool certified = true; // false: where orbits spend most of their time
-};
-
-ViewBox boxOfAttractor(const document::Fractal& fractal); // as displayed, under its cage
+using io::boxOfAttractor;
+using io::ViewBox;
 
 // Of Wⁿ(rest cage), as displayed. Throws UsageError when n asks for more than 10 million copies.
 ViewBox boxOfIterate(const document::Fractal& fractal, int n);

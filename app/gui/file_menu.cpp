@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "file_menu.h"
 
+#include "dialogs/export/animation_export_dialog.h"
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
@@ -66,6 +67,9 @@ void FileMenu::addPictures() {
                     tr("Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a "
                        "body to print")},
                    [this] { exportPicture(); });
+    add({nullptr, tr("Export Ani&mation…"), QKeySequence(tr("Ctrl+Alt+E")),
+         tr("Export the animation as a video, a moving picture or frames, here or on a cluster")},
+        [this] { exportAnimation(); });
     add({nullptr, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
          tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud")},
         [this] { exportData(); });
@@ -107,6 +111,21 @@ void FileMenu::exportPicture() {
     const QString folder = QFileInfo(m_file->path()).absolutePath();
     const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };
     if (!m_file->path().isEmpty() && io::answerSoon(isWritable).value_or(false)) dialog->setFolder(folder);
+    dialog->show();
+}
+
+void FileMenu::exportAnimation() {
+    if (!document::animationFacts(context().document->entryFractal()))
+        return context().messages->say(tr(
+            "Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate."));
+    const attractor::Camera& canvas = context().canvas->camera();
+    const bool isSpace = context().stage->showsSpace();
+    view::AnimationExportDialog::Camera camera = context().stage->space()->navigation().camera();
+    if (!isSpace) camera = attractor::View{canvas.centre, canvas.height / canvas.pixelsPerUnit, canvas.yAxis};
+    auto* dialog = new view::AnimationExportDialog(context().document, camera, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (!isSpace && context().canvas->navigation().isFitted())
+        dialog->setSection(view::AnimationExportDialog::Section::Animation);
     dialog->show();
 }
 

@@ -21,10 +21,21 @@ ifs::Vector<2> middleOf(const ifs::ControlCage<2>& cage) {
     return sum / double(cage.rest.size());
 }
 
-template <class Keys> void add(MotionPath& path, const ifs::Vector<2>& point, const Keys& keys, int frame) {
+// Whether there is a key at this frame.
+template <class Keys> bool add(MotionPath& path, const ifs::Vector<2>& point, const Keys& keys, int frame) {
     path.points.push_back(point);
-    if (std::ranges::any_of(keys, [frame](const auto& key) { return key.frame == frame; }))
-        path.keys.push_back(point);
+    if (std::ranges::none_of(keys, [frame](const auto& key) { return key.frame == frame; })) return false;
+    path.keys.push_back(point);
+    path.frames.push_back(frame);
+    return true;
+}
+
+std::vector<ifs::Vector<2>> outlineOf(const ifs::AffineMap<2>& map, const Fractal& shown,
+                                      const ifs::Placement& place) {
+    std::vector<ifs::Vector<2>> outline;
+    for (const ifs::Vector<2>& vertex : cage2(shown)->rest)
+        outline.push_back(place(map(vertex)));
+    return outline;
 }
 
 std::set<int> framesOf(const animation::Animation<2>& animation) {
@@ -57,13 +68,19 @@ MotionPaths motionPaths(const Fractal& entry) {
     paths.maps.resize(maps);
     for (const int frame : framesOf(animation)) {
         const Fractal shown = frameAt(held, animation::moment(frame)).fractal;
-        for (std::size_t i = 0; i < paths.vertices.size(); ++i)
+        for (std::size_t i = 0; i < paths.vertices.size(); ++i) {
+            paths.vertices[i].index = i;
             add(paths.vertices[i], cage2(shown)->current[i], animation.cage, frame);
+        }
         const ifs::Placement place = placement(shown);
         for (std::size_t i = 0; i < maps; ++i)
-            for (const auto& map : system2(shown)->maps)
-                if (map.id == animation.maps[i].map)
-                    add(paths.maps[i], place(map.map(middle)), animation.maps[i].keys, frame);
+            for (std::size_t index = 0; index < system2(shown)->maps.size(); ++index) {
+                const auto& map = system2(shown)->maps[index];
+                if (map.id != animation.maps[i].map) continue;
+                paths.maps[i].index = index;
+                if (add(paths.maps[i], place(map.map(middle)), animation.maps[i].keys, frame))
+                    paths.maps[i].outlines.push_back(outlineOf(map.map, shown, place));
+            }
     }
     return paths;
 }

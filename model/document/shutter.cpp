@@ -44,6 +44,10 @@ template <int Dim> std::vector<int> keyFrames(const animation::Animation<Dim>& a
     return frames;
 }
 
+template <int Dim> bool hasCameraAtEnd(const animation::Animation<Dim>& animation) {
+    return !animation.camera.empty() && animation.camera.back().frame == animation.length;
+}
+
 // Ascending, each once, evenly thinned where there are very many.
 std::vector<Moment> inOrder(std::vector<Moment> moments) {
     std::ranges::sort(moments, isBefore);
@@ -84,6 +88,11 @@ std::vector<Moment> exposurePilots(const Fractal& fractal) {
     std::vector<Moment> moments;
     for (const int frame : frames)
         moments.push_back(animation::moment(frame));
+    // In a cycle the camera's key at the end is never shown, because frame 0 is; an endless zoom jumps there.
+    const bool jumps = plane(fractal) ? hasCameraAtEnd(*plane(fractal)->animation)
+                                      : hasCameraAtEnd(*space(fractal)->animation);
+    if (facts->loop == animation::Loop::Cycle && jumps)
+        moments.push_back(animation::moment(facts->length - 1));
     for (int part = 1; part < partsOfMotions && facts->motions > 0; ++part)
         moments.push_back(animation::moment(std::int64_t(facts->length) * part, partsOfMotions));
     const std::vector<Moment> ends = inOrder(std::move(moments));

@@ -52,6 +52,8 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
             return exportSolid(*solid, path, progress, stop);
         if (const auto* space = std::get_if<SpaceExport>(&what))
             return exportSpace(*space, path, progress, stop);
+        if (const auto* animation = std::get_if<AnimationExport>(&what))
+            return exportAnimation(*animation, path, progress, stop);
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;

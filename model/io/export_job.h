@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/animation/animation_export.h"
 #include "io/exchange/point_cloud.h"
 #include "io/picture/pdf_writer.h"
 #include "io/picture/picture_strip.h"
@@ -25,7 +26,8 @@ struct SvgExport {
     ShapeFile file = ShapeFile::Svg;
 };
 using PictureStrip = std::vector<PngExport>; // side by side in one PNG
-using Export = std::variant<PngExport, SvgExport, PointCloud, PictureStrip, SolidExport, SpaceExport>;
+using Export =
+    std::variant<PngExport, SvgExport, PointCloud, PictureStrip, SolidExport, SpaceExport, AnimationExport>;
 
 // Writes the picture in the calling thread; `path` appears whole or not at all.
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},

@@ -6,7 +6,8 @@ if [ $# -lt 4 ]; then
   cat >&2 <<'TEXT'
 Usage: submit-animation.sh FILE ENTRY OUT TASKS [OPTION OF animate]...
 For example: submit-animation.sh wind.ifs wind wind.mp4 24 --size 1920x1080 --points 1e9 --shutter 180
-The frames are written to OUT.frames/######.png. The same command finishes work that was interrupted.
+The frames are written to OUT.frames/######.png; where OUT is itself NAME.####.png, to these files, and no
+video is made. The same command finishes work that was interrupted.
 Options of sbatch can be set in its variables, such as SBATCH_PARTITION and SBATCH_TIMELIMIT.
 TEXT
   exit 2
@@ -14,12 +15,19 @@ fi
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 file=$(readlink -f -- "$1") entry=$2 output=$(realpath -m -- "$3") tasks=$4
 shift 4
-frames=$output.frames
-mkdir -p -- "$frames"
-log=(--output="$frames/slurm-%A-%a.log")
-array=$(sbatch --parsable "${log[@]}" --array="0-$((tasks - 1))" \
-  "$here/animate.sh" "$file" "$entry" "$frames/######.png" "$tasks" "$@")
+case $output in
+*.png) frames=$output ;;
+*) frames=$output.frames/######.png ;;
+esac
+folder=$(dirname -- "$frames")
+mkdir -p -- "$folder"
+array=$(sbatch --parsable --output="$folder/slurm-%A-%a.log" --array="0-$((tasks - 1))" \
+  "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "$@")
 array=${array%%;*} # without the name of the cluster
-video=$(sbatch --parsable --output="$frames/slurm-%j.log" --dependency="afterok:$array" \
-  "$here/encode.sh" "$frames/######.png" "$output")
+if [ "$frames" = "$output" ]; then
+  echo "Drawing: job $array, $tasks tasks. See them with: squeue -j $array"
+  exit
+fi
+video=$(sbatch --parsable --output="$folder/slurm-%j.log" --dependency="afterok:$array" \
+  "$here/encode.sh" "$frames" "$output")
 echo "Drawing: job $array, $tasks tasks. Video: job ${video%%;*}. See them with: squeue -j $array,${video%%;*}"

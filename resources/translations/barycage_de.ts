@@ -473,6 +473,13 @@
     </message>
 </context>
 <context>
+    <name>ClusterJob</name>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+</context>
+<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -617,6 +624,14 @@
     <message>
         <source>Folded surfaces, and polyhedra whose copies are turned.</source>
         <translation>Gefaltete Flächen und Polyeder, deren Kopien gedreht sind.</translation>
+    </message>
+    <message>
+        <source>In motion</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
+        <translation>Fraktale, die sich bewegen: Wind, Falten, Wachsen, Verwandlungen, endlose Zooms und Flüge im Raum.</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +1853,22 @@
     <message>
         <source>Show another entry beside this one, and paint this one with a picture on it</source>
         <translation>Einen anderen Eintrag daneben zeigen und diesen mit einem Bild darauf färben</translation>
+    </message>
+    <message>
+        <source>Export Ani&amp;mation…</source>
+        <translation>Ani&amp;mation exportieren …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+E</source>
+        <translation>Ctrl+Alt+E</translation>
+    </message>
+    <message>
+        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <translation>Die Animation als Video, bewegtes Bild oder Einzelbilder exportieren, hier oder auf einem Cluster</translation>
+    </message>
+    <message>
+        <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
+        <translation>In diesem Eintrag bewegt sich noch nichts. Wählen Sie zuerst eine Bewegung in der Zeitleiste: Animation, Animieren.</translation>
     </message>
 </context>
 <context>
@@ -3956,6 +3987,317 @@
     </message>
 </context>
 <context>
+    <name>view::AnimationExportDialog</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Sekunde.</numerusform>
+            <numerusform>Noch etwa %n Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Minute.</numerusform>
+            <numerusform>Noch etwa %n Minuten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Stunde.</numerusform>
+            <numerusform>Noch etwa %n Stunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export the Animation “%1”</source>
+        <translation>Animation „%1“ exportieren</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4: läuft überall</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM: für Webseiten, mit Transparenz</translation>
+    </message>
+    <message>
+        <source>MKV: without loss, for editing</source>
+        <translation>MKV: verlustfrei, zum Bearbeiten</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF: 256 Farben</translation>
+    </message>
+    <message>
+        <source>WebP: a moving picture without loss</source>
+        <translation>WebP: bewegtes Bild ohne Verlust</translation>
+    </message>
+    <message>
+        <source>APNG: a moving picture without loss</source>
+        <translation>APNG: bewegtes Bild ohne Verlust</translation>
+    </message>
+    <message>
+        <source>PNG: one picture for each frame</source>
+        <translation>PNG: ein Bild für jeden Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <translation>Ein Video, ein bewegtes Bild für Seiten und Nachrichten oder ein Bild für jeden Zeitpunkt. Alle enthalten die Animation, und Barycage öffnet sie wieder.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Die Ansicht auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>The whole animation</source>
+        <translation>Die ganze Animation</translation>
+    </message>
+    <message>
+        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <translation>Was die Bilder zeigen, wenn kein Schlüssel der Kamera es festlegt: was die Zeichenfläche zeigt, oder alles, was ins Bild kommt, mit kleinem Rand.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>Au&amp;sschnitt:</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>Die Breite der Bilder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>Die Höhe der Bilder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>&amp;Size in pixels:</source>
+        <translation>&amp;Größe in Pixeln:</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>The first frame to export.</source>
+        <translation>Das erste Bild, das exportiert wird.</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>The last frame to export.</source>
+        <translation>Das letzte Bild, das exportiert wird.</translation>
+    </message>
+    <message>
+        <source>F&amp;rames:</source>
+        <translation>&amp;Bilder:</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>The number of points for each pixel of each frame: more points make smoother frames and take longer.</source>
+        <translation>Die Zahl der Punkte für jedes Pixel jedes Bildes: mehr Punkte machen die Bilder glatter und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Entwurf: 25 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Gut: 100 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fein: 400 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Feinste: 2000 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation>&amp;Güte:</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
+    </message>
+    <message>
+        <source>Motion blur: the angle for which the shutter is open around each frame. 180° is half the time of a frame, as in films.</source>
+        <translation>Bewegungsunschärfe: der Winkel, um den der Verschluss um jedes Bild herum offen ist. 180° sind die halbe Zeit eines Bildes, wie im Film.</translation>
+    </message>
+    <message>
+        <source>No motion blur</source>
+        <translation>Keine Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>S&amp;hutter:</source>
+        <translation>Verschl&amp;uss:</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Smooth: no flicker</source>
+        <translation>Gleitend: ohne Flackern</translation>
+    </message>
+    <message>
+        <source>Fixed: that of frame 0</source>
+        <translation>Fest: die von Bild 0</translation>
+    </message>
+    <message>
+        <source>Each: by itself</source>
+        <translation>Einzeln: jedes für sich</translation>
+    </message>
+    <message>
+        <source>How bright the frames are: following the whole animation without flicker, all like frame 0, or each as bright as it is on the canvas.</source>
+        <translation>Wie hell die Bilder sind: der ganzen Animation ohne Flackern folgend, alle wie Bild 0, oder jedes so hell wie auf der Zeichenfläche.</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure:</source>
+        <translation>Bel&amp;ichtung:</translation>
+    </message>
+    <message>
+        <source>Tasks on a cluster</source>
+        <translation>Aufgaben auf einem Cluster</translation>
+    </message>
+    <message>
+        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <translation>Auf wie viele Aufgaben eines Clusters die Bilder verteilt werden, wenn Sie „Auf einem Cluster“ wählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Tasks on a cluster:</source>
+        <translation>&amp;Aufgaben auf einem Cluster:</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Restzeit</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <translation>Fragt nach einem Dateinamen und schreibt die Animation. Sie können währenddessen weiterarbeiten: Exportiert wird die Animation, wie sie beim Öffnen dieses Dialogs war.</translation>
+    </message>
+    <message>
+        <source>On a &amp;Cluster…</source>
+        <translation>Auf einem &amp;Cluster …</translation>
+    </message>
+    <message>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <translation>Schreibt einen Ordner mit der Animation und mit Skripten, die sie auf einem Slurm-Cluster zeichnen, und reicht ihn ein, wo sbatch gefunden wird.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 seconds.</source>
+        <translation>
+            <numerusform>%n Bild, %1 Sekunden.</numerusform>
+            <numerusform>%n Bilder, %1 Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>MP4 needs even sides: the last column or row is shown twice.</source>
+        <translation>MP4 braucht gerade Seiten: Die letzte Spalte oder Zeile wird doppelt gezeigt.</translation>
+    </message>
+    <message>
+        <source>MP4 has no transparency: the background becomes black.</source>
+        <translation>MP4 kennt keine Transparenz: Der Hintergrund wird schwarz.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export Animation</source>
+        <translation>Animation exportieren</translation>
+    </message>
+    <message>
+        <source>Measuring the brightness…</source>
+        <translation>Die Helligkeit wird gemessen …</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
+        <translation>Export angehalten. Die bisher geschriebenen Bilder sind vollständig; exportieren Sie erneut, um die übrigen zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written to %1 and so on, up to %2.</source>
+        <translation>Geschrieben nach %1 und so weiter bis %2.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Folder That the Cluster Can Read and Write</source>
+        <translation>Ordner, den der Cluster lesen und schreiben kann</translation>
+    </message>
+    <message>
+        <source>Writing the job folder…</source>
+        <translation>Der Auftragsordner wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Cancelled; the folder may be incomplete.</source>
+        <translation>Abgebrochen; der Ordner ist vielleicht unvollständig.</translation>
+    </message>
+    <message>
+        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <translation>Der Auftrag ist in %1. Hier gibt es kein sbatch: Führen Sie submit.sh in diesem Ordner auf dem Cluster aus.</translation>
+    </message>
+</context>
+<context>
     <name>view::AppearancePanel</name>
     <message>
         <source>Appearance</source>
@@ -5088,6 +5430,57 @@
     </message>
 </context>
 <context>
+    <name>view::ClusterQueue</name>
+    <message>
+        <source>%1 of %2 tasks are done</source>
+        <translation>%1 von %2 Aufgaben sind fertig</translation>
+    </message>
+    <message>
+        <source>%1 running</source>
+        <translation>%1 laufen</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 warten</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Drawing: %1.</source>
+        <translation>Zeichnen: %1.</translation>
+    </message>
+    <message>
+        <source>Video: done.</source>
+        <translation>Video: fertig.</translation>
+    </message>
+    <message>
+        <source>Video: failed.</source>
+        <translation>Video: fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Video: running.</source>
+        <translation>Video: läuft.</translation>
+    </message>
+    <message>
+        <source>Video: waiting.</source>
+        <translation>Video: wartet.</translation>
+    </message>
+    <message>
+        <source>Submitting…</source>
+        <translation>Wird eingereicht …</translation>
+    </message>
+    <message>
+        <source>The script ended without submitting anything.</source>
+        <translation>Das Skript endete, ohne etwas einzureichen.</translation>
+    </message>
+    <message>
+        <source>Slurm did not take the job: %1</source>
+        <translation>Slurm hat den Auftrag nicht angenommen: %1</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -5426,6 +5819,57 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Klicken Sie auf die dritte Ecke. Die Rücktaste löscht den letzten Punkt.</translation>
+    </message>
+</context>
+<context>
+    <name>view::EaseDialog</name>
+    <message>
+        <source>Custom Ease</source>
+        <translation>Eigener Übergang</translation>
+    </message>
+    <message>
+        <source>Curve: time to the right, the way upwards</source>
+        <translation>Kurve: Zeit nach rechts, Weg nach oben</translation>
+    </message>
+    <message>
+        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <translation>Wie der Weg zum nächsten Schlüssel mit der Zeit zurückgelegt wird. Ziehen Sie die zwei Griffe.</translation>
+    </message>
+    <message>
+        <source>Time of the first handle</source>
+        <translation>Zeit des ersten Griffs</translation>
+    </message>
+    <message>
+        <source>Way of the first handle</source>
+        <translation>Weg des ersten Griffs</translation>
+    </message>
+    <message>
+        <source>Time of the second handle</source>
+        <translation>Zeit des zweiten Griffs</translation>
+    </message>
+    <message>
+        <source>Way of the second handle</source>
+        <translation>Weg des zweiten Griffs</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>First handle:</source>
+        <translation>Erster Griff:</translation>
+    </message>
+    <message>
+        <source>Second handle:</source>
+        <translation>Zweiter Griff:</translation>
+    </message>
+    <message>
+        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <translation>Ein Anteil von 0 bis 1. Eine zu steile Kurve wird abgeflacht.</translation>
     </message>
 </context>
 <context>
@@ -8477,6 +8921,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Delete the Motion</source>
         <translation>Die Bewegung löschen</translation>
+    </message>
+    <message>
+        <source>Custom…</source>
+        <translation>Eigener …</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,37 @@
     </message>
 </context>
 <context>
+    <name>view::AnimationExportDialog</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>About %n second left.</numerusform>
+            <numerusform>About %n seconds left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>About %n minute left.</numerusform>
+            <numerusform>About %n minutes left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>About %n hour left.</numerusform>
+            <numerusform>About %n hours left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 seconds.</source>
+        <translation>
+            <numerusform>%n frame, %1 seconds.</numerusform>
+            <numerusform>%n frames, %1 seconds.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>view::CagePanel</name>
     <message numerus="yes">
         <source>%n Corners</source>

@@ -473,6 +473,13 @@
     </message>
 </context>
 <context>
+    <name>ClusterJob</name>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>No se puede crear la carpeta %1.</translation>
+    </message>
+</context>
+<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -617,6 +624,14 @@
     <message>
         <source>Folded surfaces, and polyhedra whose copies are turned.</source>
         <translation>Superficies plegadas y poliedros cuyas copias están giradas.</translation>
+    </message>
+    <message>
+        <source>In motion</source>
+        <translation>En movimiento</translation>
+    </message>
+    <message>
+        <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
+        <translation>Fractales que se mueven: viento, plegado, crecimiento, metamorfosis, acercamientos sin fin y vuelos en el espacio.</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +1853,22 @@
     <message>
         <source>Show another entry beside this one, and paint this one with a picture on it</source>
         <translation>Mostrar otra entrada junto a esta y pintar esta con una imagen que está sobre ella</translation>
+    </message>
+    <message>
+        <source>Export Ani&amp;mation…</source>
+        <translation>Exportar ani&amp;mación…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+E</source>
+        <translation>Ctrl+Alt+E</translation>
+    </message>
+    <message>
+        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <translation>Exportar la animación como vídeo, imagen en movimiento o fotogramas, aquí o en un clúster</translation>
+    </message>
+    <message>
+        <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
+        <translation>En esta entrada aún no se mueve nada. Elija primero un movimiento en la línea de tiempo: Animación, Animar.</translation>
     </message>
 </context>
 <context>
@@ -3956,6 +3987,317 @@
     </message>
 </context>
 <context>
+    <name>view::AnimationExportDialog</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Queda cerca de %n segundo.</numerusform>
+            <numerusform>Quedan unos %n segundos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Queda cerca de %n minuto.</numerusform>
+            <numerusform>Quedan unos %n minutos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Queda cerca de %n hora.</numerusform>
+            <numerusform>Quedan unas %n horas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export the Animation “%1”</source>
+        <translation>Exportar la animación «%1»</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4: se reproduce en todas partes</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM: para páginas web, con transparencia</translation>
+    </message>
+    <message>
+        <source>MKV: without loss, for editing</source>
+        <translation>MKV: sin pérdida, para editar</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF: 256 colores</translation>
+    </message>
+    <message>
+        <source>WebP: a moving picture without loss</source>
+        <translation>WebP: imagen en movimiento sin pérdida</translation>
+    </message>
+    <message>
+        <source>APNG: a moving picture without loss</source>
+        <translation>APNG: imagen en movimiento sin pérdida</translation>
+    </message>
+    <message>
+        <source>PNG: one picture for each frame</source>
+        <translation>PNG: una imagen por fotograma</translation>
+    </message>
+    <message>
+        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <translation>Un vídeo, una imagen en movimiento para páginas y mensajes, o una imagen por fotograma. Todos contienen la animación y Barycage vuelve a abrirlos.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formato:</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Encuadre</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vista del lienzo</translation>
+    </message>
+    <message>
+        <source>The whole animation</source>
+        <translation>Toda la animación</translation>
+    </message>
+    <message>
+        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <translation>Lo que muestran los fotogramas cuando ninguna clave de la cámara lo fija: lo que muestra el lienzo, o todo lo que llega a verse, con un pequeño margen.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Encuadre:</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>El ancho de los fotogramas en píxeles.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>La altura de los fotogramas en píxeles.</translation>
+    </message>
+    <message>
+        <source>&amp;Size in pixels:</source>
+        <translation>Tamaño en píxele&amp;s:</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Primer fotograma</translation>
+    </message>
+    <message>
+        <source>The first frame to export.</source>
+        <translation>El primer fotograma que se exporta.</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Último fotograma</translation>
+    </message>
+    <message>
+        <source>The last frame to export.</source>
+        <translation>El último fotograma que se exporta.</translation>
+    </message>
+    <message>
+        <source>F&amp;rames:</source>
+        <translation>Fotog&amp;ramas:</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Calidad</translation>
+    </message>
+    <message>
+        <source>The number of points for each pixel of each frame: more points make smoother frames and take longer.</source>
+        <translation>El número de puntos por píxel de cada fotograma: más puntos dan fotogramas más suaves y tardan más.</translation>
+    </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Borrador: 25 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Buena: 100 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fina: 400 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Finísima: 2000 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation>Ca&amp;lidad:</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Obturador</translation>
+    </message>
+    <message>
+        <source>Motion blur: the angle for which the shutter is open around each frame. 180° is half the time of a frame, as in films.</source>
+        <translation>Desenfoque de movimiento: el ángulo durante el que el obturador está abierto en torno a cada fotograma. 180° son la mitad del tiempo de un fotograma, como en el cine.</translation>
+    </message>
+    <message>
+        <source>No motion blur</source>
+        <translation>Sin desenfoque de movimiento</translation>
+    </message>
+    <message>
+        <source>S&amp;hutter:</source>
+        <translation>O&amp;bturador:</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>Smooth: no flicker</source>
+        <translation>Suave: sin parpadeo</translation>
+    </message>
+    <message>
+        <source>Fixed: that of frame 0</source>
+        <translation>Fija: la del fotograma 0</translation>
+    </message>
+    <message>
+        <source>Each: by itself</source>
+        <translation>Cada uno: por sí mismo</translation>
+    </message>
+    <message>
+        <source>How bright the frames are: following the whole animation without flicker, all like frame 0, or each as bright as it is on the canvas.</source>
+        <translation>Lo claros que son los fotogramas: siguiendo toda la animación sin parpadeo, todos como el fotograma 0, o cada uno como en el lienzo.</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure:</source>
+        <translation>E&amp;xposición:</translation>
+    </message>
+    <message>
+        <source>Tasks on a cluster</source>
+        <translation>Tareas en un clúster</translation>
+    </message>
+    <message>
+        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <translation>Entre cuántas tareas de un clúster se reparten los fotogramas al elegir «En un clúster».</translation>
+    </message>
+    <message>
+        <source>&amp;Tasks on a cluster:</source>
+        <translation>&amp;Tareas en un clúster:</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Lo que se escribirá</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progreso de la exportación</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Tiempo restante</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <translation>Pide un nombre de archivo y escribe la animación. Mientras tanto puede seguir editando: se exporta la animación tal como estaba al abrir este diálogo.</translation>
+    </message>
+    <message>
+        <source>On a &amp;Cluster…</source>
+        <translation>En un &amp;clúster…</translation>
+    </message>
+    <message>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <translation>Escribe una carpeta con la animación y con guiones que la dibujan en un clúster Slurm, y la envía si se encuentra sbatch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 seconds.</source>
+        <translation>
+            <numerusform>%n fotograma, %1 segundos.</numerusform>
+            <numerusform>%n fotogramas, %1 segundos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>MP4 needs even sides: the last column or row is shown twice.</source>
+        <translation>MP4 necesita lados pares: la última columna o fila se muestra dos veces.</translation>
+    </message>
+    <message>
+        <source>MP4 has no transparency: the background becomes black.</source>
+        <translation>MP4 no tiene transparencia: el fondo se vuelve negro.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Archivos %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export Animation</source>
+        <translation>Exportar animación</translation>
+    </message>
+    <message>
+        <source>Measuring the brightness…</source>
+        <translation>Midiendo la luminosidad…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Ce&amp;rrar</translation>
+    </message>
+    <message>
+        <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
+        <translation>Exportación detenida. Las imágenes escritas hasta ahora están completas; exporte de nuevo para dibujar las demás.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>La exportación se detuvo; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Written to %1 and so on, up to %2.</source>
+        <translation>Escrito en %1 y así sucesivamente hasta %2.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>Folder That the Cluster Can Read and Write</source>
+        <translation>Carpeta que el clúster puede leer y escribir</translation>
+    </message>
+    <message>
+        <source>Writing the job folder…</source>
+        <translation>Escribiendo la carpeta del trabajo…</translation>
+    </message>
+    <message>
+        <source>Cancelled; the folder may be incomplete.</source>
+        <translation>Cancelado; la carpeta puede estar incompleta.</translation>
+    </message>
+    <message>
+        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <translation>El trabajo está en %1. Aquí no hay sbatch: ejecute submit.sh de esa carpeta en el clúster.</translation>
+    </message>
+</context>
+<context>
     <name>view::AppearancePanel</name>
     <message>
         <source>Appearance</source>
@@ -5088,6 +5430,57 @@
     </message>
 </context>
 <context>
+    <name>view::ClusterQueue</name>
+    <message>
+        <source>%1 of %2 tasks are done</source>
+        <translation>%1 de %2 tareas terminadas</translation>
+    </message>
+    <message>
+        <source>%1 running</source>
+        <translation>%1 en curso</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en espera</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 fallidas</translation>
+    </message>
+    <message>
+        <source>Drawing: %1.</source>
+        <translation>Dibujo: %1.</translation>
+    </message>
+    <message>
+        <source>Video: done.</source>
+        <translation>Vídeo: terminado.</translation>
+    </message>
+    <message>
+        <source>Video: failed.</source>
+        <translation>Vídeo: fallido.</translation>
+    </message>
+    <message>
+        <source>Video: running.</source>
+        <translation>Vídeo: en curso.</translation>
+    </message>
+    <message>
+        <source>Video: waiting.</source>
+        <translation>Vídeo: en espera.</translation>
+    </message>
+    <message>
+        <source>Submitting…</source>
+        <translation>Enviando…</translation>
+    </message>
+    <message>
+        <source>The script ended without submitting anything.</source>
+        <translation>El guion terminó sin enviar nada.</translation>
+    </message>
+    <message>
+        <source>Slurm did not take the job: %1</source>
+        <translation>Slurm no aceptó el trabajo: %1</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -5426,6 +5819,57 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Haga clic en el tercer vértice. Retroceso borra el último punto.</translation>
+    </message>
+</context>
+<context>
+    <name>view::EaseDialog</name>
+    <message>
+        <source>Custom Ease</source>
+        <translation>Transición propia</translation>
+    </message>
+    <message>
+        <source>Curve: time to the right, the way upwards</source>
+        <translation>Curva: el tiempo a la derecha, el camino hacia arriba</translation>
+    </message>
+    <message>
+        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <translation>Cómo se recorre con el tiempo el camino hasta la clave siguiente. Arrastre los dos tiradores.</translation>
+    </message>
+    <message>
+        <source>Time of the first handle</source>
+        <translation>Tiempo del primer tirador</translation>
+    </message>
+    <message>
+        <source>Way of the first handle</source>
+        <translation>Camino del primer tirador</translation>
+    </message>
+    <message>
+        <source>Time of the second handle</source>
+        <translation>Tiempo del segundo tirador</translation>
+    </message>
+    <message>
+        <source>Way of the second handle</source>
+        <translation>Camino del segundo tirador</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Camino</translation>
+    </message>
+    <message>
+        <source>First handle:</source>
+        <translation>Primer tirador:</translation>
+    </message>
+    <message>
+        <source>Second handle:</source>
+        <translation>Segundo tirador:</translation>
+    </message>
+    <message>
+        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <translation>Una fracción de 0 a 1. Una curva demasiado empinada se aplana.</translation>
     </message>
 </context>
 <context>
@@ -8477,6 +8921,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Delete the Motion</source>
         <translation>Eliminar el movimiento</translation>
+    </message>
+    <message>
+        <source>Custom…</source>
+        <translation>Propia…</translation>
     </message>
 </context>
 <context>

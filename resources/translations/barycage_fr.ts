@@ -473,6 +473,13 @@
     </message>
 </context>
 <context>
+    <name>ClusterJob</name>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Le dossier %1 ne peut pas être créé.</translation>
+    </message>
+</context>
+<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -617,6 +624,14 @@
     <message>
         <source>Folded surfaces, and polyhedra whose copies are turned.</source>
         <translation>Des surfaces pliées et des polyèdres dont les copies sont tournées.</translation>
+    </message>
+    <message>
+        <source>In motion</source>
+        <translation>En mouvement</translation>
+    </message>
+    <message>
+        <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
+        <translation>Des fractales qui bougent : vent, pliage, croissance, métamorphoses, zooms sans fin et vols dans l’espace.</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +1853,22 @@
     <message>
         <source>Show another entry beside this one, and paint this one with a picture on it</source>
         <translation>Afficher une autre entrée à côté de celle-ci et peindre celle-ci avec une image posée dessus</translation>
+    </message>
+    <message>
+        <source>Export Ani&amp;mation…</source>
+        <translation>Exporter l’ani&amp;mation…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+E</source>
+        <translation>Ctrl+Alt+E</translation>
+    </message>
+    <message>
+        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <translation>Exporter l’animation en vidéo, en image animée ou en images, ici ou sur une grappe de calcul</translation>
+    </message>
+    <message>
+        <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
+        <translation>Rien ne bouge encore dans cette entrée. Choisissez d’abord un mouvement dans la chronologie : Animation, Animer.</translation>
     </message>
 </context>
 <context>
@@ -3956,6 +3987,317 @@
     </message>
 </context>
 <context>
+    <name>view::AnimationExportDialog</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Encore %n seconde environ.</numerusform>
+            <numerusform>Encore %n secondes environ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Encore %n minute environ.</numerusform>
+            <numerusform>Encore %n minutes environ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Encore %n heure environ.</numerusform>
+            <numerusform>Encore %n heures environ.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export the Animation “%1”</source>
+        <translation>Exporter l’animation « %1 »</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4 : lisible partout</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM : pour les pages web, avec transparence</translation>
+    </message>
+    <message>
+        <source>MKV: without loss, for editing</source>
+        <translation>MKV : sans perte, pour le montage</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF : 256 couleurs</translation>
+    </message>
+    <message>
+        <source>WebP: a moving picture without loss</source>
+        <translation>WebP : image animée sans perte</translation>
+    </message>
+    <message>
+        <source>APNG: a moving picture without loss</source>
+        <translation>APNG : image animée sans perte</translation>
+    </message>
+    <message>
+        <source>PNG: one picture for each frame</source>
+        <translation>PNG : une image par trame</translation>
+    </message>
+    <message>
+        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <translation>Une vidéo, une image animée pour les pages et les messages, ou une image par trame. Toutes contiennent l’animation, et Barycage les rouvre.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Cadrage</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vue du canevas</translation>
+    </message>
+    <message>
+        <source>The whole animation</source>
+        <translation>Toute l’animation</translation>
+    </message>
+    <message>
+        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe : ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Cadrage :</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>La largeur des images en pixels.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>La hauteur des images en pixels.</translation>
+    </message>
+    <message>
+        <source>&amp;Size in pixels:</source>
+        <translation>Taille en pixel&amp;s :</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>The first frame to export.</source>
+        <translation>La première image à exporter.</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>The last frame to export.</source>
+        <translation>La dernière image à exporter.</translation>
+    </message>
+    <message>
+        <source>F&amp;rames:</source>
+        <translation>Ima&amp;ges :</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualité</translation>
+    </message>
+    <message>
+        <source>The number of points for each pixel of each frame: more points make smoother frames and take longer.</source>
+        <translation>Le nombre de points pour chaque pixel de chaque image : plus il y en a, plus les images sont lisses et longues à dessiner.</translation>
+    </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Brouillon : 25 points par pixel</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Bonne : 100 points par pixel</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fine : 400 points par pixel</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Très fine : 2000 points par pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation>&amp;Qualité&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Obturateur</translation>
+    </message>
+    <message>
+        <source>Motion blur: the angle for which the shutter is open around each frame. 180° is half the time of a frame, as in films.</source>
+        <translation>Flou de mouvement : l’angle pendant lequel l’obturateur est ouvert autour de chaque image. 180° valent la moitié du temps d’une image, comme au cinéma.</translation>
+    </message>
+    <message>
+        <source>No motion blur</source>
+        <translation>Pas de flou de mouvement</translation>
+    </message>
+    <message>
+        <source>S&amp;hutter:</source>
+        <translation>O&amp;bturateur :</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposition</translation>
+    </message>
+    <message>
+        <source>Smooth: no flicker</source>
+        <translation>Lissée : sans scintillement</translation>
+    </message>
+    <message>
+        <source>Fixed: that of frame 0</source>
+        <translation>Fixe : celle de l’image 0</translation>
+    </message>
+    <message>
+        <source>Each: by itself</source>
+        <translation>Chacune : pour elle-même</translation>
+    </message>
+    <message>
+        <source>How bright the frames are: following the whole animation without flicker, all like frame 0, or each as bright as it is on the canvas.</source>
+        <translation>La luminosité des images : suivant toute l’animation sans scintillement, toutes comme l’image 0, ou chacune comme sur le canevas.</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure:</source>
+        <translation>E&amp;xposition :</translation>
+    </message>
+    <message>
+        <source>Tasks on a cluster</source>
+        <translation>Tâches sur une grappe</translation>
+    </message>
+    <message>
+        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <translation>Entre combien de tâches d’une grappe les images sont réparties avec « Sur une grappe ».</translation>
+    </message>
+    <message>
+        <source>&amp;Tasks on a cluster:</source>
+        <translation>&amp;Tâches sur une grappe :</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Ce qui sera écrit</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progression de l’exportation</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Temps restant</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <translation>Demande un nom de fichier et écrit l’animation. Vous pouvez continuer à éditer : l’animation est exportée telle qu’elle était à l’ouverture de ce dialogue.</translation>
+    </message>
+    <message>
+        <source>On a &amp;Cluster…</source>
+        <translation>Sur une grapp&amp;e…</translation>
+    </message>
+    <message>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <translation>Écrit un dossier avec l’animation et les scripts qui la dessinent sur une grappe Slurm, et le soumet là où sbatch est trouvé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 seconds.</source>
+        <translation>
+            <numerusform>%n image, %1 secondes.</numerusform>
+            <numerusform>%n images, %1 secondes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>MP4 needs even sides: the last column or row is shown twice.</source>
+        <translation>MP4 exige des côtés pairs : la dernière colonne ou ligne est montrée deux fois.</translation>
+    </message>
+    <message>
+        <source>MP4 has no transparency: the background becomes black.</source>
+        <translation>MP4 n’a pas de transparence : le fond devient noir.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Fichiers %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export Animation</source>
+        <translation>Exporter l’animation</translation>
+    </message>
+    <message>
+        <source>Measuring the brightness…</source>
+        <translation>Mesure de la luminosité…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
+        <translation>Exportation arrêtée. Les images déjà écrites sont complètes ; exportez de nouveau pour dessiner les autres.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Written to %1 and so on, up to %2.</source>
+        <translation>Écrit dans %1 et ainsi de suite jusqu’à %2.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Folder That the Cluster Can Read and Write</source>
+        <translation>Dossier que la grappe peut lire et écrire</translation>
+    </message>
+    <message>
+        <source>Writing the job folder…</source>
+        <translation>Écriture du dossier du travail…</translation>
+    </message>
+    <message>
+        <source>Cancelled; the folder may be incomplete.</source>
+        <translation>Annulé ; le dossier est peut-être incomplet.</translation>
+    </message>
+    <message>
+        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <translation>Le travail est dans %1. Il n’y a pas de sbatch ici : lancez submit.sh de ce dossier sur la grappe.</translation>
+    </message>
+</context>
+<context>
     <name>view::AppearancePanel</name>
     <message>
         <source>Appearance</source>
@@ -5088,6 +5430,57 @@
     </message>
 </context>
 <context>
+    <name>view::ClusterQueue</name>
+    <message>
+        <source>%1 of %2 tasks are done</source>
+        <translation>%1 tâches sur %2 sont terminées</translation>
+    </message>
+    <message>
+        <source>%1 running</source>
+        <translation>%1 en cours</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en attente</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 en échec</translation>
+    </message>
+    <message>
+        <source>Drawing: %1.</source>
+        <translation>Dessin : %1.</translation>
+    </message>
+    <message>
+        <source>Video: done.</source>
+        <translation>Vidéo : terminée.</translation>
+    </message>
+    <message>
+        <source>Video: failed.</source>
+        <translation>Vidéo : échec.</translation>
+    </message>
+    <message>
+        <source>Video: running.</source>
+        <translation>Vidéo : en cours.</translation>
+    </message>
+    <message>
+        <source>Video: waiting.</source>
+        <translation>Vidéo : en attente.</translation>
+    </message>
+    <message>
+        <source>Submitting…</source>
+        <translation>Soumission…</translation>
+    </message>
+    <message>
+        <source>The script ended without submitting anything.</source>
+        <translation>Le script s’est terminé sans rien soumettre.</translation>
+    </message>
+    <message>
+        <source>Slurm did not take the job: %1</source>
+        <translation>Slurm n’a pas accepté le travail : %1</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -5426,6 +5819,57 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Cliquez sur le troisième sommet. Retour arrière supprime le dernier point.</translation>
+    </message>
+</context>
+<context>
+    <name>view::EaseDialog</name>
+    <message>
+        <source>Custom Ease</source>
+        <translation>Transition personnalisée</translation>
+    </message>
+    <message>
+        <source>Curve: time to the right, the way upwards</source>
+        <translation>Courbe : le temps vers la droite, le chemin vers le haut</translation>
+    </message>
+    <message>
+        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <translation>Comment le chemin jusqu’à la clé suivante est parcouru dans le temps. Tirez les deux poignées.</translation>
+    </message>
+    <message>
+        <source>Time of the first handle</source>
+        <translation>Temps de la première poignée</translation>
+    </message>
+    <message>
+        <source>Way of the first handle</source>
+        <translation>Chemin de la première poignée</translation>
+    </message>
+    <message>
+        <source>Time of the second handle</source>
+        <translation>Temps de la seconde poignée</translation>
+    </message>
+    <message>
+        <source>Way of the second handle</source>
+        <translation>Chemin de la seconde poignée</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>First handle:</source>
+        <translation>Première poignée :</translation>
+    </message>
+    <message>
+        <source>Second handle:</source>
+        <translation>Seconde poignée :</translation>
+    </message>
+    <message>
+        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <translation>Une fraction de 0 à 1. Une courbe trop raide est aplatie.</translation>
     </message>
 </context>
 <context>
@@ -8477,6 +8921,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Delete the Motion</source>
         <translation>Supprimer le mouvement</translation>
+    </message>
+    <message>
+        <source>Custom…</source>
+        <translation>Personnalisée…</translation>
     </message>
 </context>
 <context>

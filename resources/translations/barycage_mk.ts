@@ -474,6 +474,13 @@
     </message>
 </context>
 <context>
+    <name>ClusterJob</name>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Папката %1 не може да се создаде.</translation>
+    </message>
+</context>
+<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -618,6 +625,14 @@
     <message>
         <source>Folded surfaces, and polyhedra whose copies are turned.</source>
         <translation>Преклопени површини и полиедри чии копии се завртени.</translation>
+    </message>
+    <message>
+        <source>In motion</source>
+        <translation>Во движење</translation>
+    </message>
+    <message>
+        <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
+        <translation>Фрактали што се движат: ветар, превиткување, растење, преобразби, бескрајно приближување и летови низ просторот.</translation>
     </message>
 </context>
 <context>
@@ -1843,6 +1858,22 @@
     <message>
         <source>Show another entry beside this one, and paint this one with a picture on it</source>
         <translation>Прикажи друг запис покрај овој и обој го овој со слика врз него</translation>
+    </message>
+    <message>
+        <source>Export Ani&amp;mation…</source>
+        <translation>Извези ани&amp;мација…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+E</source>
+        <translation>Ctrl+Alt+E</translation>
+    </message>
+    <message>
+        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <translation>Извезете ја анимацијата како видео, подвижна слика или кадри, тука или на кластер</translation>
+    </message>
+    <message>
+        <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
+        <translation>Во овој запис сè уште ништо не се движи. Прво изберете движење во временската лента: Анимација, Анимирај.</translation>
     </message>
 </context>
 <context>
@@ -3962,6 +3993,321 @@
     </message>
 </context>
 <context>
+    <name>view::AnimationExportDialog</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Уште околу %n секунда.</numerusform>
+            <numerusform>Уште околу %n секунди.</numerusform>
+            <numerusform>Уште околу %n секунди.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Уште околу %n минута.</numerusform>
+            <numerusform>Уште околу %n минути.</numerusform>
+            <numerusform>Уште околу %n минути.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Уште околу %n час.</numerusform>
+            <numerusform>Уште околу %n часа.</numerusform>
+            <numerusform>Уште околу %n часа.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export the Animation “%1”</source>
+        <translation>Извоз на анимацијата „%1“</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4: се пушта насекаде</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM: за веб-страници, со проѕирност</translation>
+    </message>
+    <message>
+        <source>MKV: without loss, for editing</source>
+        <translation>MKV: без загуба, за обработка</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF: 256 бои</translation>
+    </message>
+    <message>
+        <source>WebP: a moving picture without loss</source>
+        <translation>WebP: подвижна слика без загуба</translation>
+    </message>
+    <message>
+        <source>APNG: a moving picture without loss</source>
+        <translation>APNG: подвижна слика без загуба</translation>
+    </message>
+    <message>
+        <source>PNG: one picture for each frame</source>
+        <translation>PNG: по една слика за секој кадар</translation>
+    </message>
+    <message>
+        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <translation>Видео, подвижна слика за страници и пораки, или по една слика за секој кадар. Сите ја содржат анимацијата и Barycage повторно ги отвора.</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Формат:</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Исечок</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Погледот на платното</translation>
+    </message>
+    <message>
+        <source>The whole animation</source>
+        <translation>Целата анимација</translation>
+    </message>
+    <message>
+        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <translation>Што покажуваат кадрите кога ниеден клуч на камерата не го одредува тоа: она што го покажува платното, или сè што се појавува, со мала маргина.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Исечок:</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>Ширината на кадрите во пиксели.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Висина</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>Висината на кадрите во пиксели.</translation>
+    </message>
+    <message>
+        <source>&amp;Size in pixels:</source>
+        <translation>&amp;Големина во пиксели:</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Прв кадар</translation>
+    </message>
+    <message>
+        <source>The first frame to export.</source>
+        <translation>Првиот кадар што се извезува.</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Последен кадар</translation>
+    </message>
+    <message>
+        <source>The last frame to export.</source>
+        <translation>Последниот кадар што се извезува.</translation>
+    </message>
+    <message>
+        <source>F&amp;rames:</source>
+        <translation>Кад&amp;ри:</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Квалитет</translation>
+    </message>
+    <message>
+        <source>The number of points for each pixel of each frame: more points make smoother frames and take longer.</source>
+        <translation>Бројот на точки за секој пиксел на секој кадар: повеќе точки даваат помазни кадри и траат подолго.</translation>
+    </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Нацрт: 25 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Добар: 100 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Фин: 400 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Најфин: 2000 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation>Кв&amp;алитет:</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Затворач</translation>
+    </message>
+    <message>
+        <source>Motion blur: the angle for which the shutter is open around each frame. 180° is half the time of a frame, as in films.</source>
+        <translation>Заматување од движење: аголот за кој затворачот е отворен околу секој кадар. 180° е половина од времето на кадарот, како во филмовите.</translation>
+    </message>
+    <message>
+        <source>No motion blur</source>
+        <translation>Без заматување од движење</translation>
+    </message>
+    <message>
+        <source>S&amp;hutter:</source>
+        <translation>&amp;Затворач:</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Експозиција</translation>
+    </message>
+    <message>
+        <source>Smooth: no flicker</source>
+        <translation>Мазна: без треперење</translation>
+    </message>
+    <message>
+        <source>Fixed: that of frame 0</source>
+        <translation>Постојана: онаа на кадарот 0</translation>
+    </message>
+    <message>
+        <source>Each: by itself</source>
+        <translation>Секој: за себе</translation>
+    </message>
+    <message>
+        <source>How bright the frames are: following the whole animation without flicker, all like frame 0, or each as bright as it is on the canvas.</source>
+        <translation>Колку се светли кадрите: следејќи ја целата анимација без треперење, сите како кадарот 0, или секој светол како на платното.</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure:</source>
+        <translation>&amp;Експозиција:</translation>
+    </message>
+    <message>
+        <source>Tasks on a cluster</source>
+        <translation>Задачи на кластер</translation>
+    </message>
+    <message>
+        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <translation>Меѓу колку задачи на кластерот се делат кадрите кога ќе изберете „На кластер“.</translation>
+    </message>
+    <message>
+        <source>&amp;Tasks on a cluster:</source>
+        <translation>Задачи на &amp;кластер:</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Што ќе се запише</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Резултат</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Напредок на извозот</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Преостанато време</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Извези…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <translation>Прашува за име на датотека и ја запишува анимацијата. Во меѓувреме можете да продолжите со уредување: се извезува анимацијата каква што била кога се отворил прозорецов.</translation>
+    </message>
+    <message>
+        <source>On a &amp;Cluster…</source>
+        <translation>На к&amp;ластер…</translation>
+    </message>
+    <message>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <translation>Запишува папка со анимацијата и со скрипти што ја цртаат на кластер со Slurm, и ја поднесува ако се најде sbatch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 seconds.</source>
+        <translation>
+            <numerusform>%n кадар, %1 секунди.</numerusform>
+            <numerusform>%n кадри, %1 секунди.</numerusform>
+            <numerusform>%n кадри, %1 секунди.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>MP4 needs even sides: the last column or row is shown twice.</source>
+        <translation>MP4 бара парни страни: последната колона или редица се прикажува двапати.</translation>
+    </message>
+    <message>
+        <source>MP4 has no transparency: the background becomes black.</source>
+        <translation>MP4 нема проѕирност: позадината станува црна.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Датотеки %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Export Animation</source>
+        <translation>Извоз на анимација</translation>
+    </message>
+    <message>
+        <source>Measuring the brightness…</source>
+        <translation>Се мери осветленоста…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Запри</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Затвори</translation>
+    </message>
+    <message>
+        <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
+        <translation>Извозот е запрен. Досега запишаните слики се целосни; извезете повторно за да се нацртаат другите.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Извозот е запрен; ништо не е запишано.</translation>
+    </message>
+    <message>
+        <source>Written to %1 and so on, up to %2.</source>
+        <translation>Запишано во %1 и така натаму до %2.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Запишано во %1.</translation>
+    </message>
+    <message>
+        <source>Folder That the Cluster Can Read and Write</source>
+        <translation>Папка што кластерот може да ја чита и запишува</translation>
+    </message>
+    <message>
+        <source>Writing the job folder…</source>
+        <translation>Се запишува папката на задачата…</translation>
+    </message>
+    <message>
+        <source>Cancelled; the folder may be incomplete.</source>
+        <translation>Откажано; папката можеби е нецелосна.</translation>
+    </message>
+    <message>
+        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <translation>Задачата е во %1. Тука нема sbatch: пуштете го submit.sh од папката на кластерот.</translation>
+    </message>
+</context>
+<context>
     <name>view::AppearancePanel</name>
     <message>
         <source>Appearance</source>
@@ -5095,6 +5441,57 @@
     </message>
 </context>
 <context>
+    <name>view::ClusterQueue</name>
+    <message>
+        <source>%1 of %2 tasks are done</source>
+        <translation>готови се %1 од %2 задачи</translation>
+    </message>
+    <message>
+        <source>%1 running</source>
+        <translation>%1 се извршуваат</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 чекаат</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 неуспешни</translation>
+    </message>
+    <message>
+        <source>Drawing: %1.</source>
+        <translation>Цртање: %1.</translation>
+    </message>
+    <message>
+        <source>Video: done.</source>
+        <translation>Видео: готово.</translation>
+    </message>
+    <message>
+        <source>Video: failed.</source>
+        <translation>Видео: неуспешно.</translation>
+    </message>
+    <message>
+        <source>Video: running.</source>
+        <translation>Видео: се изработува.</translation>
+    </message>
+    <message>
+        <source>Video: waiting.</source>
+        <translation>Видео: чека.</translation>
+    </message>
+    <message>
+        <source>Submitting…</source>
+        <translation>Се поднесува…</translation>
+    </message>
+    <message>
+        <source>The script ended without submitting anything.</source>
+        <translation>Скриптата заврши без да поднесе ништо.</translation>
+    </message>
+    <message>
+        <source>Slurm did not take the job: %1</source>
+        <translation>Slurm не ја прифати задачата: %1</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -5433,6 +5830,57 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Кликнете на третото теме. Backspace ја брише последната точка.</translation>
+    </message>
+</context>
+<context>
+    <name>view::EaseDialog</name>
+    <message>
+        <source>Custom Ease</source>
+        <translation>Сопствен премин</translation>
+    </message>
+    <message>
+        <source>Curve: time to the right, the way upwards</source>
+        <translation>Крива: времето надесно, патот нагоре</translation>
+    </message>
+    <message>
+        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <translation>Како се поминува патот до следниот клуч во времето. Влечете ги двете рачки.</translation>
+    </message>
+    <message>
+        <source>Time of the first handle</source>
+        <translation>Време на првата рачка</translation>
+    </message>
+    <message>
+        <source>Way of the first handle</source>
+        <translation>Пат на првата рачка</translation>
+    </message>
+    <message>
+        <source>Time of the second handle</source>
+        <translation>Време на втората рачка</translation>
+    </message>
+    <message>
+        <source>Way of the second handle</source>
+        <translation>Пат на втората рачка</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Време</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Пат</translation>
+    </message>
+    <message>
+        <source>First handle:</source>
+        <translation>Прва рачка:</translation>
+    </message>
+    <message>
+        <source>Second handle:</source>
+        <translation>Втора рачка:</translation>
+    </message>
+    <message>
+        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <translation>Дел од 0 до 1. Престрмна крива се израмнува.</translation>
     </message>
 </context>
 <context>
@@ -8491,6 +8939,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Delete the Motion</source>
         <translation>Избриши го движењето</translation>
+    </message>
+    <message>
+        <source>Custom…</source>
+        <translation>Сопствен…</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,12 @@ private slots:
         QCOMPARE(exposurePilots(fractal),
                  (std::vector<Moment>{moment(0), moment(3, 2), moment(3), moment(11, 2), moment(8),
                                       moment(10), moment(12)}));
+        shape.animation->loop = Loop::Cycle;
+        shape.animation->camera = {{0, {}, {}}, {12, {}, {}}}; // jumps back: frame 12 shows frame 0
+        fractal.shape = shape;
+        QCOMPARE(exposurePilots(fractal),
+                 (std::vector<Moment>{moment(0), moment(11, 2), moment(11), moment(23, 2), moment(12)}));
+        shape.animation->loop = Loop::Off;
         shape.animation->motions = {animation::PaletteCycle{}};
         fractal.shape = shape;
         const auto pilots = exposurePilots(fractal);

@@ -2,6 +2,7 @@
 #include "collection.h"
 
 #include "attractor/samples/chaos_game.h"
+#include "document/animated_fractal.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
@@ -34,6 +35,7 @@ private slots:
     void entriesLoadWithoutAProblem();
     void entriesHaveAnAttractor_data();
     void entriesHaveAnAttractor();
+    void everyFrameHasAnAttractor();
     void weightsSumToOne_data();
     void weightsSumToOne();
     void boxIsOfReasonableShape_data();
@@ -200,6 +202,29 @@ void CollectionTest::entriesHaveAnAttractor() {
         const ifs::Verdict verdict = ifs::classify(std::span(maps)).verdict;
         QVERIFY(verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive);
     });
+}
+
+// Every frame that can be asked for, not only the moments that the program looks at.
+void CollectionTest::everyFrameHasAnAttractor() {
+    int animations = 0;
+    for (const golden::Theme& theme : m_themes)
+        for (const document::Entry& entry : theme.file.entries) {
+            const auto facts = document::animationFacts(*entry.fractal);
+            if (!facts) continue;
+            ++animations;
+            for (int frame = 0; frame <= facts->length; ++frame) {
+                const document::AnimatedFrame shown =
+                    document::frameAt(*entry.fractal, animation::moment(frame));
+                visitSystem(shown.fractal, [&](const auto& system) {
+                    const auto maps = ifs::activeMaps(system).maps;
+                    const ifs::Verdict verdict = ifs::classify(std::span(maps)).verdict;
+                    QVERIFY2(verdict == ifs::Verdict::Hyperbolic ||
+                                 verdict == ifs::Verdict::EventuallyContractive,
+                             qPrintable(QStringLiteral("%1: frame %2").arg(entry.fractal->name).arg(frame)));
+                });
+            }
+        }
+    QVERIFY(animations >= 12);
 }
 
 void CollectionTest::weightsSumToOne_data() {

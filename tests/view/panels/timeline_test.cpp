@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/animated_fractal.h"
 #include "document/edits/entries_edits.h"
+#include "panels/timeline/ease_dialog.h"
 #include "panels/timeline/motion_page.h"
 #include "panels/timeline/space_tap.h"
 #include "panels/timeline/timeline_panel.h"
@@ -11,6 +12,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -34,6 +36,7 @@ private slots:
 
     void motionsAreOfferedFirst();
     void oneClickMakesALoop();
+    void motionsAreShownMoving();
     void morphsAreEntriesOfTheirOwn();
     void diamondsMakeAndDeleteKeys();
     void theRulerIsScrubbed();
@@ -41,6 +44,7 @@ private slots:
     void keysAreDragged_data();
     void keysAreDragged();
     void bandsSelectAndKeysAreCopied();
+    void aCustomEaseIsDrawn();
     void timingIsEdited();
     void playingFollowsTheClock();
     void playingEndsWhereTheLoopDoes();
@@ -117,7 +121,7 @@ void TimelineTest::motionsAreOfferedFirst() {
 
 void TimelineTest::oneClickMakesALoop() {
     for (QAction* action : m_panel->motions()) {
-        if (action->menu()) continue;
+        if (action->property("isChoice").toBool()) continue;
         action->trigger();
         QCOMPARE(m_document->undoStack()->index(), 1);
         QVERIFY(timeline().timing().loop == animation::Loop::Cycle);
@@ -137,6 +141,21 @@ void TimelineTest::oneClickMakesALoop() {
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QVERIFY(timeline().motions().empty());
     QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Delete the motion “Wind”"));
+}
+
+// Small pictures of the fractal as it would move, which differ from one moment to the next.
+void TimelineTest::motionsAreShownMoving() {
+    const auto* page = m_panel->findChild<view::MotionPage*>();
+    QTRY_VERIFY(page->isMoving());
+    for (auto* button : page->findChildren<QToolButton*>()) {
+        if (button->defaultAction()->property("isChoice").toBool()) continue; // there is no other entry
+        const QImage before = button->icon().pixmap(button->iconSize()).toImage();
+        QTRY_VERIFY2(button->icon().pixmap(button->iconSize()).toImage() != before,
+                     qPrintable(button->accessibleName()));
+    }
+    QVERIFY(m_document->undoStack()->count() == 0);
+    m_panel->showTracks();
+    QVERIFY(!page->isMoving()); // nobody looks
 }
 
 void TimelineTest::morphsAreEntriesOfTheirOwn() {
@@ -253,7 +272,7 @@ void TimelineTest::bandsSelectAndKeysAreCopied() {
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(framesOf(0), (std::vector<int>{0, 10, 20, 30, 40}));
     QCOMPARE(timeline().selected().size(), std::size_t(2));
-    timeline().setEase(animation::Ease::Kind::Hold);
+    timeline().setEase({animation::Ease::Kind::Hold});
     QVERIFY(timeline().tracks()[0].keys[3].ease.kind == animation::Ease::Kind::Hold);
     QVERIFY(timeline().tracks()[0].keys[0].ease.kind == animation::Ease::Kind::Both);
     QTest::keyClick(&tracks(), Qt::Key_Delete);
@@ -262,6 +281,27 @@ void TimelineTest::bandsSelectAndKeysAreCopied() {
     QCOMPARE(timeline().selected().size(), std::size_t(3));
     QTest::keyClick(&tracks(), Qt::Key_Escape);
     QVERIFY(timeline().selected().empty());
+}
+
+void TimelineTest::aCustomEaseIsDrawn() {
+    keyCageAt({0, 24});
+    timeline().select({{timeline().tracks()[0].track, 0}});
+    view::EaseDialog dialog(timeline().ease());
+    dialog.show();
+    view::EaseCurve* curve = dialog.curve();
+    const QPoint start = curve->handle(0).toPoint();
+    QTest::mousePress(curve, Qt::LeftButton, {}, start);
+    QTest::mouseMove(curve, start + QPoint(40, 10));
+    QTest::mouseRelease(curve, Qt::LeftButton, {}, start + QPoint(40, 10));
+    const animation::Ease drawn = dialog.ease();
+    QVERIFY(animation::isValid(drawn) && drawn.kind == animation::Ease::Kind::Cubic);
+    QVERIFY((curve->handle(0) - start - QPointF(40, 10)).manhattanLength() < 3);
+    for (auto* number : dialog.findChildren<QDoubleSpinBox*>())
+        if (number->accessibleName() == QStringLiteral("Time of the first handle"))
+            QVERIFY(std::abs(number->value() - drawn.x1) < 1e-3);
+    timeline().setEase(drawn);
+    QVERIFY(timeline().ease() == drawn);
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys"));
 }
 
 void TimelineTest::timingIsEdited() {

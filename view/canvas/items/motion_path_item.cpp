@@ -14,10 +14,11 @@ constexpr double apart = 4; // pixels between dots that are drawn
 
 } // namespace
 
-void MotionPathItem::setWays(std::vector<Way> ways) {
-    if (ways == m_ways) return;
+void MotionPathItem::setWays(std::vector<Way> ways, std::vector<QPolygonF> ghosts) {
+    if (ways == m_ways && ghosts == m_ghosts) return;
     prepareGeometryChange();
     m_ways = std::move(ways);
+    m_ghosts = std::move(ghosts);
     update();
 }
 
@@ -25,11 +26,20 @@ QRectF MotionPathItem::boundingRect() const {
     QRectF all;
     for (const Way& way : m_ways)
         all |= way.points.boundingRect().adjusted(-8, -8, 8, 8);
+    for (const QPolygonF& ghost : m_ghosts)
+        all |= ghost.boundingRect().adjusted(-8, -8, 8, 8);
     return all;
 }
 
 void MotionPathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
+    for (const QPolygonF& ghost : m_ghosts) {
+        QPainterPath outline;
+        outline.addPolygon(ghost);
+        outline.closeSubpath();
+        painter->setOpacity(0.35);
+        strokeSeen(*painter, outline, m_style, m_style.accent, 1);
+    }
     for (const Way& way : m_ways) {
         QPainterPath line;
         line.addPolygon(way.points);

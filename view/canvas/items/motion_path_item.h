@@ -9,7 +9,8 @@
 
 namespace view {
 
-// The ways of what is keyed: a dot for each frame, and a diamond for each key.
+// The ways of what is keyed: a dot for each frame, and a diamond for each key; and what is keyed as the
+// neighbouring keys have it.
 class MotionPathItem : public OverlayItem {
 public:
     struct Way {
@@ -17,13 +18,16 @@ public:
         QPolygonF keys;
         friend bool operator==(const Way&, const Way&) = default;
     };
-    void setWays(std::vector<Way> ways);
+    void setWays(std::vector<Way> ways, std::vector<QPolygonF> ghosts);
+    const std::vector<Way>& ways() const { return m_ways; }
+    const std::vector<QPolygonF>& ghosts() const { return m_ghosts; }
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
     std::vector<Way> m_ways;
+    std::vector<QPolygonF> m_ghosts; // closed
 };
 
 } // namespace view

@@ -11,7 +11,9 @@
 #include "document/fractal_geometry.h"
 
 #include <QFont>
+#include <QLineF>
 
+#include <algorithm>
 #include <utility>
 
 namespace view {
@@ -21,6 +23,7 @@ using Kind = CanvasPart::Kind;
 namespace {
 
 constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
+constexpr double keyReach = 7;          // pixels from the middle of a diamond
 
 } // namespace
 
@@ -114,6 +117,8 @@ void CanvasScene::follow(const document::Change& change) {
         m_paths = document::motionPaths(m_document->entryFractal());
         requestLayout();
     }
+    const bool hasPaths = !m_paths.vertices.empty() || !m_paths.maps.empty();
+    if (hasPaths && change.parts & Change::Time) requestLayout(); // the neighbouring keys are others
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         requestLayout();
         m_selection.setMaps(m_selection.maps());   // those that are left
@@ -233,11 +238,56 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
 // Of what is in hand: the cage, or the maps.
 void CanvasScene::layoutPaths() {
     std::vector<MotionPathItem::Way> ways;
-    if (m_handles.target() != HandleTarget::Branch)
-        for (const document::MotionPath& path :
-             m_handles.target() == HandleTarget::Cage ? m_paths.vertices : m_paths.maps)
-            ways.push_back({pixelsOf(m_camera, path.points), pixelsOf(m_camera, path.keys)});
-    m_pathItem->setWays(std::move(ways));
+    for (const document::MotionPath& path : paths())
+        ways.push_back({pixelsOf(m_camera, path.points), pixelsOf(m_camera, path.keys)});
+    m_pathItem->setWays(std::move(ways), ghosts());
+}
+
+const std::vector<document::MotionPath>& CanvasScene::paths() const {
+    static const std::vector<document::MotionPath> none;
+    if (m_handles.target() == HandleTarget::Branch) return none;
+    return m_handles.target() == HandleTarget::Cage ? m_paths.vertices : m_paths.maps;
+}
+
+// The cage, or each map, at the key before the moment and at the one after it.
+std::vector<QPolygonF> CanvasScene::ghosts() const {
+    std::vector<QPolygonF> result;
+    const bool isCage = m_handles.target() == HandleTarget::Cage;
+    const auto add = [&](const document::MotionPath& path, std::size_t key) {
+        std::vector<ifs::Vector<2>> outline;
+        if (isCage)
+            for (const document::MotionPath& vertex : paths())
+                outline.push_back(vertex.keys[key]);
+        result.push_back(pixelsOf(m_camera, isCage ? outline : path.outlines[key]));
+    };
+    const animation::Moment& now = m_document->moment();
+    for (const document::MotionPath& path : paths()) {
+        const auto next = std::ranges::find_if(
+            path.frames, [&](int frame) { return frame * now.denominator > now.numerator; });
+        const auto isNow = [&](int frame) { return frame * now.denominator == now.numerator; };
+        auto before = std::size_t(next - path.frames.begin());
+        if (before > 0 && isNow(path.frames[before - 1])) --before;
+        if (before > 0) add(path, before - 1);
+        if (next != path.frames.end()) add(path, std::size_t(next - path.frames.begin()));
+        if (isCage) break; // all vertices have the same keys
+    }
+    return result;
+}
+
+std::optional<CanvasScene::KeyOnPath> CanvasScene::keyAt(const QPointF& position, Reach reach) const {
+    const Kind kind = partAt(position, reach).kind;
+    const bool isFree = kind == Kind::None || kind == Kind::Inside || kind == Kind::Edge;
+    if (!m_overlaysVisible || !m_handles.cage() || !isFree) return std::nullopt;
+    const bool isCage = m_handles.target() == HandleTarget::Cage;
+    for (const document::MotionPath& path : paths()) {
+        const QPolygonF keys = pixelsOf(m_camera, path.keys);
+        for (qsizetype i = 0; i < keys.size(); ++i)
+            if (QLineF(keys[i], position).length() <= keyReach)
+                return KeyOnPath{path.frames[std::size_t(i)],
+                                 isCage ? CanvasPart{Kind::Vertex, int(path.index), -1}
+                                        : CanvasPart{Kind::Inside, 0, int(path.index)}};
+    }
+    return std::nullopt;
 }
 
 void CanvasScene::layoutFrames() {

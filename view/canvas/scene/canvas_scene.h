@@ -56,6 +56,12 @@ public:
     CanvasPart partAt(const QPointF& position, Reach reach) const; // none while the handles are hidden
     QPointF positionOf(const CanvasPart& part) const { return hitTester().positionOf(part); }
     ifs::Word addressAt(const QPointF& position) const;
+    // The key whose diamond on a path is there and is not covered by a handle, and what it is of.
+    struct KeyOnPath {
+        int frame = 0;
+        CanvasPart part; // a vertex of the cage, or the inside of a map
+    };
+    std::optional<KeyOnPath> keyAt(const QPointF& position, Reach reach) const;
 
     // The pressed rotate or scale handle follows the pointer.
     void holdKnobAt(const std::optional<QPointF>& position);
@@ -94,6 +100,8 @@ private:
     void layoutFrames();
     void layoutPaths();
     void layoutSymmetry();
+    const std::vector<document::MotionPath>& paths() const; // of what is in hand
+    std::vector<QPolygonF> ghosts() const;
     std::vector<QPointF> handlePositions() const;
     void mark();
     void restyle();

@@ -56,7 +56,10 @@ PolygonTool::~PolygonTool() = default;
 
 void PolygonTool::press(const Pointer& pointer) {
     end();
-    m_part = m_scene.partAt(pointer.position, pointer.reach);
+    // A key on a path: its moment is shown, and what is keyed is there to be dragged.
+    const auto key = m_scene.keyAt(pointer.position, pointer.reach);
+    if (key) m_scene.document().setMoment(animation::moment(key->frame));
+    m_part = key ? key->part : m_scene.partAt(pointer.position, pointer.reach);
     selection().setFocused(m_part);
     if (!handles().cage() || !m_scene.overlaysVisible()) return;
     m_press = pointer.position;
@@ -83,9 +86,11 @@ void PolygonTool::press(const Pointer& pointer) {
 void PolygonTool::move(const Pointer& pointer) {
     switch (m_state) {
     case State::Idle:
-    case State::Nudging:
-        hover(m_scene.partAt(pointer.position, pointer.reach));
+    case State::Nudging: {
+        const auto key = m_scene.keyAt(pointer.position, pointer.reach);
+        hover(key ? key->part : m_scene.partAt(pointer.position, pointer.reach));
         return;
+    }
     case State::Cancelled:
         return;
     case State::Selecting:

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_page.h"
 
+#include "panels/timeline/motion_preview.h"
+
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <chrono>
 
 namespace view {
 
 namespace {
 
-constexpr int iconSide = 32;
+constexpr QSize pictureSize(64, 48);
+constexpr std::chrono::milliseconds nextPicture{80};
+constexpr std::chrono::milliseconds restBeforeDrawing{150}; // while the fractal is dragged, nothing is drawn
 
 QToolButton* tile(QAction* action) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setIconSize({iconSide, iconSide});
+    button->setPopupMode(action->property("isChoice").toBool() ? QToolButton::InstantPopup
+                                                               : QToolButton::MenuButtonPopup);
+    button->setIconSize(pictureSize);
     button->setAutoRaise(true);
     button->setAccessibleName(action->text().remove(u'&').remove(u'…'));
     button->setFocusPolicy(Qt::StrongFocus);
@@ -32,8 +41,10 @@ QToolButton* tile(QAction* action) {
 MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent) {
     auto* tiles = new QHBoxLayout;
     tiles->setSpacing(4);
-    for (QAction* action : actions)
-        tiles->addWidget(tile(action));
+    for (QAction* action : actions) {
+        m_tiles.push_back({tile(action), {}});
+        tiles->addWidget(m_tiles.back().button);
+    }
     tiles->addStretch(1);
     auto* keys = new QPushButton(tr("Make Keys"));
     keys->setToolTip(tr("Show the tracks, to make keys of your own"));
@@ -50,6 +61,50 @@ MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidge
     column->addLayout(below);
     column->addStretch(1);
     connect(keys, &QPushButton::clicked, this, &MotionPage::tableWanted);
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(restBeforeDrawing);
+    connect(&m_soon, &QTimer::timeout, this, &MotionPage::draw);
+    m_clock.setInterval(nextPicture);
+    connect(&m_clock, &QTimer::timeout, this, &MotionPage::advance);
+}
+
+void MotionPage::renew() {
+    if (isVisible()) m_soon.start();
+}
+
+void MotionPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    renew();
+}
+
+void MotionPage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    m_soon.stop();
+    m_clock.stop();
+}
+
+void MotionPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) renew();
+}
+
+void MotionPage::draw() {
+    const PreviewStyle shown{pictureSize, devicePixelRatioF(), palette().color(QPalette::ButtonText)};
+    for (std::size_t i = 0; i < m_tiles.size() && i < m_motions.size(); ++i) {
+        const auto entry = m_motions[i] ? m_motions[i]() : std::nullopt;
+        m_tiles[i].pictures = entry ? motionPreview(*entry, shown) : std::vector<QPixmap>();
+        if (m_tiles[i].pictures.empty())
+            m_tiles[i].button->setIcon(m_tiles[i].button->defaultAction()->icon());
+    }
+    advance();
+    // Where the desktop asks for no animations, the pictures stand still.
+    if (style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0) m_clock.start();
+}
+
+void MotionPage::advance() {
+    m_frame = (m_frame + 1) % std::size_t(previewFrames);
+    for (const Tile& tile : m_tiles)
+        if (!tile.pictures.empty()) tile.button->setIcon(tile.pictures[m_frame]);
 }
 
 } // namespace view

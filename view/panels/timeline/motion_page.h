@@ -1,23 +1,60 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/fractal.h"
+
 #include <QList>
+#include <QPixmap>
+#include <QTimer>
 #include <QWidget>
 
+#include <functional>
+#include <optional>
+#include <vector>
+
 class QAction;
+class QToolButton;
 
 namespace view {
 
-// Instead of an empty table: loops that one click makes, as large buttons with names, and how to make keys.
+// Instead of an empty table: loops that one click makes, as small moving pictures of the fractal itself with
+// their names, and how to make keys.
 class MotionPage : public QWidget {
     Q_OBJECT
 
 public:
-    // A button for each action; those with a menu open it.
+    // What an entry looks like with a motion; nullopt: not at all.
+    using Make = std::function<std::optional<document::Fractal>()>;
+
+    // A button for each action; those with a menu and nothing to do by themselves open it.
     explicit MotionPage(const QList<QAction*>& actions, QWidget* parent = nullptr);
+
+    // How the moving picture of each action is made, in their order. Those without keep their icons.
+    void setMotions(std::vector<Make> motions) { m_motions = std::move(motions); }
+    void renew(); // the fractal has changed
+    bool isMoving() const { return m_clock.isActive(); }
 
 signals:
     void tableWanted(); // the rows, to make keys
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void draw();
+    void advance();
+
+    struct Tile {
+        QToolButton* button;
+        std::vector<QPixmap> pictures;
+    };
+    std::vector<Tile> m_tiles;
+    std::vector<Make> m_motions;
+    QTimer m_soon;  // until the pictures are drawn anew
+    QTimer m_clock; // from one picture to the next
+    std::size_t m_frame = 0;
 };
 
 } // namespace view

@@ -253,9 +253,16 @@ void Timeline::moveSelected(int by, document::KeyMove how) {
     select(std::move(moved));
 }
 
-void Timeline::setEase(animation::Ease::Kind kind) {
+void Timeline::setEase(const animation::Ease& ease) {
     m_document->editEntry(tr("Ease of keys"),
-                          document::withEase(m_document->entryFractal(), m_selected, {kind}));
+                          document::withEase(m_document->entryFractal(), m_selected, ease));
+}
+
+animation::Ease Timeline::ease() const {
+    for (const document::TrackKeys& one : m_tracks)
+        for (const auto& key : one.keys)
+            if (isSelected(int(&one - m_tracks.data()), key.frame)) return key.ease;
+    return {};
 }
 
 void Timeline::copy() {

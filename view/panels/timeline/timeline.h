@@ -57,7 +57,8 @@ public:
     void toggleKey(int row);
     void deleteSelected(); // or the current motion
     void moveSelected(int by, document::KeyMove how);
-    void setEase(animation::Ease::Kind kind);
+    void setEase(const animation::Ease& ease);
+    animation::Ease ease() const; // of the first selected key
     void copy();
     bool canPaste() const;
     void paste();

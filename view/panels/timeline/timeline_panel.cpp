@@ -24,6 +24,7 @@ namespace {
 
 constexpr qsizetype maxListed = 60; // entries in a menu
 constexpr double usualAspect = 16.0 / 9;
+constexpr int previewLength = 24; // frames of a morph
 
 constexpr const char* windNames[] = {
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Breeze"),
@@ -33,6 +34,8 @@ constexpr const char* windNames[] = {
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Weave"),
 };
+
+constexpr std::size_t usualWind = 1; // Gusts
 
 // In a narrow window, and with large letters.
 QScrollArea* scrolling(QWidget* page) {
@@ -79,6 +82,10 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     m_tracks = new TrackView(&m_timeline);
     m_transport = new TransportBar(&m_timeline, add);
     m_page = new MotionPage(m_actions);
+    std::vector<MotionPage::Make> motions;
+    for (const Make& make : m_makes)
+        motions.push_back([this, make] { return make(m_document->entryFractal()); });
+    m_page->setMotions(std::move(motions));
     m_pages = new QStackedWidget;
     m_pages->addWidget(scrolling(m_page));
     m_pages->addWidget(m_tracks);
@@ -95,6 +102,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     connect(&m_timeline, &Timeline::message, this, &TimelinePanel::message);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
+        if (change.parts & ~Change::Parts(Change::Time)) m_page->renew();
         if (!(change.parts & (Change::Current | Change::File))) return;
         m_wantsTracks = false;
         follow();
@@ -132,12 +140,20 @@ QAction* TimelinePanel::addMotion(const char* iconName, const QString& name, con
 void TimelinePanel::createMotions() {
     const auto apply = [this](QAction* action, const QString& text, const Make& make,
                               const QString& failure) {
+        m_makes.push_back(make);
         connect(action, &QAction::triggered, this,
                 [this, text, make, failure] { this->apply(text, make, failure); });
     };
     const QString noMaps = tr("There are no maps to move.");
-    addMotion("wind", tr("Wind"), tr("All branches sway about their roots."))->setMenu(m_winds);
+    QAction* wind = addMotion("wind", tr("Wind"), tr("All branches sway about their roots."));
+    wind->setMenu(m_winds);
     addWinds();
+    apply(
+        wind, tr("Wind: %1").arg(tr(windNames[usualWind])),
+        [](const document::Fractal& entry) {
+            return document::withWind(entry, animation::swayPresets()[usualWind]);
+        },
+        noMaps);
     apply(addMotion("turn", tr("Turn"), tr("Each map turns once in its place.")), tr("Turn the maps"),
           &document::withTurn, tr("No map can turn without losing the attractor."));
     apply(addMotion("orbit", tr("Orbit"), tr("The whole picture turns once.")), tr("Orbit"),
@@ -155,8 +171,11 @@ void TimelinePanel::createMotions() {
             return document::withEndlessZoom(entry, usualAspect, view ? view->yAxis : attractor::YAxis::Up);
         },
         tr("No map makes a scaled copy of the fractal that is clear of the others."));
-    addMotion("morph", tr("Morph To"), tr("The fractal becomes another entry of this file, and returns."))
-        ->setMenu(m_entries);
+    QAction* morph = addMotion("morph", tr("Morph To"),
+                               tr("The fractal becomes another entry of this file, and returns."));
+    morph->setMenu(m_entries);
+    morph->setProperty("isChoice", true);
+    m_makes.push_back([this](const document::Fractal&) { return morphToNext(); });
     connect(m_entries, &QMenu::aboutToShow, this, &TimelinePanel::listEntries);
     m_winds->setAccessibleName(tr("Wind"));
     m_entries->setAccessibleName(tr("Morph To"));
@@ -184,6 +203,28 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
     m_document->editEntry(text, std::move(*after));
     m_timeline.playback().seek(0);
     m_timeline.playback().setPlaying(true);
+}
+
+// The next entry of the same dimension, for the moving picture.
+std::optional<document::Fractal> TimelinePanel::morphToNext() const {
+    constexpr std::size_t quick = 12; // maps, whose morph is there at once
+    const auto maps = [](const document::Fractal& fractal) {
+        const auto* plane = document::plane(fractal);
+        const auto* space = document::space(fractal);
+        return plane ? plane->system.maps.size() : space ? space->system.maps.size() : 0;
+    };
+    const document::Fractal& entry = m_document->entryFractal();
+    for (const document::Entry& other : m_document->file().entries) {
+        if (other.id == m_document->currentId() ||
+            document::dimension(*other.fractal) != document::dimension(entry) || maps(*other.fractal) == 0)
+            continue;
+        if (maps(entry) > quick || maps(*other.fractal) > quick) return std::nullopt;
+        auto outcome = document::morphed(m_document->fractal(), *other.fractal, previewLength, {});
+        if (!outcome.fractal) return std::nullopt;
+        return document::withTiming(std::move(*outcome.fractal),
+                                    {{}, previewLength, animation::Loop::ThereAndBack});
+    }
+    return std::nullopt;
 }
 
 void TimelinePanel::listEntries() {

@@ -40,6 +40,7 @@ private:
     QAction* addMotion(const char* icon, const QString& name, const QString& tip);
     void addWinds();
     void listEntries();
+    std::optional<document::Fractal> morphToNext() const;
     void apply(const QString& text, const Make& make, const QString& failure);
     void morphTo(document::EntryId id);
     void follow();
@@ -47,6 +48,7 @@ private:
     document::Document* m_document;
     Timeline m_timeline;
     QList<QAction*> m_actions;
+    std::vector<Make> m_makes; // of each of them
     QMenu* m_motions;
     QMenu* m_winds;
     QMenu* m_entries;

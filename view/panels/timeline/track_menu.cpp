@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/track_menu.h"
 
+#include "panels/timeline/ease_dialog.h"
 #include "panels/timeline/timeline.h"
 
 #include <QMenu>
@@ -37,6 +38,14 @@ bool isEaseOfAll(const Timeline& timeline, Kind kind) {
     return true;
 }
 
+void askForEase(Timeline& timeline, QWidget* parent) {
+    auto* dialog = new EaseDialog(timeline.ease(), parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QDialog::accepted, &timeline,
+                     [&timeline, dialog] { timeline.setEase(dialog->ease()); });
+    dialog->open();
+}
+
 } // namespace
 
 void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
@@ -47,10 +56,14 @@ void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
         menu->addSection(Timeline::tr("Ease to the Next Key"));
         for (const EaseName& ease : eases) {
             QAction* action = menu->addAction(Timeline::tr(ease.name), &timeline,
-                                              [&timeline, kind = ease.kind] { timeline.setEase(kind); });
+                                              [&timeline, kind = ease.kind] { timeline.setEase({kind}); });
             action->setCheckable(true);
             action->setChecked(isEaseOfAll(timeline, ease.kind));
         }
+        QAction* custom = menu->addAction(Timeline::tr("Custom…"), &timeline,
+                                          [&timeline, parent] { askForEase(timeline, parent); });
+        custom->setCheckable(true);
+        custom->setChecked(isEaseOfAll(timeline, Kind::Cubic));
         menu->addSeparator();
         menu->addAction(Timeline::tr("Copy Keys"), &timeline, &Timeline::copy);
     }

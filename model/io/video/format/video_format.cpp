@@ -5,11 +5,23 @@
 
 namespace io {
 
+namespace {
+
+const QStringList& suffixes() {
+    static const QStringList list{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("mkv"),
+                                  QStringLiteral("gif"), QStringLiteral("webp"), QStringLiteral("apng")};
+    return list;
+}
+
+} // namespace
+
 std::optional<VideoFormat> videoFormat(const QString& suffix) {
-    static const QStringList suffixes{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("mkv"),
-                                      QStringLiteral("gif"), QStringLiteral("webp"), QStringLiteral("apng")};
-    const qsizetype index = suffixes.indexOf(suffix.toLower());
+    const qsizetype index = suffixes().indexOf(suffix.toLower());
     return index >= 0 ? std::optional(VideoFormat(index)) : std::nullopt;
+}
+
+QString videoSuffix(VideoFormat format) {
+    return suffixes().at(qsizetype(format));
 }
 
 VideoFormatFacts factsOf(VideoFormat format) {

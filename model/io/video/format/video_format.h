@@ -19,6 +19,8 @@ enum class VideoFormat {
 // By the suffix of a file name, whatever its case; nullopt for any other.
 std::optional<VideoFormat> videoFormat(const QString& suffix);
 
+QString videoSuffix(VideoFormat format); // "mp4", …
+
 struct VideoFormatFacts {
     bool storesAlpha = true;
     bool needsEvenSides = false;

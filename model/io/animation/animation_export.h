@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/animation/frame_drawing.h"
+#include "io/video/format/video_format.h"
+
+#include <QSize>
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace io {
+
+// Frames of an entry in its own look, in the view of its camera keys or else of all frames, as a video or as
+// pictures. They are what `barycage-cli animate` draws with options().
+struct AnimationExport {
+    document::Fractal entry;           // animated; embedded as text
+    std::optional<VideoFormat> format; // nullopt: PNG pictures
+    QSize size;
+    std::optional<std::uint64_t> points; // of each frame; nullopt: 100 a pixel
+    FrameOptions frames;
+    int first = 0; // frames, counted from 0
+    int last = 0;
+};
+
+// Between the names of files and the options of `animate`, these arguments say the same.
+QStringList options(const AnimationExport& what);
+
+// How many frames there are to draw.
+int frameCount(const document::Fractal& entry);
+// The number with which the last picture is written decides how many digits all have, at least four.
+// `path` is "NAME.png": frame 6 of "wind.png" is "wind.0007.png".
+QString framePath(const QString& path, int frame, int last);
+
+// Why it cannot be written: an encoder is missing, or the format does not have this size or rate.
+Failure animationObstacle(const AnimationExport& what);
+
+// Draws the frames one after the other and writes them. A video appears whole or not at all. So does each
+// picture; those that are complete and of the same request stay as they are, so that stopped work goes on
+// where it was. `path` of pictures is "NAME.png".
+ExportOutcome exportAnimation(const AnimationExport& what, const QString& path, const Progress& progress = {},
+                              const std::stop_token& stop = {});
+
+} // namespace io

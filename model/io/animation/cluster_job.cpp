@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "io/animation/cluster_job.h"
+
+#include "document/unique_names.h"
+#include "io/fractint/entry_writer.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+
+#include <algorithm>
+
+namespace io {
+
+namespace {
+
+constexpr const char* entryFile = "entry.ifs";
+constexpr QFile::Permissions runnable = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner |
+                                        QFile::ReadGroup | QFile::ExeGroup | QFile::ReadOther |
+                                        QFile::ExeOther;
+
+QString outputName(const ClusterJob& job) {
+    if (!job.animation.format) return QStringLiteral("frames/######.png");
+    return QStringLiteral("animation.") + videoSuffix(*job.animation.format);
+}
+
+QByteArray submitText(const ClusterJob& job) {
+    const int frames = job.animation.last - job.animation.first + 1;
+    return QStringLiteral(
+               "#!/usr/bin/env bash\n"
+               "# Submits the animation to Slurm. Run it again to finish work that was interrupted.\n"
+               "set -euo pipefail\n"
+               "cd \"$(dirname -- \"$(readlink -f -- \"${BASH_SOURCE[0]}\")\")\"\n"
+               "exec ./submit-animation.sh %1 '#1' '%2' %3 %4\n")
+        .arg(QLatin1String(entryFile), outputName(job))
+        .arg(std::clamp(job.tasks, 1, frames))
+        .arg(options(job.animation).join(u' '))
+        .toUtf8();
+}
+
+QByteArray readmeText(const ClusterJob& job) {
+    const QString frames = QString::number(job.animation.last - job.animation.first + 1);
+    const QString size =
+        QStringLiteral("%1x%2").arg(job.animation.size.width()).arg(job.animation.size.height());
+    return QStringLiteral(
+               "# %1 on a cluster\n\n"
+               "This folder draws %2 frames of %3 pixels with Slurm. Put it where all machines can "
+               "read and write it; they need `barycage-cli` %4. Then run:\n\n"
+               "    ./submit.sh\n\n"
+               "The result is `%5`. Frames that are complete are not drawn again: after an "
+               "interruption, run `./submit.sh` once more. Options of `sbatch` go into its "
+               "variables, such as `SBATCH_PARTITION=long ./submit.sh`, and `BARYCAGE_CLI` names "
+               "the program where it is not in the path.\n\n"
+               "* `entry.ifs`: the animation\n"
+               "* `submit.sh`: size, frames and quality; it calls `submit-animation.sh`\n"
+               "* `animate.sh`, `encode.sh`: what Slurm runs\n")
+        .arg(job.animation.entry.name, frames, size, QLatin1String(BARYCAGE_VERSION), outputName(job))
+        .toUtf8();
+}
+
+Failure writeScript(const QDir& folder, const QString& name, const QByteArray& text) {
+    const QString path = folder.filePath(name);
+    if (const Failure failure = saveFile(path, text)) return failure;
+    QFile::setPermissions(path,
+                          runnable); // where the drive knows no such thing, bash reads them all the same
+    return std::nullopt;
+}
+
+Failure fill(const QDir& folder, const ClusterJob& job) {
+    const QByteArray entry = writeEntry(job.animation.entry) + '\n';
+    if (const Failure failure = saveFile(folder.filePath(QLatin1String(entryFile)), entry)) return failure;
+    if (const Failure failure = saveFile(folder.filePath(QStringLiteral("README.md")), readmeText(job)))
+        return failure;
+    for (const char* name : {"submit-animation.sh", "animate.sh", "encode.sh"}) {
+        QFile script(QStringLiteral(":/slurm/") + QLatin1String(name));
+        if (!script.open(QIODevice::ReadOnly)) return script.errorString();
+        if (const Failure failure = writeScript(folder, QLatin1String(name), script.readAll()))
+            return failure;
+    }
+    return writeScript(folder, QLatin1String(submitScript), submitText(job));
+}
+
+} // namespace
+
+WrittenJob writeClusterJob(const QString& parent, const ClusterJob& job) {
+    const QString name = document::UniqueNames().give(job.animation.entry.name).replace(u'/', u'_') +
+                         QStringLiteral("-cluster");
+    QDir folder(parent);
+    QString unused = name;
+    for (int number = 2; folder.exists(unused); ++number)
+        unused = name + u'-' + QString::number(number);
+    if (!folder.mkdir(unused) || !folder.cd(unused))
+        return {{},
+                QCoreApplication::translate("ClusterJob", "The folder %1 cannot be made.")
+                    .arg(folder.filePath(unused))};
+    WrittenJob written{folder.path(), fill(folder, job)};
+    if (written.failure) folder.removeRecursively();
+    return written;
+}
+
+} // namespace io

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/shutter.h"
+#include "io/picture/png_export.h"
+#include "io/picture/space_export.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+namespace io {
+
+// The keyword of the text in which a frame carries the hash of what was asked for.
+inline constexpr const char* frameRequestKeyword = "barycage:request";
+
+// How bright the frames are.
+enum class Exposing {
+    Smooth, // follows the whole animation, without flicker
+    Fixed,  // that of frame 0
+    Each,   // measured for every frame by itself
+};
+
+struct FrameOptions {
+    document::ShutterAngle shutter = 0;
+    Exposing exposing = Exposing::Smooth;
+};
+
+// What an animated entry shows at a moment, drawn as somebody asks for it. One of the two is called, by the
+// dimension of the entry; what they carry as text is the whole entry.
+class FrameSource {
+public:
+    virtual ~FrameSource() = default;
+    virtual const document::Fractal& entry() const = 0; // animated
+    virtual PngExport planeAt(const animation::Moment& moment) const = 0;
+    virtual SpaceExport spaceAt(const animation::Moment& moment) const = 0;
+};
+
+// Draws the frames of an entry, in any order: each is a function of the entry, its number and the options.
+class FrameDrawing {
+public:
+    FrameDrawing(std::unique_ptr<FrameSource> source, const FrameOptions& options);
+
+    // A PNG picture that carries the hash of its request; `path` appears whole or not at all.
+    ExportOutcome writePng(int frame, const QString& path, const QByteArray& hash, const Progress& progress,
+                           const std::stop_token& stop);
+    // The same pixels with 8 bits a channel; null when stopped. Throws bad_alloc where there is no room for
+    // it.
+    Picture draw(int frame, const Progress& progress, const std::stop_token& stop);
+
+    bool isTransparent(int frame) const; // some of it may be
+    // Whether any frame is: in space all have the background of the first.
+    bool isTransparent(const std::vector<int>& frames) const;
+
+private:
+    bool isPlane() const { return document::plane(m_source->entry()) != nullptr; }
+    PngExport planeFrame(int frame, const std::stop_token& stop);
+    SpaceExport spaceFrame(int frame, const std::stop_token& stop);
+    template <class Request, class RequestAt>
+    std::vector<Request> momentsOf(int frame, RequestAt requestAt) const;
+    // nullopt: the frame has its own, or the work is stopped.
+    std::optional<attractor::Exposure> exposureAt(int frame, const std::stop_token& stop);
+    std::optional<attractor::Exposure> pilot(std::size_t index, const std::stop_token& stop);
+
+    std::unique_ptr<FrameSource> m_source;
+    FrameOptions m_options;
+    document::AnimationFacts m_facts;
+    std::vector<animation::Moment> m_pilots;
+    std::map<std::size_t, attractor::Exposure> m_exposures; // of pilots
+};
+
+} // namespace io

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "io/animation/frames_view.h"
+
+#include "attractor/samples/prepared_space.h"
+#include "attractor/samples/prepared_system.h"
+#include "document/animated_fractal.h"
+#include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
+#include "ifs/extent/support_function.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace io {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Moments that are looked at for the view of all frames; margins cover what is between them.
+std::vector<animation::Moment> sampled(const document::Fractal& entry, int most) {
+    const document::AnimationFacts facts = *document::animationFacts(entry);
+    return document::moments(facts, std::min(most, facts.length + 1));
+}
+
+// The support function of one frame, as it is displayed.
+attractor::Support supportOf(const document::Shape<3>& shape) {
+    if (shape.cage && ifs::bends(*shape.cage)) return document::reachOfVertices(shape.cage->current);
+    const attractor::PreparedSpace system = attractor::preparedSpace(shape.system);
+    const ifs::AffineMap<3> cage = shape.cage ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
+    auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    if (!support)
+        return [=, centre = system.centre, halfExtent = system.halfExtent](const ifs::Vector<3>& u) {
+            const ifs::Vector<3> inner = cage.linear.transpose() * u;
+            return u.dot(cage(centre)) + inner.cwiseAbs().dot(halfExtent);
+        };
+    const auto shared = std::make_shared<const ifs::SupportFunction<3>>(*std::move(support));
+    return [=](const ifs::Vector<3>& u) {
+        constexpr double tolerance = 1e-4; // of the size: a margin is hundreds of times wider
+        const ifs::Vector<3> inner = cage.linear.transpose() * u;
+        const auto value = (*shared)(inner, tolerance * shared->radius() * inner.norm());
+        return u.dot(cage.translation) + value.value + value.error;
+    };
+}
+
+} // namespace
+
+ViewBox boxOfAttractor(const document::Fractal& fractal) {
+    if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
+    const attractor::PreparedSystem system =
+        attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));
+    const ifs::Placement toDisplay = document::placement(fractal);
+    ViewBox box{ifs::Vector<2>::Constant(infinity), ifs::Vector<2>::Constant(-infinity), false};
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) {
+            const ifs::Vector<2> corner =
+                toDisplay(system.centre + ifs::Vector<2>(x, y).cwiseProduct(system.halfExtent));
+            box.min = box.min.cwiseMin(corner);
+            box.max = box.max.cwiseMax(corner);
+        }
+    return box;
+}
+
+ViewBox boxOfFrames(const document::Fractal& entry) {
+    constexpr int most = 121;
+    ViewBox box{ifs::Vector<2>::Constant(infinity), ifs::Vector<2>::Constant(-infinity), true};
+    for (const animation::Moment& moment : sampled(entry, most)) {
+        const ViewBox next = boxOfAttractor(document::frameAt(entry, moment).fractal);
+        box.min = box.min.cwiseMin(next.min);
+        box.max = box.max.cwiseMax(next.max);
+        box.certified = box.certified && next.certified;
+    }
+    return box;
+}
+
+attractor::Support supportOfFrames(const document::Fractal& entry) {
+    constexpr int most = 33;
+    std::vector<attractor::Support> supports;
+    for (const animation::Moment& moment : sampled(entry, most))
+        supports.push_back(supportOf(*document::space(document::frameAt(entry, moment).fractal)));
+    return [supports = std::move(supports)](const ifs::Vector<3>& u) {
+        double farthest = -infinity;
+        for (const attractor::Support& support : supports)
+            farthest = std::max(farthest, support(u));
+        return farthest;
+    };
+}
+
+bool hasCameraKeys(const document::Fractal& entry) {
+    if (const auto* shape = document::plane(entry)) return !shape->animation->camera.empty();
+    return !document::space(entry)->animation->camera.empty();
+}
+
+} // namespace io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <QByteArray>
+
+#include <cstdint>
+
+namespace io {
+
+// Everything that the bytes of a frame depend on, in lines "name value" in a fixed order; an option that is
+// not given is absent. It begins with the version of the program, and the entry ends it.
+class FrameRequestText {
+public:
+    FrameRequestText();
+    void add(const char* name, const QByteArray& value);
+    void addCount(const char* name, std::uint64_t value);
+
+    // SHA-256, in hexadecimal digits.
+    QByteArray hash(const document::Fractal& entry) const;
+
+private:
+    QByteArray m_text;
+};
+
+} // namespace io

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "attractor/space_systems.h"
+#include "dialogs/export/animation_export_dialog.h"
+#include "dialogs/export/cluster_queue.h"
+#include "document/edits/motion_edits.h"
+#include "io/collection_reader.h"
+#include "io/fractint/fractint_writer.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using Dialog = view::AnimationExportDialog;
+
+// The dialog, what it writes, and that this is what the command line writes.
+class AnimationExportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup() { m_dialog.reset(); }
+    void videosHoldTheFrames_data();
+    void videosHoldTheFrames();
+    void picturesAreThoseOfTheCommandLine_data();
+    void picturesAreThoseOfTheCommandLine();
+    void completePicturesStay();
+    void editingGoesOn();
+    void stoppingLeavesNothing();
+    void failuresAreSaid();
+    void whatAFormatLacksIsSaid();
+    void aJobFolderHoldsAllThatItNeeds();
+    void slurmIsAskedForTheState_data();
+    void slurmIsAskedForTheState();
+
+private:
+    QSpinBox* number(const QString& name) const { return named<QSpinBox>(name); }
+    template <class Widget> Widget* named(const QString& name) const {
+        for (auto* widget : m_dialog->findChildren<Widget*>())
+            if (widget->accessibleName() == name) return widget;
+        return nullptr;
+    }
+    void open(const document::Fractal& entry);
+    bool exported(Dialog::Format format, const QString& name);
+    QString path(const QString& name) const { return m_folder->filePath(name); }
+    QString path(const char* name) const { return path(QString::fromLatin1(name)); }
+    void prepare(const QString& folder); // where there is no Slurm
+    QStringList files() const { return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<Dialog> m_dialog;
+};
+
+namespace {
+
+template <int Dim> document::Fractal shortened(document::Fractal entry) {
+    std::get<document::Shape<Dim>>(entry.shape).animation->length = 6;
+    return entry;
+}
+
+document::Fractal wind() {
+    return shortened<2>(
+        *document::withWind(document::Document().entryFractal(), animation::swayPresets()[0]));
+}
+
+document::Fractal turningSponge() {
+    document::Fractal entry;
+    entry.name = QStringLiteral("menger");
+    entry.shape = document::Shape<3>{systems::menger()};
+    return shortened<3>(*document::withOrbit(entry));
+}
+
+QStringList list(std::initializer_list<const char*> texts) {
+    QStringList result;
+    for (const char* text : texts)
+        result << QString::fromLatin1(text);
+    return result;
+}
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+void AnimationExportDialogTest::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    open(wind());
+}
+
+void AnimationExportDialogTest::open(const document::Fractal& entry) {
+    m_dialog.reset();
+    m_document = std::make_unique<document::Document>();
+    m_document->setFile(document::fileOf(entry));
+    Dialog::Camera camera = attractor::View{{0.4, 0.3}, 1.5, attractor::YAxis::Up};
+    if (document::space(entry)) {
+        attractor::OrbitCamera eye;
+        eye.size = {160, 120};
+        eye.orientation = attractor::orbit(20, 10);
+        eye.target = {0.5, 0.5, 0.5};
+        eye.height = 2;
+        camera = eye;
+    }
+    m_dialog = std::make_unique<Dialog>(m_document.get(), camera);
+    m_dialog->show();
+    number(QStringLiteral("Width"))->setValue(64);
+    number(QStringLiteral("Height"))->setValue(48);
+}
+
+void AnimationExportDialogTest::prepare(const QString& folder) {
+    const QByteArray before = qgetenv("PATH");
+    qputenv("PATH", "/nowhere");
+    m_dialog->prepareCluster(folder);
+    qputenv("PATH", before);
+}
+
+bool AnimationExportDialogTest::exported(Dialog::Format format, const QString& name) {
+    m_dialog->setFormat(format);
+    QSignalSpy spy(m_dialog.get(), &Dialog::exported);
+    m_dialog->exportTo(path(name));
+    return !spy.isEmpty() || spy.wait(60000);
+}
+
+void AnimationExportDialogTest::videosHoldTheFrames_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<QString>("suffix");
+    QTest::addColumn<QString>("codec");
+    QTest::newRow("MP4") << int(Dialog::Mp4) << "mp4"
+                         << "h264";
+    QTest::newRow("WebM") << int(Dialog::WebM) << "webm"
+                          << "vp9";
+    QTest::newRow("MKV") << int(Dialog::Mkv) << "mkv"
+                         << "ffv1";
+    QTest::newRow("GIF") << int(Dialog::Gif) << "gif"
+                         << "gif";
+    QTest::newRow("WebP") << int(Dialog::WebP) << "webp"
+                          << "";
+    QTest::newRow("APNG") << int(Dialog::Apng) << "apng"
+                          << "apng";
+}
+
+void AnimationExportDialogTest::videosHoldTheFrames() {
+    QFETCH(int, format);
+    QFETCH(QString, suffix);
+    QFETCH(QString, codec);
+    const QString name = QStringLiteral("wind.") + suffix;
+    QVERIFY2(exported(Dialog::Format(format), name), qPrintable(m_dialog->message()));
+    QCOMPARE(files(), QStringList{name});
+    const io::Collection again = io::readCollection(contents(path(name)), path(name));
+    QCOMPARE(again.file.entries.size(), 1);
+    QVERIFY(document::animationFacts(*again.file.entries[0].fractal));
+    if (codec.isEmpty() || QStandardPaths::findExecutable(QStringLiteral("ffprobe")).isEmpty()) return;
+    QProcess probe;
+    probe.start(QStringLiteral("ffprobe"),
+                list({"-v", "error", "-count_frames", "-show_streams", "-of", "json"}) << path(name));
+    QVERIFY(probe.waitForFinished(30000));
+    const QJsonObject stream =
+        QJsonDocument::fromJson(probe.readAllStandardOutput()).object()[u"streams"].toArray()[0].toObject();
+    QCOMPARE(stream[u"codec_name"].toString(), codec);
+    QCOMPARE(stream[u"width"].toInt(), 64);
+    QCOMPARE(stream[u"height"].toInt(), 48);
+    QCOMPARE(stream[u"nb_read_frames"].toString(), QStringLiteral("6"));
+}
+
+void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine_data() {
+    QTest::addColumn<bool>("inSpace");
+    QTest::addColumn<int>("section");
+    QTest::addColumn<int>("shutter");
+    QTest::newRow("the whole animation") << false << int(Dialog::Section::Animation) << 0;
+    QTest::newRow("the view on the canvas") << false << int(Dialog::Section::View) << 0;
+    QTest::newRow("blurred") << false << int(Dialog::Section::Animation) << 180;
+    QTest::newRow("in space") << true << int(Dialog::Section::View) << 0;
+    QTest::newRow("in space, whole") << true << int(Dialog::Section::Animation) << 0;
+}
+
+// With the options that a job folder names, byte for byte.
+void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
+    QFETCH(bool, inSpace);
+    QFETCH(int, section);
+    QFETCH(int, shutter);
+    if (inSpace) open(turningSponge());
+    m_dialog->setSection(Dialog::Section(section));
+    number(QStringLiteral("Shutter"))->setValue(shutter);
+    number(QStringLiteral("First frame"))->setValue(2);
+    number(QStringLiteral("Last frame"))->setValue(3);
+    if (!inSpace) named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(2);
+    QVERIFY2(exported(Dialog::Pictures, QStringLiteral("a.png")), qPrintable(m_dialog->message()));
+    QCOMPARE(files(), list({"a.0003.png", "a.0004.png"}));
+    prepare(m_folder->path());
+    const QStringList jobs = QDir(m_folder->path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    QCOMPARE(jobs.size(), 1);
+    const QString submit = QString::fromUtf8(contents(path(jobs[0] + QStringLiteral("/submit.sh"))));
+    const qsizetype from = submit.indexOf(QStringLiteral("--size"));
+    QVERIFY(from > 0);
+    QProcess animate;
+    animate.setWorkingDirectory(path(jobs[0]));
+    animate.start(QStringLiteral(BARYCAGE_CLI),
+                  list({"animate", "entry.ifs", "--entry", "#1", "-o", "b.####.png"}) +
+                      submit.mid(from).simplified().split(u' '));
+    QVERIFY(animate.waitForFinished(60000));
+    QCOMPARE(QString::fromUtf8(animate.readAllStandardError()), QString());
+    for (const char* file : {"0003.png", "0004.png"}) {
+        const QByteArray ours = contents(path(QStringLiteral("a.") + QLatin1String(file)));
+        QVERIFY(!ours.isEmpty());
+        QVERIFY(contents(path(jobs[0] + QStringLiteral("/b.") + QLatin1String(file))) == ours);
+    }
+}
+
+void AnimationExportDialogTest::completePicturesStay() {
+    QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
+    QCOMPARE(files().size(), 6);
+    const QByteArray whole = contents(path("a.0002.png"));
+    const QDateTime written(QFileInfo(path("a.0001.png")).lastModified());
+    QVERIFY(QFile::resize(path("a.0002.png"), 100)); // as a full disk would leave it
+    QTest::qWait(20);
+    QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
+    QVERIFY(contents(path("a.0002.png")) == whole);
+    QCOMPARE(QFileInfo(path("a.0001.png")).lastModified(), written);
+}
+
+// What is exported is the animation as it was when the dialog opened.
+void AnimationExportDialogTest::editingGoesOn() {
+    m_dialog->setFormat(Dialog::Mkv);
+    QSignalSpy spy(m_dialog.get(), &Dialog::exported);
+    m_dialog->exportTo(path("a.mkv"));
+    document::Fractal other = m_document->entryFractal();
+    other.name = QStringLiteral("other");
+    m_document->editEntry(QStringLiteral("Rename"), other);
+    QVERIFY(!spy.isEmpty() || spy.wait(60000));
+    const io::Collection again = io::readCollection(contents(path("a.mkv")), path("a.mkv"));
+    QVERIFY(again.file.entries[0].fractal->name != other.name);
+}
+
+void AnimationExportDialogTest::stoppingLeavesNothing() {
+    number(QStringLiteral("Width"))->setValue(1600);
+    number(QStringLiteral("Height"))->setValue(1200);
+    named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
+    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->exportTo(path("a.mp4"));
+    QTest::qWait(200);
+    QPushButton* stop = nullptr;
+    for (auto* button : m_dialog->findChildren<QPushButton*>())
+        if (button->text().contains(QStringLiteral("Stop"))) stop = button;
+    QVERIFY(stop);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nothing was written")), 60000);
+    QCOMPARE(files(), QStringList());
+    QVERIFY(stop->text().contains(QStringLiteral("Close")));
+}
+
+void AnimationExportDialogTest::failuresAreSaid() {
+    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->exportTo(QStringLiteral("/nowhere/at/all.mp4"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 20000);
+}
+
+void AnimationExportDialogTest::whatAFormatLacksIsSaid() {
+    number(QStringLiteral("Width"))->setValue(65);
+    QVERIFY(named<QLabel>(QStringLiteral("What will be written"))->text().contains(QStringLiteral("even")));
+    number(QStringLiteral("Width"))->setValue(64);
+    QVERIFY(!named<QLabel>(QStringLiteral("What will be written"))->text().contains(QStringLiteral("even")));
+    document::Fractal fast = wind();
+    document::plane(fast)->animation->rate = {120, 1};
+    open(fast);
+    m_dialog->setFormat(Dialog::Gif); // has at most 50 frames a second
+    QVERIFY(m_dialog->message().contains(QStringLiteral("50")));
+}
+
+void AnimationExportDialogTest::aJobFolderHoldsAllThatItNeeds() {
+    number(QStringLiteral("Tasks on a cluster"))->setValue(100);
+    prepare(m_folder->path());
+    prepare(m_folder->path());
+    QVERIFY2(m_dialog->message().contains(QStringLiteral("submit.sh")), qPrintable(m_dialog->message()));
+    const QStringList jobs = QDir(m_folder->path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    QCOMPARE(jobs.size(), 2); // the second does not touch the first
+    const QDir job(path(jobs[0]));
+    QCOMPARE(job.entryList(QDir::Files, QDir::Name),
+             list({"README.md", "animate.sh", "encode.sh", "entry.ifs", "submit-animation.sh", "submit.sh"}));
+    QVERIFY(QFileInfo(job.filePath(QStringLiteral("submit.sh"))).isExecutable());
+    const QByteArray submit = contents(job.filePath(QStringLiteral("submit.sh")));
+    QVERIFY2(submit.contains("'#1' 'animation.mp4' 6 --size 64x48"), submit.constData()); // no more tasks than frames
+    const io::Collection entry =
+        io::readCollection(contents(job.filePath(QStringLiteral("entry.ifs"))), QStringLiteral("entry.ifs"));
+    QVERIFY(document::animationFacts(*entry.file.entries[0].fractal));
+    prepare(path("not there"));
+    QVERIFY2(m_dialog->message().contains(QStringLiteral("not there")), qPrintable(m_dialog->message()));
+}
+
+void AnimationExportDialogTest::slurmIsAskedForTheState_data() {
+    QTest::addColumn<QByteArray>("states");
+    QTest::addColumn<QString>("sentence");
+    QTest::addColumn<bool>("isOver");
+    QTest::newRow("running") << QByteArray("41 COMPLETED\\n41 RUNNING\\n41 PENDING\\n42 PENDING\\n")
+                             << "Drawing: 1 of 3 tasks are done, 1 running, 1 waiting. Video: waiting."
+                             << false;
+    QTest::newRow("done") << QByteArray("41 COMPLETED\\n41 COMPLETED\\n42 COMPLETED\\n")
+                          << "Drawing: 2 of 2 tasks are done. Video: done." << true;
+    QTest::newRow("failed") << QByteArray("41 COMPLETED\\n41 FAILED\\n42 PENDING\\n")
+                            << "Drawing: 1 of 2 tasks are done, 1 failed. Video: waiting." << true;
+}
+
+// By programs that answer as Slurm's do.
+void AnimationExportDialogTest::slurmIsAskedForTheState() {
+    QFETCH(QByteArray, states);
+    QFETCH(QString, sentence);
+    QFETCH(bool, isOver);
+    const auto program = [&](const char* name, const QByteArray& text) {
+        QFile file(path(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("#!/bin/sh\n" + text);
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    };
+    program("sbatch", "case \"$*\" in *dependency*) echo 42 ;; *) echo '41;here' ;; esac\n");
+    program("squeue", "case \"$*\" in *--jobs=41,42*) printf '" + states + "' ;; esac\n");
+    const QByteArray before = qgetenv("PATH");
+    qputenv("PATH", m_folder->path().toLocal8Bit() + ':' + before);
+    view::ClusterQueue* queue = m_dialog->findChild<view::ClusterQueue*>();
+    QSignalSpy over(queue, &view::ClusterQueue::finished);
+    m_dialog->prepareCluster(m_folder->path());
+    QTRY_COMPARE_WITH_TIMEOUT(m_dialog->message(), sentence, 20000);
+    qputenv("PATH", before);
+    QCOMPARE(over.size(), isOver ? 1 : 0);
+}
+
+QTEST_MAIN(AnimationExportDialogTest)
+#include "animation_export_dialog_test.moc"

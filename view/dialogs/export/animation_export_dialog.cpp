@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/animation_export_dialog.h"
+
+#include "dialogs/export/cluster_queue.h"
+#include "dialogs/export/start_export.h"
+#include "document/unique_names.h"
+#include "io/animation/frames_view.h"
+#include "io/file/background.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/tooltip_text.h"
+#include "widgets/wait_for.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace view {
+
+namespace {
+
+constexpr int maxSide = 16'384;
+constexpr int usualPointsPerPixel = 100;
+
+QSpinBox* spinBox(const QString& name, int min, int max, int value, const QString& explanation) {
+    auto* box = new QSpinBox;
+    box->setRange(min, max);
+    box->setValue(value);
+    box->setAccessibleName(name);
+    box->setWhatsThis(explanation);
+    return box;
+}
+
+QComboBox* comboBox(const QString& name, const QStringList& items, const QString& explanation) {
+    auto* box = new QComboBox;
+    box->addItems(items);
+    box->setAccessibleName(name);
+    box->setWhatsThis(explanation);
+    return box;
+}
+
+// "a × b"
+QWidget* pair(QWidget* a, const QString& between, QWidget* b) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    layout->addWidget(a);
+    layout->addWidget(new QLabel(between));
+    layout->addWidget(b);
+    layout->addStretch(1);
+    row->setFocusProxy(a);
+    return row;
+}
+
+template <int Dim> void setCamera(document::Shape<Dim>& shape, const AnimationExportDialog::Camera& camera) {
+    if (const auto* pose = std::get_if<animation::CameraPose<Dim>>(&camera))
+        shape.animation->camera = {{0, *pose, {}}};
+}
+
+QString timeText(qint64 milliseconds) {
+    const qint64 seconds = (milliseconds + 999) / 1000;
+    if (seconds < 60) return AnimationExportDialog::tr("About %n second(s) left.", nullptr, int(seconds));
+    const qint64 minutes = (seconds + 30) / 60;
+    if (minutes < 120) return AnimationExportDialog::tr("About %n minute(s) left.", nullptr, int(minutes));
+    return AnimationExportDialog::tr("About %n hour(s) left.", nullptr, int((minutes + 30) / 60));
+}
+
+} // namespace
+
+AnimationExportDialog::AnimationExportDialog(document::Document* document, const Camera& camera,
+                                             QWidget* parent)
+    : QDialog(parent),
+      m_entry(document->entryFractal()),
+      m_camera(camera),
+      m_form(new QFormLayout),
+      m_queue(new ClusterQueue(this)) {
+    setWindowTitle(tr("Export the Animation “%1”").arg(titleText(m_entry.name)));
+    createFormat();
+    createFrames();
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(m_form);
+    layout->addWidget(createResult());
+    layout->addStretch();
+    createButtons();
+    connect(m_queue, &ClusterQueue::stateChanged, this, &AnimationExportDialog::say);
+    connect(m_queue, &ClusterQueue::finished, this, [this] { m_cluster->setEnabled(true); });
+    update();
+}
+
+AnimationExportDialog::~AnimationExportDialog() = default;
+
+void AnimationExportDialog::createFormat() {
+    m_format = comboBox(tr("Format"),
+                        {tr("MP4: plays everywhere"), tr("WebM: for web pages, with transparency"),
+                         tr("MKV: without loss, for editing"), tr("GIF: 256 colours"),
+                         tr("WebP: a moving picture without loss"), tr("APNG: a moving picture without loss"),
+                         tr("PNG: one picture for each frame")},
+                        tr("A video, a moving picture for pages and messages, or one picture for each frame. "
+                           "All of them contain the animation, and Barycage opens them again."));
+    m_form->addRow(tr("&Format:"), m_format);
+    m_section = comboBox(tr("Section"), {tr("The view on the canvas"), tr("The whole animation")},
+                         tr("What the frames show where no key of the camera says: what the canvas shows, or "
+                            "everything that comes into sight, with a small margin."));
+    m_form->addRow(tr("S&ection:"), m_section);
+    m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
+    m_width = spinBox(tr("Width"), 16, maxSide, 1920, tr("The width of the frames in pixels."));
+    m_height = spinBox(tr("Height"), 16, maxSide, 1080, tr("The height of the frames in pixels."));
+    m_form->addRow(tr("&Size in pixels:"), pair(m_width, QStringLiteral("×"), m_height));
+    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
+        say({}); // what it says is of another file
+        update();
+    });
+    for (QSpinBox* side : {m_width, m_height})
+        connect(side, &QSpinBox::valueChanged, this, &AnimationExportDialog::update);
+}
+
+void AnimationExportDialog::createFrames() {
+    const int last = io::frameCount(m_entry) - 1;
+    m_first = spinBox(tr("First frame"), 0, last, 0, tr("The first frame to export."));
+    m_last = spinBox(tr("Last frame"), 0, last, last, tr("The last frame to export."));
+    m_form->addRow(tr("F&rames:"), pair(m_first, tr("to"), m_last));
+    connect(m_first, &QSpinBox::valueChanged, this, [this](int first) {
+        m_last->setMinimum(first);
+        update();
+    });
+    connect(m_last, &QSpinBox::valueChanged, this, &AnimationExportDialog::update);
+    m_quality = comboBox(tr("Quality"), {},
+                         tr("The number of points for each pixel of each frame: more "
+                            "points make smoother frames and take longer."));
+    m_quality->addItem(tr("Draft: 25 points per pixel"), 25);
+    m_quality->addItem(tr("Good: 100 points per pixel"), usualPointsPerPixel);
+    m_quality->addItem(tr("Fine: 400 points per pixel"), 400);
+    m_quality->addItem(tr("Finest: 2000 points per pixel"), 2000);
+    m_quality->setCurrentIndex(1);
+    m_form->addRow(tr("&Quality:"), m_quality);
+    const auto* space = document::space(m_entry);
+    const bool isSolid = space && !attractor::showsCloud(m_entry.inSpace.look);
+    m_form->setRowVisible(m_quality, !isSolid);
+    m_shutter = spinBox(tr("Shutter"), 0, 360, 0,
+                        tr("Motion blur: the angle for which the shutter is open around each frame. 180° is "
+                           "half the time of a frame, as in films."));
+    m_shutter->setSuffix(QStringLiteral("°"));
+    m_shutter->setSpecialValueText(tr("No motion blur"));
+    m_shutter->setSingleStep(45);
+    m_form->addRow(tr("S&hutter:"), m_shutter);
+    m_exposure = comboBox(tr("Exposure"),
+                          {tr("Smooth: no flicker"), tr("Fixed: that of frame 0"), tr("Each: by itself")},
+                          tr("How bright the frames are: following the whole animation without flicker, all "
+                             "like frame 0, or each as bright as it is on the canvas."));
+    m_form->addRow(tr("E&xposure:"), m_exposure);
+    m_form->setRowVisible(m_exposure, !isSolid);
+    m_tasks = spinBox(tr("Tasks on a cluster"), 1, 10'000, 8,
+                      tr("How many tasks of a cluster share the frames when you choose On a Cluster."));
+    m_form->addRow(tr("&Tasks on a cluster:"), m_tasks);
+}
+
+QWidget* AnimationExportDialog::createResult() {
+    auto* page = new QWidget(this);
+    m_plan = new QLabel(page);
+    m_plan->setWordWrap(true);
+    m_plan->setAccessibleName(tr("What will be written"));
+    m_message = new QLabel(page);
+    m_message->setWordWrap(true);
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_message->setAccessibleName(tr("Result"));
+    m_message->hide();
+    m_progress = new QProgressBar(page);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    m_left = new QLabel(page);
+    m_left->setAccessibleName(tr("Time left"));
+    m_left->hide();
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins({});
+    for (QWidget* row : std::initializer_list<QWidget*>{m_plan, m_message, m_progress, m_left})
+        layout->addWidget(row);
+    return page;
+}
+
+void AnimationExportDialog::createButtons() {
+    auto* buttons = new QDialogButtonBox(this);
+    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setWhatsThis(tr("Asks for a file name and writes the animation. You can go on editing "
+                             "meanwhile: the animation is exported as it was when this dialog opened."));
+    m_cluster = buttons->addButton(tr("On a &Cluster…"), QDialogButtonBox::ActionRole);
+    m_cluster->setWhatsThis(tr("Writes a folder with the animation and with scripts that draw it on a Slurm "
+                               "cluster, and submits it where sbatch is found."));
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    layout()->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &AnimationExportDialog::chooseFile);
+    connect(m_cluster, &QPushButton::clicked, this, &AnimationExportDialog::chooseFolder);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+}
+
+void AnimationExportDialog::setSection(Section section) {
+    m_section->setCurrentIndex(int(section));
+}
+
+void AnimationExportDialog::setFormat(Format format) {
+    m_format->setCurrentIndex(format);
+}
+
+QString AnimationExportDialog::message() const {
+    return m_message->text();
+}
+
+QString AnimationExportDialog::suffix() const {
+    return m_format->currentIndex() == Pictures ? QStringLiteral("png")
+                                                : io::videoSuffix(io::VideoFormat(m_format->currentIndex()));
+}
+
+// With the view of the canvas as a key, where that is to be shown.
+document::Fractal AnimationExportDialog::entryInView() const {
+    document::Fractal entry = m_entry;
+    if (io::hasCameraKeys(entry) || Section(m_section->currentIndex()) == Section::Animation) return entry;
+    if (auto* shape = document::plane(entry)) setCamera(*shape, m_camera);
+    if (auto* shape = document::space(entry)) setCamera(*shape, m_camera);
+    return entry;
+}
+
+io::AnimationExport AnimationExportDialog::chosen() const {
+    io::AnimationExport what;
+    what.entry = entryInView();
+    if (m_format->currentIndex() != Pictures) what.format = io::VideoFormat(m_format->currentIndex());
+    what.size = {m_width->value(), m_height->value()};
+    const int perPixel = m_quality->currentData().toInt();
+    if (perPixel != usualPointsPerPixel)
+        what.points =
+            std::uint64_t(perPixel) * std::uint64_t(what.size.width()) * std::uint64_t(what.size.height());
+    what.frames.shutter = 1000 * m_shutter->value();
+    what.frames.exposing = std::array{io::Exposing::Smooth, io::Exposing::Fixed,
+                                      io::Exposing::Each}[std::size_t(m_exposure->currentIndex())];
+    what.first = m_first->value();
+    what.last = m_last->value();
+    return what;
+}
+
+void AnimationExportDialog::update() {
+    const document::AnimationFacts facts = *document::animationFacts(m_entry);
+    const int count = m_last->value() - m_first->value() + 1;
+    const double seconds = double(count) * facts.rate.seconds / facts.rate.frames;
+    QString plan = tr("%n frame(s), %1 seconds.", nullptr, count).arg(seconds, 0, 'g', 3);
+    const io::AnimationExport what = chosen();
+    const bool isOdd = what.size.width() % 2 != 0 || what.size.height() % 2 != 0;
+    if (what.format && io::factsOf(*what.format).needsEvenSides && isOdd)
+        plan += u' ' + tr("MP4 needs even sides: the last column or row is shown twice.");
+    if (what.format && !io::factsOf(*what.format).storesAlpha && m_entry.appearance.background.alpha < 255)
+        plan += u' ' + tr("MP4 has no transparency: the background becomes black.");
+    m_plan->setText(plan);
+    const io::Failure obstacle = io::animationObstacle(what);
+    if (obstacle) say(*obstacle);
+    m_start->setEnabled(!obstacle && !m_job);
+}
+
+void AnimationExportDialog::chooseFile() {
+    const bool isPictures = m_format->currentIndex() == Pictures;
+    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
+    const QString fileName = document::uniqueName({}, m_entry.name) + u'.' + suffix();
+    // Of pictures the first is asked for, so that the dialog can warn when it is there.
+    const QString suggestion =
+        isPictures ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
+    const QString path = chooseFileToSave(this, tr("Export Animation"), suggestion, filter, suffix());
+    if (path.isEmpty()) return;
+    const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
+    exportTo(isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png")
+                                                 : path);
+}
+
+void AnimationExportDialog::startWork() {
+    m_message->hide();
+    m_progress->setValue(0);
+    m_progress->show();
+    m_left->setText(tr("Measuring the brightness…"));
+    m_left->show();
+    m_clock.start();
+    m_start->setEnabled(false);
+    m_cluster->setEnabled(false);
+    m_close->setText(tr("&Stop"));
+}
+
+void AnimationExportDialog::exportTo(const QString& path) {
+    startWork();
+    m_job = startExport(
+        chosen(), path, this, [this](double fraction) { showProgress(fraction); },
+        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+}
+
+void AnimationExportDialog::showProgress(double fraction) {
+    constexpr double enough = 0.01; // to tell how fast it goes
+    m_progress->setValue(int(1000 * fraction));
+    if (fraction < enough) return;
+    m_left->setText(timeText(qint64(double(m_clock.elapsed()) * (1 - fraction) / fraction)));
+}
+
+void AnimationExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
+    m_job.reset();
+    m_progress->hide();
+    m_left->hide();
+    m_cluster->setEnabled(true);
+    m_close->setText(tr("&Close"));
+    update();
+    const bool isPictures = m_format->currentIndex() == Pictures;
+    const auto picture = [&](int frame) { return io::framePath(path, frame, m_last->value()); };
+    if (outcome.stopped)
+        say(isPictures ? tr("Export stopped. The pictures written so far are complete; export again to draw "
+                            "the others.")
+                       : tr("Export stopped; nothing was written."));
+    else if (outcome.failure)
+        say(*outcome.failure);
+    else if (isPictures)
+        say(tr("Written to %1 and so on, up to %2.")
+                .arg(picture(m_first->value()), QFileInfo(picture(m_last->value())).fileName()));
+    else
+        say(tr("Written to %1.").arg(path));
+    if (!outcome.stopped && !outcome.failure) emit exported(path);
+}
+
+void AnimationExportDialog::chooseFolder() {
+    const QString folder = view::chooseFolder(this, tr("Folder That the Cluster Can Read and Write"));
+    if (!folder.isEmpty()) prepareCluster(folder);
+}
+
+void AnimationExportDialog::prepareCluster(const QString& folder) {
+    const io::ClusterJob job{chosen(), m_tasks->value()};
+    QFuture<io::WrittenJob> work =
+        io::inBackground<io::WrittenJob>([folder, job](QPromise<io::WrittenJob>& promise) {
+            promise.addResult(writeClusterJob(folder, job));
+        });
+    const QPointer self(this);
+    const bool isWritten = waitFor(QFuture<void>(work), tr("Writing the job folder…"), this);
+    if (!self) return;
+    if (!isWritten) return say(tr("Cancelled; the folder may be incomplete."));
+    const io::WrittenJob written = work.result();
+    if (written.failure) return say(*written.failure);
+    if (!ClusterQueue::isAvailable()) {
+        say(tr("The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.")
+                .arg(written.folder));
+    } else {
+        m_cluster->setEnabled(false);
+        m_queue->submit(written.folder);
+    }
+    emit exported(written.folder);
+}
+
+void AnimationExportDialog::say(const QString& sentence) {
+    m_message->setText(sentence);
+    m_message->setVisible(!sentence.isEmpty());
+}
+
+} // namespace view

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/camera.h"
+#include "attractor/request/orbit_camera.h"
+#include "document/document.h"
+#include "io/animation/cluster_job.h"
+#include "io/export_job.h"
+
+#include <QDialog>
+#include <QElapsedTimer>
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace view {
+
+class ClusterQueue;
+
+// Exports the animation of the current entry as it is when the dialog opens: as a video, as pictures, or as a
+// folder from which a cluster draws it. The work goes on in a thread of the model while the window is used;
+// closing the dialog stops it.
+class AnimationExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // what the canvas shows
+    AnimationExportDialog(document::Document* document, const Camera& camera, QWidget* parent = nullptr);
+    ~AnimationExportDialog() override;
+
+    enum class Section { View, Animation };
+    void setSection(Section section); // what is shown where no camera key says
+    enum Format { Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures };
+    void setFormat(Format format);
+    void exportTo(const QString& path);         // what Export does once a file is chosen …
+    void prepareCluster(const QString& folder); // … and On a Cluster once a folder is
+    QString message() const;                    // what came of it
+
+signals:
+    void exported(const QString& path);
+
+private:
+    void createFormat();
+    void createFrames();
+    QWidget* createResult();
+    void createButtons();
+    io::AnimationExport chosen() const;
+    document::Fractal entryInView() const;
+    QString suffix() const;
+    void update();
+    void chooseFile();
+    void chooseFolder();
+    void startWork();
+    void showProgress(double fraction);
+    void finish(const io::ExportOutcome& outcome, const QString& path);
+    void say(const QString& sentence);
+
+    document::Fractal m_entry; // as it was when the dialog opened
+    Camera m_camera;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_format = nullptr;
+    QComboBox* m_section = nullptr;
+    QSpinBox* m_width = nullptr;
+    QSpinBox* m_height = nullptr;
+    QSpinBox* m_first = nullptr;
+    QSpinBox* m_last = nullptr;
+    QComboBox* m_quality = nullptr;
+    QSpinBox* m_shutter = nullptr;
+    QComboBox* m_exposure = nullptr;
+    QSpinBox* m_tasks = nullptr;
+    QLabel* m_plan = nullptr;
+    QLabel* m_message = nullptr;
+    QLabel* m_left = nullptr; // time
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_cluster = nullptr;
+    QPushButton* m_close = nullptr;
+    ClusterQueue* m_queue = nullptr;
+    QElapsedTimer m_clock;                // since the work began
+    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+};
+
+} // namespace view

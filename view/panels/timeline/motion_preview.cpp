@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/motion_preview.h"
+
+#include "attractor/colour/palette.h"
+#include "document/animated_fractal.h"
+#include "document/fractal_geometry.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace view {
+
+namespace {
+
+constexpr int points = 700;
+constexpr int dropped = 20; // until a point is close enough to the attractor
+constexpr std::size_t maxMaps = 64;
+constexpr double margin = 2;            // pixels
+constexpr double paletteInMiddle = 0.7; // where a point of usual density is in a palette
+
+struct PreviewFrame {
+    std::vector<QPointF> points; // y up
+    std::optional<attractor::View> view;
+    QColor colour;
+};
+
+// From in front and a little from above, turned as far as the camera has gone round.
+QPointF seen(double orbit, const ifs::Vector<3>& point) {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    const double turn = (30 + orbit) * degree, tilt = 20 * degree;
+    const double depth = point.z() * std::cos(turn) + point.x() * std::sin(turn);
+    return {point.x() * std::cos(turn) - point.z() * std::sin(turn),
+            point.y() * std::cos(tilt) - depth * std::sin(tilt)};
+}
+
+// The chaos game with the same random numbers in every frame.
+template <int Dim, class Seen>
+std::vector<QPointF> chaosGame(const ifs::IteratedFunctionSystem<Dim>& system, Seen shown) {
+    const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
+    std::vector<QPointF> result;
+    if (active.maps.empty()) return result;
+    std::mt19937 random(1);
+    std::discrete_distribution<std::size_t> choice(active.probabilities.begin(), active.probabilities.end());
+    ifs::Vector<Dim> point = ifs::Vector<Dim>::Zero();
+    for (int i = 0; i < dropped + points; ++i) {
+        point = active.maps[choice(random)](point);
+        if (!point.allFinite()) return {};
+        if (i >= dropped) result.push_back(shown(point));
+    }
+    return result;
+}
+
+PreviewFrame frameOf(const document::Fractal& entry, const animation::Moment& moment, const QColor& ink) {
+    const document::AnimatedFrame frame = document::frameAt(entry, moment);
+    PreviewFrame result;
+    result.view = frame.view;
+    result.colour = ink;
+    if (frame.fractal.appearance.palette != entry.appearance.palette) {
+        const attractor::Rgba colour = attractor::colourAt(frame.fractal.appearance.palette, paletteInMiddle);
+        result.colour = QColor(colour.red, colour.green, colour.blue);
+    }
+    if (const auto* shape = document::plane(frame.fractal)) {
+        const ifs::Placement place = document::placement(frame.fractal);
+        result.points = chaosGame<2>(shape->system, [&](const ifs::Vector<2>& point) {
+            const ifs::Vector<2> shown = place(point);
+            return QPointF(shown.x(), shown.y());
+        });
+    } else if (const auto* solid = document::space(frame.fractal)) {
+        result.points = chaosGame<3>(solid->system,
+                                     [&](const ifs::Vector<3>& point) { return seen(frame.orbit, point); });
+    }
+    return result;
+}
+
+// What all frames show; of an endless zoom, each its own view.
+QRectF boxOf(const std::vector<PreviewFrame>& frames) {
+    double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
+    for (const PreviewFrame& frame : frames)
+        for (const QPointF& point : frame.points) {
+            left = std::min(left, point.x());
+            right = std::max(right, point.x());
+            bottom = std::min(bottom, point.y());
+            top = std::max(top, point.y());
+        }
+    return {left, bottom, right - left, top - bottom};
+}
+
+QPixmap picture(const PreviewFrame& frame, const QRectF& box, const PreviewStyle& style) {
+    QPixmap pixmap(style.size * style.pixelRatio);
+    pixmap.setDevicePixelRatio(style.pixelRatio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QSizeF inside(style.size.width() - 2 * margin, style.size.height() - 2 * margin);
+    const QPointF centre =
+        frame.view ? QPointF(frame.view->centre.x(), frame.view->centre.y()) : box.center();
+    const double scale = frame.view ? inside.height() / frame.view->height
+                                    : std::min(inside.width() / std::max(box.width(), 1e-9),
+                                               inside.height() / std::max(box.height(), 1e-9));
+    QColor ink = frame.colour;
+    ink.setAlphaF(0.7F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    const QPointF middle(style.size.width() / 2.0, style.size.height() / 2.0);
+    for (const QPointF& point : frame.points) {
+        const QPointF away = (point - centre) * scale;
+        painter.drawEllipse(middle + QPointF(away.x(), -away.y()), 0.6, 0.6);
+    }
+    return pixmap;
+}
+
+} // namespace
+
+std::vector<QPixmap> motionPreview(const document::Fractal& entry, const PreviewStyle& style) {
+    const auto facts = document::animationFacts(entry);
+    const auto* plane = document::plane(entry);
+    const auto* space = document::space(entry);
+    const std::size_t maps = plane ? plane->system.maps.size() : space ? space->system.maps.size() : 0;
+    if (!facts || maps == 0 || maps > maxMaps) return {};
+    const int length = animation::frameCount(facts->loop, facts->length);
+    std::vector<PreviewFrame> frames;
+    for (int i = 0; i < previewFrames; ++i)
+        frames.push_back(
+            frameOf(entry, animation::moment(std::int64_t(length) * i, previewFrames), style.ink));
+    const QRectF box = boxOf(frames);
+    std::vector<QPixmap> pictures;
+    for (const PreviewFrame& frame : frames)
+        pictures.push_back(picture(frame, box, style));
+    return pictures;
+}
+
+} // namespace view
