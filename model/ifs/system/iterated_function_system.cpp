@@ -37,6 +37,8 @@ template <int Dim> bool isOff(const WeightedMap<Dim>& map) {
     return !map.enabled || (map.weight && !(*map.weight > 0 && std::isfinite(*map.weight)));
 }
 
+namespace {
+
 template <int Dim> std::vector<LinkState> linkedStates(const IteratedFunctionSystem<Dim>& system) {
     std::vector<char> on;
     for (const auto& map : system.maps)
