@@ -471,6 +471,10 @@
         <source>The cage is at rest.</source>
         <translation>Der Käfig ist in Ruhe.</translation>
     </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Die Abbildungen sind verknüpft; verknüpften Abbildungen lässt sich kein Käfig anpassen.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -648,6 +652,10 @@
     <message>
         <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>Abbildung %1 von „%2“ ändert die Richtung; der Schatten ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Die Abbildungen von „%1“ sind verknüpft, was Abbildungen im Raum nicht sein können.</translation>
     </message>
 </context>
 <context>
@@ -1827,6 +1835,14 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Dieses System hat mehr als %L1 Abbildungen, zu viele für einen Körper im Fenster. „barycage-cli convert --lift“ nimmt sie an.</translation>
     </message>
+    <message>
+        <source>Links</source>
+        <translation>Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Matrix.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2304,10 +2320,6 @@
     <message>
         <source>it uses the variation “%1”</source>
         <translation>sie benutzt die Variation „%1“</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>ihr „chaos“ erlaubt nur manche Nachfolger, was eine Liste von Abbildungen nicht sagen kann</translation>
     </message>
     <message>
         <source>it is active but not drawn (opacity 0)</source>
@@ -3372,6 +3384,66 @@
         <source>The picture is too long and thin to be traced.</source>
         <translation>Das Bild ist zu lang und schmal, um nachgezeichnet zu werden.</translation>
     </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>sein „chaos“ ist keine Liste von Zahlen ab 0</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>sie verknüpft mehr als %1 Transformationen durch „chaos“</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>sie verknüpft Transformationen im Raum durch „chaos“</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Abbildungen eines Systems im Raum lassen sich nicht verknüpfen: Die Verknüpfungen werden nicht angewandt, ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen: Die Verknüpfungen werden nicht angewandt, ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Die Verknüpfungen von Abbildung %1 sind ungültig, daher werden keine angewandt: Eine Zeile von Verknüpfungen hat für jede Abbildung eine Zahl ab 0.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Durch die Verknüpfungen endet jede Folge von Abbildungen; daher ist keine Abbildung aktiv.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Die Abbildungen sind verknüpft; daher besteht das Bild nicht aus Kopien seiner selbst.</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>nimmt nicht teil: nach ihr endet das Chaosspiel</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>nimmt nicht teil: keine Abbildung führt zu ihr</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>nimmt nicht teil: das Chaosspiel verlässt sie und kehrt nie zurück</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>Verknüpfungen von Abbildung %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>verknüpfte Abbildungen</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>Trennung, Zusammenhang, gemeinsamer Spektralradius und periodische Adressen werden für verknüpfte Abbildungen nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>die Verknüpfungen seiner Abbildungen</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3705,6 +3777,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Ein anderer Eintrag heißt „%1“ (Groß- und Kleinbuchstaben gelten als gleich).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Abbildungen im Raum lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Dieser Eintrag konnte nicht gelesen werden; seine Abbildungen lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen.</translation>
     </message>
 </context>
 <context>
@@ -6411,6 +6498,96 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>Endet: Keine Abbildung kann endlos folgen</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Unerreicht: Keine Abbildung führt zu ihr</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Verlassen: Das Chaosspiel kehrt nie zurück</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Nimmt teil</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 mit dem %3-Fachen ihres Gewichts angewandt.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 nie angewandt.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>Von Abbildung %1 zu Abbildung %2: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Abbildung %1 mit Abbildung %2 verknüpfen</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>Im Chaosspiel</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Ob die Abbildung immer wieder angewandt wird, oder warum nicht</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>Zu Abbildung %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>Von Abbildung %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Alle Verknüpfungen entfernen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Verknüpfungen zwischen Abbildungen</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Zeilen sind die zuvor angewandten Abbildungen, Spalten die danach. Eine Zahl vervielfacht das Gewicht der Abbildung der Spalte: 1 lässt es unverändert, 0 verbietet sie.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Jede Abbildung darf wieder auf jede folgen</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Jede Abbildung darf auf jede folgen. Geben Sie 0 ein, um es zu verbieten.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Jede Folge von Abbildungen endet; daher wird nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Alle Verknüpfungen entfernen</translation>
+    </message>
+</context>
+<context>
     <name>view::MapShapeEditor</name>
     <message>
         <source>Rotation °</source>
@@ -8503,6 +8680,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Morph to %1</source>
         <translation>Verwandeln in %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Die Abbildungen eines der beiden Fraktale sind verknüpft.</translation>
     </message>
 </context>
 <context>

@@ -471,6 +471,10 @@
         <source>The cage is at rest.</source>
         <translation>La jaula está en reposo.</translation>
     </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Las aplicaciones están enlazadas; no se puede ajustar una jaula a aplicaciones enlazadas.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -648,6 +652,10 @@
     <message>
         <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>La aplicación %1 de «%2» desvía la dirección, así que la sombra no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Las aplicaciones de «%1» están enlazadas, y las del espacio no pueden estarlo.</translation>
     </message>
 </context>
 <context>
@@ -1827,6 +1835,14 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Este sistema tiene más de %L1 aplicaciones, demasiadas para un sólido en la ventana. «barycage-cli convert --lift» las admite.</translation>
     </message>
+    <message>
+        <source>Links</source>
+        <translation>Enlaces</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Qué aplicaciones puede usar el juego del caos después de cuáles, como matriz.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2304,10 +2320,6 @@
     <message>
         <source>it uses the variation “%1”</source>
         <translation>usa la variación «%1»</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>su «chaos» solo permite algunos sucesores, lo que una lista de aplicaciones no puede expresar</translation>
     </message>
     <message>
         <source>it is active but not drawn (opacity 0)</source>
@@ -3372,6 +3384,66 @@
         <source>The picture is too long and thin to be traced.</source>
         <translation>La imagen es demasiado larga y estrecha para calcarla.</translation>
     </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>su «chaos» no es una lista de números a partir de 0</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>enlaza más de %1 transformaciones mediante «chaos»</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>enlaza transformaciones del espacio mediante «chaos»</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Las aplicaciones de un sistema del espacio no se pueden enlazar: los enlaces no se aplican y sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>No se pueden enlazar más de %1 aplicaciones: los enlaces no se aplican y sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Los enlaces de la aplicación %1 no son válidos, así que no se aplica ninguno: una fila de enlaces tiene un número por aplicación, 0 o mayor.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Con estos enlaces toda sucesión de aplicaciones termina, así que no interviene ninguna.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Las aplicaciones están enlazadas, así que la imagen no se compone de copias de sí misma.</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>no interviene: después de ella termina el juego del caos</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>no interviene: ninguna aplicación lleva a ella</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>no interviene: el juego del caos la deja y no vuelve nunca</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>enlaces desde la aplicación %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>aplicaciones enlazadas</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>la separación, la conexión, el radio espectral conjunto y las direcciones periódicas no se determinan para aplicaciones enlazadas</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>los enlaces de sus aplicaciones</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3705,6 +3777,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Otra entrada se llama «%1» (no se distinguen mayúsculas y minúsculas).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Las aplicaciones del espacio no se pueden enlazar.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Esta entrada no se pudo leer, así que sus aplicaciones no se pueden enlazar.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>No se pueden enlazar más de %1 aplicaciones.</translation>
     </message>
 </context>
 <context>
@@ -6411,6 +6498,96 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Desactivada</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>Termina: ninguna sucesión sin fin puede seguirla</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Inalcanzable: ninguna aplicación lleva a ella</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Abandonada: el juego del caos no vuelve nunca</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Interviene</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Justo después de la aplicación %1, la aplicación %2 se usa con su peso multiplicado por %3.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Justo después de la aplicación %1 no se usa nunca la aplicación %2.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>De la aplicación %1 a la aplicación %2: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Enlazar la aplicación %1 con la aplicación %2</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>En el juego del caos</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Si la aplicación se usa una y otra vez, o por qué no</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>A la aplicación %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>De la aplicación %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Quitar todos los enlaces</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Enlaces</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Enlaces entre aplicaciones</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Las filas son las aplicaciones usadas antes; las columnas, las de después. Un número multiplica el peso de la aplicación de la columna: 1 lo deja igual, 0 la prohíbe.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Cualquier aplicación puede seguir de nuevo a cualquier otra</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Cualquier aplicación puede seguir a cualquier otra. Escriba 0 para prohibirlo.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Toda sucesión de aplicaciones termina, así que no se dibuja nada.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Quitar todos los enlaces</translation>
+    </message>
+</context>
+<context>
     <name>view::MapShapeEditor</name>
     <message>
         <source>Rotation °</source>
@@ -8503,6 +8680,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Morph to %1</source>
         <translation>Transformar en %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Las aplicaciones de uno de los dos fractales están enlazadas.</translation>
     </message>
 </context>
 <context>

@@ -471,6 +471,10 @@
         <source>The cage is at rest.</source>
         <translation>La cage est au repos.</translation>
     </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Les applications sont liées&#x202f;; on ne peut pas ajuster de cage à des applications liées.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -648,6 +652,10 @@
     <message>
         <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>L’application %1 de « %2 » change cette direction ; l’ombre n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
     </message>
 </context>
 <context>
@@ -1827,6 +1835,14 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Ce système a plus de %L1 applications, trop pour un solide dans la fenêtre. « barycage-cli convert --lift » les accepte.</translation>
     </message>
+    <message>
+        <source>Links</source>
+        <translation>Liens</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de matrice.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2304,10 +2320,6 @@
     <message>
         <source>it uses the variation “%1”</source>
         <translation>elle utilise la variation «&#x202f;%1&#x202f;»</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>son «&#x202f;chaos&#x202f;» n’autorise que certains successeurs, ce qu’une liste d’applications ne peut exprimer</translation>
     </message>
     <message>
         <source>it is active but not drawn (opacity 0)</source>
@@ -3372,6 +3384,66 @@
         <source>The picture is too long and thin to be traced.</source>
         <translation>L’image est trop longue et trop mince pour être décalquée.</translation>
     </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>son «&#x202f;chaos&#x202f;» n’est pas une liste de nombres positifs ou nuls</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>elle lie plus de %1 transformations par «&#x202f;chaos&#x202f;»</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>elle lie des transformations de l’espace par «&#x202f;chaos&#x202f;»</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Les applications d’un système de l’espace ne peuvent pas être liées&#x202f;: les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>On ne peut pas lier plus de %1 applications&#x202f;: les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Les liens de l’application %1 ne sont pas valides, donc aucun n’est appliqué&#x202f;: une ligne de liens a un nombre par application, 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Avec ces liens, toute suite d’applications prend fin&#x202f;; aucune application n’est donc active.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Les applications sont liées&#x202f;; l’image n’est donc pas faite de copies d’elle-même.</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>ne participe pas&#x202f;: après elle, le jeu du chaos prend fin</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>ne participe pas&#x202f;: aucune application n’y mène</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>ne participe pas&#x202f;: le jeu du chaos la quitte et n’y revient jamais</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>liens de l’application %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>applications liées</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>la séparation, la connexité, le rayon spectral joint et les adresses périodiques ne sont pas déterminés pour les applications liées</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>les liens de ses applications</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3705,6 +3777,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Les applications de l’espace ne peuvent pas être liées.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Cette entrée n’a pas pu être lue&#x202f;; ses applications ne peuvent donc pas être liées.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>On ne peut pas lier plus de %1 applications.</translation>
     </message>
 </context>
 <context>
@@ -6411,6 +6498,96 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Désactivée</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>S’arrête&#x202f;: aucune suite sans fin ne peut la suivre</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Non atteinte&#x202f;: aucune application n’y mène</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Quittée&#x202f;: le jeu du chaos n’y revient jamais</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Participe</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Juste après l’application %1, l’application %2 est appliquée avec son poids multiplié par %3.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Juste après l’application %1, l’application %2 n’est jamais appliquée.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>De l’application %1 à l’application %2&#x202f;: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Lier l’application %1 à l’application %2</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>Dans le jeu du chaos</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Si l’application est appliquée encore et encore, ou pourquoi pas</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>Vers l’application %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>De l’application %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Retirer tous les liens</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Liens</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Liens entre applications</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Les lignes sont les applications appliquées avant, les colonnes celles d’après. Un nombre multiplie le poids de l’application de la colonne&#x202f;: 1 le laisse tel quel, 0 l’interdit.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Toute application peut de nouveau suivre toute autre</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Toute application peut suivre toute autre. Saisissez 0 pour l’interdire.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Toute suite d’applications prend fin&#x202f;; rien n’est donc dessiné.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Retirer tous les liens</translation>
+    </message>
+</context>
+<context>
     <name>view::MapShapeEditor</name>
     <message>
         <source>Rotation °</source>
@@ -8503,6 +8680,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Morph to %1</source>
         <translation>Morphing vers %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Les applications de l’une des deux fractales sont liées.</translation>
     </message>
 </context>
 <context>

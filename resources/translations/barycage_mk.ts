@@ -472,6 +472,10 @@
         <source>The cage is at rest.</source>
         <translation>Кафезот е во мирување.</translation>
     </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Пресликувањата се поврзани; кафез не може да се прилагоди на поврзани пресликувања.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>
@@ -649,6 +653,10 @@
     <message>
         <source>Map %1 of “%2” turns the direction away, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>Пресликувањето %1 од „%2“ ја менува насоката, па сенката не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Пресликувањата на „%1“ се поврзани, а пресликувањата во просторот не можат да бидат.</translation>
     </message>
 </context>
 <context>
@@ -1832,6 +1840,14 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Овој систем има повеќе од %L1 пресликувања, премногу за тело во прозорецот. „barycage-cli convert --lift“ ги прифаќа.</translation>
     </message>
+    <message>
+        <source>Links</source>
+        <translation>Врски</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Кои пресликувања играта на хаосот смее да ги примени по кои, како матрица.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2309,10 +2325,6 @@
     <message>
         <source>it uses the variation “%1”</source>
         <translation>користи ја варијацијата „%1“</translation>
-    </message>
-    <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>неговиот „chaos“ дозволува само некои следбеници, а тоа не може да се каже со список пресликувања</translation>
     </message>
     <message>
         <source>it is active but not drawn (opacity 0)</source>
@@ -3378,6 +3390,66 @@
         <source>The picture is too long and thin to be traced.</source>
         <translation>Сликата е премногу долга и тенка за да се прецрта.</translation>
     </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>неговиот „chaos“ не е список од броеви од 0 нагоре</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>поврзува повеќе од %1 трансформации со „chaos“</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>поврзува трансформации во просторот со „chaos“</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Пресликувањата на систем во просторот не можат да се поврзат: врските не се применуваат, а нивните редови се зачувуваат.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Повеќе од %1 пресликувања не можат да се поврзат: врските не се применуваат, а нивните редови се зачувуваат.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Врските на пресликувањето %1 не се важечки, па не се применуваат никакви врски: редот на врските има по еден број за секое пресликување, 0 или поголем.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Со врските секоја низа пресликувања завршува, па ниедно пресликување не е активно.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Пресликувањата се поврзани, па сликата не се состои од копии на самата себе.</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>не учествува: по него играта на хаосот завршува</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>не учествува: ниедно пресликување не води до него</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>не учествува: играта на хаосот го напушта и никогаш не се враќа</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>врски од пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>поврзани пресликувања</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>раздвоеноста, поврзаноста, заедничкиот спектрален радиус и периодичните адреси не се одредуваат за поврзани пресликувања</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>врските на неговите пресликувања</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3711,6 +3783,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Друг запис се вика „%1“ (големите и малите букви не се разликуваат).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Пресликувањата во просторот не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Овој запис не можеше да се прочита, па неговите пресликувања не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>Повеќе од %1 пресликувања не можат да се поврзат.</translation>
     </message>
 </context>
 <context>
@@ -6424,6 +6511,96 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Исклучено</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>Завршува: ниедна бесконечна низа не може да следи</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Недостигнато: ниедно пресликување не води до него</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Напуштено: играта на хаосот никогаш не се враќа</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Учествува</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Веднаш по пресликувањето %1, пресликувањето %2 се применува со својата тежина помножена со %3.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Веднаш по пресликувањето %1, пресликувањето %2 никогаш не се применува.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>Од пресликувањето %1 до пресликувањето %2: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Поврзи го пресликувањето %1 со пресликувањето %2</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>Во играта на хаосот</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Дали пресликувањето се применува повторно и повторно, или зошто не</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>До пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>Од пресликувањето %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Отстрани ги сите врски</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Врски</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Врски меѓу пресликувањата</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Редовите се пресликувањата применети претходно, колоните оние потоа. Бројот ја множи тежината на пресликувањето во колоната: 1 ја остава, 0 го забранува.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Секое пресликување повторно смее да следи по секое друго</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Секое пресликување смее да следи по секое друго. Внесете 0 за да го забраните тоа.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Секоја низа пресликувања завршува, па ништо не се црта.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Отстрани ги сите врски</translation>
+    </message>
+</context>
+<context>
     <name>view::MapShapeEditor</name>
     <message>
         <source>Rotation °</source>
@@ -8517,6 +8694,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Morph to %1</source>
         <translation>Преобрази во %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Пресликувањата на еден од двата фрактали се поврзани.</translation>
     </message>
 </context>
 <context>
