@@ -109,20 +109,22 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
     Height best;
     best.value = -std::numeric_limits<double>::infinity();
     const double rounding = 64 * unit * (m_radius + m_centre.norm()) * u.norm();
+    const auto reach = [this](const Node& node) { return node.offset + m_radius * node.v.norm(); };
     double most = best.value;
     for (int level = 0; level < maxLevels; ++level) {
         most = best.value;
         for (const Node& node : open) {
-            most = std::max(most, node.offset + m_radius * node.v.norm());
+            most = std::max(most, reach(node));
             const Vector<2>& inner = m_seen[m_before[node.last].front()];
             if (const double height = node.offset + node.v.dot(inner); height > best.value) {
                 best.value = height;
                 best.point = node.map(inner);
             }
         }
+        std::erase_if(open, [&](const Node& node) { return !(reach(node) > best.value); });
         const bool isTooMuch = open.size() > maxNodes || open.size() * parts() > maxChildren;
         if (most <= best.value + std::max(rounding, tolerance) || (level > 0 && isTooMuch)) break;
-        open = lengthened(open, best.value);
+        open = lengthened(open);
     }
     best.error = std::max(0.0, most - best.value) + 2 * rounding;
     best.value += u.dot(m_centre);
@@ -130,11 +132,9 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
     return best;
 }
 
-std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>& open,
-                                                         double reached) const {
+std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>& open) const {
     std::map<std::tuple<std::size_t, double, double>, Node> next;
     for (const Node& node : open) {
-        if (node.offset + m_radius * node.v.norm() <= reached) continue;
         for (const std::size_t i : m_before[node.last]) {
             const AffineMap<2>& map = m_active.maps[i];
             const Node child{i, node.map * map, map.linear.transpose() * node.v,

@@ -38,7 +38,7 @@ public:
 private:
     struct Node;
     Node first(std::size_t part, const Vector<2>& u) const;
-    std::vector<Node> lengthened(const std::vector<Node>& open, double reached) const;
+    std::vector<Node> lengthened(const std::vector<Node>& open) const;
     Height search(std::vector<Node> open, const Vector<2>& u, double tolerance) const;
 
     ActiveMaps<2> m_active;                         // with centre() as the origin

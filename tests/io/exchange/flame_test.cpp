@@ -131,7 +131,8 @@ void FlameTest::refusesWhatIsNotAffine_data() {
     QTest::newRow("variation") << QByteArray(
                                       R"(<xform weight="1" linear="1" spherical="0.2" coefs="1 0 0 1 0 0"/>)")
                                << "spherical";
-    QTest::newRow("chaos") << QByteArray(R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0" chaos="1 -0.5"/>)")
+    QTest::newRow("chaos") << QByteArray(
+                                  R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0" chaos="1 -0.5"/>)")
                            << "chaos";
     QTest::newRow("final")
         << QByteArray(

@@ -81,7 +81,7 @@ public:
 private:
     template <int Dim> struct Shown {
         std::vector<ifs::WeightedMap<Dim>> maps;
-        std::vector<ifs::Link> links; // on which it depends which maps take part
+        std::vector<ifs::Link> links;               // on which it depends which maps take part
         std::optional<ifs::AffineMap<Dim>> display; // nullopt while the placement is flat or bends
     };
     // What a column holds: A or EffectiveA for the coefficient `which`, else the enumerator.
