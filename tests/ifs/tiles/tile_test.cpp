@@ -6,8 +6,9 @@
 
 #include <QtTest>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
-#include <numbers>
 
 using namespace ifs;
 
