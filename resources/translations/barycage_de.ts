@@ -1827,6 +1827,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Dieses System hat mehr als %L1 Abbildungen, zu viele für einen Körper im Fenster. „barycage-cli convert --lift“ nimmt sie an.</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Ein Fraktal zu einem Bild: das Ziel, wie gut das Fraktal mit ihm übereinstimmt, und Anpassungen.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3673,6 +3685,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Alle Abbildungen sind aus.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>Der Käfig verbiegt das Bild oder ist flach. Setzen Sie ihn zurück, um die Abbildungen zu vergleichen.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -5047,6 +5070,164 @@
     </message>
 </context>
 <context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>Der Anteil des Ziels, der bedeckt ist</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Überschuss</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Wie viel außerhalb des Ziels liegt, als Anteil des Ziels</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Überlappung (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Was beide gemeinsam haben, als Anteil dessen, was eines von beiden bedeckt</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>Von jedem zum nächsten Punkt des anderen, in Pixeln des Bildes</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innerhalb</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>95 % aller Punkte sind höchstens so weit vom anderen entfernt</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>Der Hausdorff-Abstand; die Marke auf der Zeichenfläche zeigt, wo er ist</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Garantie</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Kein Punkt des Ziels ist weiter vom Attraktor entfernt als so, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>keine: eine Abbildung streckt um %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Vorschlag verwenden</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Abbildungen verbessern</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Attraktor verbessern</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Gewichte anpassen</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Käfig anpassen</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Abbildung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>der Collage</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>des Attraktors</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Was mit dem Ziel verglichen wird: die Bilder des Ziels unter den Abbildungen oder der Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Die Abbildungen ziehen nicht zusammen; es gibt keinen Attraktor zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n Vorschlag. Klicken Sie ihn an, um ihn zu verwenden.</numerusform>
+            <numerusform>%n Vorschläge. Klicken Sie einen an, um ihn zu verwenden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>Das Fraktal hat sich inzwischen geändert; das Ergebnis wurde nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>Es wurde nichts gefunden, das besser übereinstimmt.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -6168,6 +6349,185 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Wie viele Pixel auf ein Zoll Papier kommen: 300 sind im Druck üblich.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>Die beste von 2 bis 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Wie viele Abbildungen ein Vorschlag hat; in einem Bereich muss sich jede lohnen</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Anzahl der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Abbildungen:</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Sekunden der Suche</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Wie lange nach Vorschlägen gesucht wird</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Sekunden:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Startwert der Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Ein anderer Startwert sucht an anderen Stellen</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Startwert:</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Nur Ähnlichkeiten</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Nur Abbildungen, die alle Winkel erhalten</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Keine Spiegelbilder</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Nur Abbildungen, die nicht spiegeln</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Erste Abbildung ein Stiel</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>Die erste Abbildung drückt die Form zu einer Linie zusammen, wie der Stiel eines Farns</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Vielfache von %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>Um welche Winkel die Abbildungen drehen dürfen</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Winkel:</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Vorschlagen</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Systeme finden, deren Attraktor dem Ziel gleicht</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Abbildung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Dort eine Abbildung hinzufügen, wo die Übereinstimmung am schlechtesten ist</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Abbildungen verbessern</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Die Abbildungen so bewegen, dass ihre Bilder des Ziels es besser bedecken</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Attraktor verbessern</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Die Abbildungen so bewegen, dass der Attraktor selbst dem Ziel näher kommt</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Gewichte anpassen</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Die Gewichte finden, die die Helligkeiten des Bildes wiedergeben</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Käfig anpassen</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Den Attraktor mit einem Käfig so verformen, dass sein Umriss dem des Ziels folgt</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>Nur ausgewählte Abbildungen verbessern</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Nicht ausgewählte Abbildungen bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Gesperrte Abbildungen bleiben, wie sie sind, während andere verbessert werden</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Ecken des Käfigs</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Wie viele Ecken der angepasste Käfig hat</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Ecken des Käfigs:</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Beenden, was gerade läuft; nichts ändert sich</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Ausgewählte Abbildungen sperren</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Gesperrt: %1</translation>
     </message>
 </context>
 <context>
@@ -8221,6 +8581,210 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Look from &amp;Above</source>
         <translation>Von &amp;oben sehen</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n Abbildung</numerusform>
+            <numerusform>%n Abbildungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Mittlerer Abstand %1 px</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Überlappung %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Garantie %1 px</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Klicken Sie einen Vorschlag an, um ihn zu verwenden; Rückgängig führt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Nur Abbildungen, die zusammenziehen, ergeben eine Form zum Nachzeichnen.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>Der Attraktor ist ein einzelner Punkt.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Das Bild wählen, dem das Fraktal gleichen soll</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Eintrag dieser Datei</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Das Bild der Zwischenablage verwenden</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Wieder ohne Ziel arbeiten</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Das Dunkle</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Das Deckende</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Welche Pixel zur Form gehören; automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Form:</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Stattdessen den Hintergrund nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>Der Grauwert, bis zu dem ein Pixel zur Form gehört</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Schwelle:</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Automatische Schwelle</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Dunkel und Hell so gut trennen, wie eine Schwelle es kann (Otsu)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Deckkraft des Ziels</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Wie kräftig das Ziel auf der Zeichenfläche erscheint</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Deckkraft:</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Auf die Form zuschneiden</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>Nur den Teil um die Form verwenden</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Wieder das ganze Bild verwenden</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Ziel wählen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>In der Zwischenablage ist kein Bild.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Eingefügtes Bild</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Das Bild konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 Pixel</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Wählen Sie ein Bild, fügen Sie eines ein oder ziehen Sie eines auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Mit diesen Einstellungen ist die Form leer oder füllt das Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Vorschau des Ziels</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Ziehen Sie ein Rechteck, um das Bild zuzuschneiden; ein Doppelklick nimmt wieder das ganze</translation>
     </message>
 </context>
 <context>

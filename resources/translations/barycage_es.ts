@@ -1827,6 +1827,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Este sistema tiene más de %L1 aplicaciones, demasiadas para un sólido en la ventana. «barycage-cli convert --lift» las admite.</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Un fractal para una imagen: el objetivo, cuánto concuerda con él el fractal, y ajustes.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3673,6 +3685,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Todas las aplicaciones están desactivadas.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>La jaula dobla la imagen o es plana. Restablezca la jaula para comparar las aplicaciones.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -5047,6 +5070,164 @@
     </message>
 </context>
 <context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>La parte del objetivo que está cubierta</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Exceso</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Cuánto queda fuera del objetivo, como parte del objetivo</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Solapamiento (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Lo que tienen en común, como parte de lo que cubre uno u otro</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Distancia media</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>De cada uno al punto más cercano del otro, en píxeles de la imagen</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % dentro de</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>El 95 % de los puntos está como mucho a esta distancia del otro</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Distancia mayor</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>La distancia de Hausdorff; la marca del lienzo muestra dónde está</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Garantía</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Ningún punto del objetivo está más lejos del atractor que esto, ni al revés</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>ninguna: una aplicación estira por %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Usar la sugerencia</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Afinar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Afinar el atractor</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajustar los pesos</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajustar la jaula</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Añadir aplicación</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Concordancia</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>del collage</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>del atractor</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>no mostrar</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Qué se compara con el objetivo: las imágenes del objetivo por las aplicaciones, o el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Las aplicaciones no contraen, así que no hay atractor que comparar.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>No hay memoria suficiente para esto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n sugerencia. Haga clic en ella para usarla.</numerusform>
+            <numerusform>%n sugerencias. Haga clic en una para usarla.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>El fractal ha cambiado entretanto, así que no se usó el resultado.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>No se encontró nada que concuerde mejor.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -6168,6 +6349,185 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Cuántos píxeles caben en una pulgada de papel: lo habitual en la imprenta es 300.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>La mejor de 2 a 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Cuántas aplicaciones tiene una sugerencia; en un rango, cada una debe compensar</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Número de aplicaciones</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Aplicaciones:</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Segundos de búsqueda</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Cuánto tiempo buscar sugerencias</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Segundos:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Semilla de los números aleatorios</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Otra semilla busca en otros lugares</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Semilla:</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Solo semejanzas</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Solo aplicaciones que conservan todos los ángulos</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Sin imágenes especulares</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Solo aplicaciones que no reflejan</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Primera aplicación, un tallo</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>La primera aplicación aplana la forma en una línea, como el tallo de un helecho</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Cualquiera</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Múltiplos de %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Ángulos</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>Qué ángulos pueden girar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Ángulos:</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Sugerir</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Buscar sistemas cuyo atractor se parezca al objetivo</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Añadir una aplicación</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Añadir una aplicación donde la concordancia es peor</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Afinar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Mover las aplicaciones para que sus imágenes del objetivo lo cubran mejor</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Afinar el atractor</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Mover las aplicaciones para que el propio atractor se acerque al objetivo</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajustar los pesos</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Buscar los pesos que reproducen los tonos de la imagen</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajustar la jaula</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Deformar el atractor con una jaula para que su contorno siga el del objetivo</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>Afinar solo las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Las aplicaciones no seleccionadas quedan como están</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Las aplicaciones bloqueadas quedan como están mientras se afinan las demás</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Esquinas de la jaula</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Cuántas esquinas tiene la jaula ajustada</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Esquinas de la jaula:</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Detener lo que está en curso; nada cambia</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Bloquear las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Bloqueadas: %1</translation>
     </message>
 </context>
 <context>
@@ -8221,6 +8581,210 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Look from &amp;Above</source>
         <translation>Mirar desde &amp;arriba</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n aplicación</numerusform>
+            <numerusform>%n aplicaciones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Distancia media %1 px</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Solapamiento %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Garantía %1 px</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Sugerencias</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Haga clic en una sugerencia para usarla; deshacer la retira</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Solo las aplicaciones que contraen dan una forma que calcar.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>El atractor es un solo punto.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Elegir</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Elegir la imagen a la que debe parecerse el fractal</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Imagen…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Entrada de este archivo</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Usar la imagen del portapapeles</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Volver a trabajar sin objetivo</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Lo oscuro</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Lo opaco</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Qué píxeles pertenecen a la forma; en automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Forma:</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Invertir</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Calcar el fondo en su lugar</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Umbral</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>El tono hasta el que un píxel pertenece a la forma</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Umbral:</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Umbral automático</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Separar lo oscuro de lo claro tan bien como puede un umbral (Otsu)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Opacidad del objetivo</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Con qué intensidad se muestra el objetivo en el lienzo</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Opacidad:</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Recortar a la forma</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>Usar solo la parte que rodea la forma</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Imagen completa</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Volver a usar toda la imagen</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Elegir un objetivo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>No hay ninguna imagen en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Imagen pegada</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>No se pudo leer la imagen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 píxeles</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Elija o pegue una imagen, o suéltela en la ventana.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Con estos ajustes, la forma está vacía o llena la imagen.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Vista previa del objetivo</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Arrastre un rectángulo para recortar la imagen; haga doble clic para usarla entera</translation>
     </message>
 </context>
 <context>

@@ -1827,6 +1827,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Ce système a plus de %L1 applications, trop pour un solide dans la fenêtre. « barycage-cli convert --lift » les accepte.</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3673,6 +3685,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Toutes les applications sont désactivées.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>La cage déforme l’image ou est plate. Réinitialisez-la pour comparer les applications.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -5047,6 +5070,164 @@
     </message>
 </context>
 <context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Couverture</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>La part de la cible qui est couverte</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Excédent</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Ce qui dépasse de la cible, en part de la cible</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Recouvrement (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Ce qu’elles ont en commun, en part de ce que couvre l’une ou l’autre</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Distance moyenne</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>De chacune au point le plus proche de l’autre, en pixels de l’image</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % à moins de</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>95 % des points sont au plus à cette distance de l’autre</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Plus grande distance</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>La distance de Hausdorff ; la marque sur le canevas montre où elle se trouve</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Garantie</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Aucun point de la cible n’est plus loin de l’attracteur que cela, ni l’inverse</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>aucune : une application étire de %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Utiliser la suggestion</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Affiner les applications</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Affiner l’attracteur</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajuster les poids</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajuster la cage</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Ajouter une application</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Accord</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>du collage</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>de l’attracteur</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>masqué</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Ce qui est comparé à la cible : les images de la cible par les applications, ou l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Les applications ne sont pas contractantes ; il n’y a pas d’attracteur à comparer.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n suggestion. Cliquez dessus pour l’utiliser.</numerusform>
+            <numerusform>%n suggestions. Cliquez sur l’une d’elles pour l’utiliser.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>La fractale a changé entre-temps ; le résultat n’a pas été utilisé.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>Rien de plus concordant n’a été trouvé.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -6168,6 +6349,185 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Combien de pixels tiennent sur un pouce de papier&#x202f;: 300 est l’usage en imprimerie.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>La meilleure de 2 à 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Combien d’applications a une suggestion ; dans un intervalle, chacune doit être rentable</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Nombre d’applications</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Applications :</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Secondes de recherche</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Combien de temps chercher des suggestions</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Secondes :</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Graine des nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Une autre graine cherche ailleurs</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Graine :</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Similitudes seulement</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Seulement des applications qui conservent tous les angles</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Sans images miroir</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Seulement des applications sans réflexion</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Première application : une tige</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>La première application aplatit la forme en une ligne, comme la tige d’une fougère</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Quelconques</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Multiples de %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>De quels angles les applications peuvent tourner</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Angles :</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Suggérer</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Trouver des systèmes dont l’attracteur ressemble à la cible</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Ajouter une application</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Ajouter une application là où l’accord est le plus mauvais</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Affiner les applications</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Déplacer les applications pour que leurs images de la cible la couvrent mieux</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Affiner l’attracteur</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Déplacer les applications pour que l’attracteur lui-même se rapproche de la cible</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajuster les poids</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Trouver les poids qui reproduisent les nuances de l’image</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajuster la cage</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Déformer l’attracteur par une cage pour que son contour suive celui de la cible</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>N’affiner que les applications sélectionnées</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Les applications non sélectionnées restent telles quelles</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Les applications verrouillées restent telles quelles pendant qu’on affine les autres</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Sommets de la cage</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Combien de sommets a la cage ajustée</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Sommets de la cage :</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Arrêter ce qui est en cours ; rien ne change</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Verrouiller les applications sélectionnées</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Verrouillées : %1</translation>
     </message>
 </context>
 <context>
@@ -8221,6 +8581,210 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Look from &amp;Above</source>
         <translation>Regarder d’en &amp;haut</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n application</numerusform>
+            <numerusform>%n applications</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Distance moyenne %1 px</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Recouvrement %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Garantie %1 px</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Suggestions</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Cliquez sur une suggestion pour l’utiliser ; annuler revient en arrière</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Seules des applications contractantes donnent une forme à décalquer.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>L’attracteur est un point unique.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Choisir l’image à laquelle la fractale doit ressembler</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Image…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Entrée de ce fichier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Utiliser l’image du presse-papiers</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Travailler de nouveau sans cible</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Ce qui est sombre</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Ce qui est opaque</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Quels pixels appartiennent à la forme ; en automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Forme :</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Décalquer plutôt le fond</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>La nuance jusqu’à laquelle un pixel appartient à la forme</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Seuil :</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Seuil automatique</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Séparer le sombre du clair aussi bien qu’un seuil le peut (Otsu)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Opacité de la cible</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Avec quelle intensité la cible apparaît sur le canevas</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Opacité :</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Rogner à la forme</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>N’utiliser que la partie autour de la forme</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Image entière</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Utiliser de nouveau toute l’image</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Choisir une cible</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>Le presse-papiers ne contient pas d’image.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Image collée</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>L’image n’a pas pu être lue.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 pixels</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Choisissez ou collez une image, ou déposez-la sur la fenêtre.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Avec ces réglages, la forme est vide ou remplit l’image.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Aperçu de la cible</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Tracez un rectangle pour rogner l’image ; double-cliquez pour l’utiliser entière</translation>
     </message>
 </context>
 <context>

@@ -1832,6 +1832,18 @@
         <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
         <translation>Овој систем има повеќе од %L1 пресликувања, премногу за тело во прозорецот. „barycage-cli convert --lift“ ги прифаќа.</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Колаж</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Фрактал за слика: целта, колку фракталот се согласува со неа, и прилагодувања.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3679,6 +3691,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Сите пресликувања се исклучени.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>Кафезот ја витка сликата или е рамен. Вратете го за да се споредат пресликувањата.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -5054,6 +5077,164 @@
     </message>
 </context>
 <context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 пкс</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Покриеност</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>Делот од целта што е покриен</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Вишок</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Колку лежи надвор од целта, како дел од целта</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Преклоп (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Заедничкото, како дел од она што го покрива барем едното</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Средно растојание</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>Од секое до најблиската точка на другото, во пиксели на сликата</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % до</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>95 % од сите точки се најмногу толку далеку од другото</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Најголемо растојание</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>Хаусдорфовото растојание; ознаката на платното покажува каде е</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Гаранција</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Ниедна точка од целта не е подалеку од атракторот, ниту обратно</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>нема: едно пресликување растегнува за %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Користи предлог</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Дотерај ги пресликувањата</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Дотерај го атракторот</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Прилагоди ги тежините</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Прилагоди го кафезот</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Додај пресликување</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Колаж</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Цел</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Согласност</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>на колажот</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>на атракторот</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>не се прикажува</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Што се споредува со целта: сликите на целта под пресликувањата, или атракторот. Заедничкото е сиво, вишокот црвен, недостигот син</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Прилагодување</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Пресликувањата не собираат, па нема атрактор за споредба.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Нема доволно меморија за ова.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n предлог. Кликнете на него за да го користите.</numerusform>
+            <numerusform>%n предлози. Кликнете на еден за да го користите.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>Фракталот во меѓувреме се промени, па резултатот не е искористен.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>Не е најдено ништо што подобро се согласува.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -6181,6 +6362,185 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Колку пиксели доаѓаат на еден инч хартија: за печат вообичаени се 300.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>Најдобро од 2 до 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Колку пресликувања има еден предлог; во опсег, секое мора да се исплати</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Број на пресликувања</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Пресликувања:</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Секунди за пребарување</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Колку долго да се бараат предлози</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Секунди:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Почетна вредност на случајните броеви</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Друга почетна вредност бара на други места</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Почеток:</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Само сличности</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Само пресликувања што ги чуваат сите агли</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Без огледални слики</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Само пресликувања што не огледуваат</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Првото пресликување е стебло</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>Првото пресликување ја сплескува формата во линија, како стебло на папрат</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Кои било</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Множители на %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Агли</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>За кои агли смеат да вртат пресликувањата</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Агли:</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Предложи</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Најди системи чиј атрактор наликува на целта</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Додај пресликување</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Додај пресликување каде што согласноста е најлоша</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Дотерај ги пресликувањата</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Помести ги пресликувањата за нивните слики подобро да ја покријат целта</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Дотерај го атракторот</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Помести ги пресликувањата за самиот атрактор да ѝ се приближи на целта</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Прилагоди ги тежините</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Најди ги тежините што ги даваат нијансите на сликата</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Прилагоди го кафезот</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Деформирај го атракторот со кафез за неговиот обрис да го следи обрисот на целта</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>Дотерај ги само избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Неизбраните пресликувања остануваат какви што се</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Заклучените пресликувања остануваат какви што се додека другите се дотеруваат</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Агли на кафезот</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Колку агли има прилагодениот кафез</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Агли на кафезот:</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Напредок</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Откажи</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Запри го тоа што е во тек; ништо не се менува</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Заклучи ги избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Заклучени: %1</translation>
     </message>
 </context>
 <context>
@@ -8235,6 +8595,210 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Look from &amp;Above</source>
         <translation>Поглед од&amp;горе</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n пресликување</numerusform>
+            <numerusform>%n пресликувања</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Средно растојание %1 пкс</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Преклоп %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Гаранција %1 пкс</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Предлози</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Кликнете на предлог за да го користите; враќањето го поништува</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Само пресликувања што собираат даваат форма за прецртување.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>Атракторот е една точка.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Цел</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Избери</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Изберете ја сликата на која фракталот треба да ѝ наликува</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Слика…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Запис од оваа датотека</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Вметни</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Користи ја сликата од таблата со исечоци</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Отстрани</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Работи повторно без цел</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматски</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Темното</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Непроѕирното</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Форма</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Кои пиксели ѝ припаѓаат на формата; автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Форма:</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Обратно</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Наместо тоа прецртај ја позадината</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Праг</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>Нијансата до која пикселот ѝ припаѓа на формата</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Праг:</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Автоматски праг</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Одвој го темното од светлото најдобро што може со еден праг (Оцу)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Непроѕирност на целта</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Колку силно целта се гледа на платното</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Непроѕирност:</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Исечи до формата</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>Користи го само делот околу формата</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Цела слика</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Користи ја повторно целата слика</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Избери цел</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>Нема слика во таблата со исечоци.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Вметната слика</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Сликата не можеше да се прочита.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 пиксели</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Изберете или вметнете слика, или пуштете ја врз прозорецот.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Со овие поставки формата е празна или ја исполнува сликата.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Преглед на целта</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Повлечете правоаголник за да ја исечете сликата; двоен клик ја враќа целата</translation>
     </message>
 </context>
 <context>
