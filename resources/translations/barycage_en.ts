@@ -97,6 +97,16 @@
     </message>
 </context>
 <context>
+    <name>view::CollagePanel</name>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n suggestion. Click it to use it.</numerusform>
+            <numerusform>%n suggestions. Click one to use it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>view::EntriesModel</name>
     <message numerus="yes">
         <source>%n maps</source>
@@ -151,6 +161,16 @@
         <translation>
             <numerusform>%n problem was found while reading.</numerusform>
             <numerusform>%n problems were found while reading.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n map</numerusform>
+            <numerusform>%n maps</numerusform>
         </translation>
     </message>
 </context>

@@ -12,7 +12,7 @@ namespace view {
 
 namespace {
 
-constexpr int height = 140;  // pixels
+constexpr int usualSide = 140; // pixels
 constexpr int leastCrop = 8; // pixels of the picture
 
 QRectF rectOf(const collage::PixelBox& box) {
@@ -29,7 +29,7 @@ TargetPreview::TargetPreview(QWidget* parent) : QWidget(parent) {
 }
 
 QSize TargetPreview::sizeHint() const {
-    return {height, height};
+    return {usualSide, usualSide};
 }
 
 void TargetPreview::setPicture(std::shared_ptr<const collage::GreyPicture> picture) {
