@@ -3,6 +3,7 @@
 #include "document/tops/kept_theft.h"
 #include "document/tops/theft_starters.h"
 #include "io/fractint/fractint_reader.h"
+#include "stage.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
 
@@ -40,7 +41,7 @@ private slots:
 private:
     document::Document& document() { return m_window->document(); }
     view::TransformationView* view() const { return m_window->findChild<view::TransformationView*>(); }
-    view::CanvasView* canvas() const { return m_window->findChild<view::CanvasView*>(); }
+    view::CanvasView* canvas() const { return m_window->findChild<Stage*>()->plane(); }
     int steps() { return document().undoStack()->count(); }
     void toggle() {
         for (QAction* action : m_window->findChildren<QAction*>())
@@ -262,7 +263,8 @@ void TransformationWindowTest::exportsThePicture() {
     openFamily();
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("stolen.png"));
-    QVERIFY(!view()->exportTo(path));
+    const io::Failure failure = view()->exportTo(path);
+    QVERIFY2(!failure, qPrintable(failure.value_or(QString())));
     const QImage written(path);
     QCOMPARE(std::max(written.width(), written.height()), 2400);
     QVERIFY(view()->exportTo(folder.filePath(QStringLiteral("absent/stolen.png"))));
