@@ -66,15 +66,15 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 30000);
     }
     bool isPainted() const { return !view()->partnerCanvas()->picture().isNull() && isStolen(); }
-    bool isStolen() const { // colours that no density of the default palette has: the sunset's sky
+    bool isStolen() const { // the purple hills of the sunset; the density's palette is golden
         const QImage picture = canvas()->picture();
-        int warm = 0;
+        int purple = 0;
         for (int y = 0; y < picture.height(); y += 3)
             for (int x = 0; x < picture.width(); x += 3) {
                 const QColor colour = picture.pixelColor(x, y);
-                warm += colour.red() > 200 && colour.blue() < 150 && colour.green() < 215 ? 1 : 0;
+                purple += colour.red() > 40 && colour.blue() > colour.red() + 15 ? 1 : 0;
             }
-        return warm > 200;
+        return purple > 200;
     }
     KeptTheft kept() { return document::keptTheft(document().entryFractal()).value_or(KeptTheft()); }
 };
