@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stop_token>
 
@@ -24,8 +25,8 @@ constexpr std::uint64_t pointsPerPixel = 100;
 
 attractor::Camera enlarged(attractor::Camera camera, int longerSide) {
     const double factor = double(longerSide) / std::max({camera.width, camera.height, 1});
-    camera.width = std::max(1, int(camera.width * factor));
-    camera.height = std::max(1, int(camera.height * factor));
+    camera.width = std::max(1, int(std::lround(camera.width * factor)));
+    camera.height = std::max(1, int(std::lround(camera.height * factor)));
     camera.pixelsPerUnit *= factor;
     return camera;
 }

@@ -24,6 +24,7 @@ namespace {
 using document::TheftMode;
 
 constexpr int fewLetters = 10; // of a combo box in a narrow window
+constexpr int moreLetters = 16;
 
 MenuButton* menuButton(const QString& text, const QString& tip, QWidget* parent) {
     auto* made = new MenuButton(parent);
@@ -54,6 +55,7 @@ TransformationBar::TransformationBar(QWidget* parent)
       m_continuity(new ElidedLabel(this)),
       m_problem(new QLabel(this)) {
     setAccessibleName(tr("Fractal transformation"));
+    m_mode->setMinimumContentsLength(moreLetters);
     m_mode->addItem(tr("Steal Colours"), int(TheftMode::StealColours));
     m_mode->addItem(tr("Transform a Picture"), int(TheftMode::TransformPicture));
     m_mode->addItem(tr("Deformation Grid"), int(TheftMode::DeformationGrid));

@@ -28,8 +28,8 @@ public:
     // Rows of the picture from `firstRow` on, as many as there are points. False when stopped.
     bool draw(int firstRow, std::span<TopPoint> points, const std::stop_token& stop) const;
 
-    // The same in two steps. Keys depend on F, the camera, the number of points and the seed alone: while only
-    // G moves, they stay, and another KeyTops decodes them.
+    // The same in two steps. Keys depend on F, the camera, the number of points and the seed alone: while
+    // only G moves, they stay, and another KeyTops decodes them.
     bool drawKeys(int firstRow, std::span<std::uint32_t> keys, const std::stop_token& stop) const;
     void decode(std::span<const std::uint32_t> keys, std::span<TopPoint> points) const;
 

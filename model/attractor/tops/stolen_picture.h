@@ -21,7 +21,7 @@ namespace attractor {
 struct TheftRequest {
     Camera camera;               // of F
     ifs::AffineMap<2> toPicture; // from coordinates of G to pixels of the picture
-    bool isExact = false; // ExactTops; else KeyTops
+    bool isExact = false;        // ExactTops; else KeyTops
     std::uint64_t points = 10'000'000;
     std::uint64_t seed = 1;
     int threads = 1; // never changes a pixel
