@@ -98,11 +98,19 @@ void refuseWhatIsDecided(const RenderArguments& arguments) {
         {&arguments.bits, "--bits"},
         {&arguments.dpi, "--dpi"},
         {&arguments.orbit, "--orbit"},
+        {&arguments.perspective, "--perspective"},
         {&arguments.look, "--look"},
+        {&arguments.light, "--light"},
+        {&arguments.fog, "--fog"},
+        {&arguments.slice, "--slice"},
+        {&arguments.stereo, "--stereo"},
+        {&arguments.frame, "--frame"},
+        {&arguments.overlay, "--overlay"},
     };
     for (const auto& [value, name] : options)
         refuseIf(value->has_value(), name, reason);
     refuseIf(arguments.yDown, "--y-down", reason);
+    refuseIf(arguments.legend, "--legend", reason);
 }
 
 // Where the sums or the picture go.

@@ -131,7 +131,10 @@ void CliPartsTest::whatMakesNoSenseIsRefused_data() {
     row("two sources", "render systems.ifs --resume all.sum --points 1e9 -o x.png", "--resume");
     row("another size", "render --resume all.sum --size 10x10 --points 1e9 -o x.png", "--size");
     row("merged to shapes", "merge a.sum -o x.svg", ".exr or .sum");
-    row("resumed to shapes", "render --resume a.sum --points 1e9 -o x.svg", "made of pixels");
+    row("resumed to shapes", "render --resume a.sum --svg points --points 1000 -o x.svg", "made of pixels");
+    row("overlay on it", "render --resume a.sum --points 1e9 --overlay cage -o x.png", "--overlay cannot");
+    row("legend beside it", "render --resume a.sum --points 1e9 --legend -o x.png", "--legend cannot");
+    row("frame of it", "render --resume a.sum --points 1e9 --frame 3 -o x.png", "--frame cannot");
     row("quality of sums", "merge a.sum -o x.sum --quality 50", "only to .jpg and .webp");
     row("quality of a PNG", "merge a.sum -o x.png --quality 50", "only to .jpg and .webp");
 }
