@@ -4,6 +4,7 @@
 #include "ifs/cage/cage_surface.h"
 #include "ifs/extent/extent.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
