@@ -1824,8 +1824,12 @@
         <translation>Die Animation dieses Fraktals: seine Bewegungen und die Schlüssel von allem, was sich bewegen kann.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Dieses System hat mehr als %L1 Abbildungen, zu viele für einen Körper im Fenster. „barycage-cli convert --lift“ nimmt sie an.</translation>
+        <source>Four &amp;Views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Den Körper auch von oben, von vorne und von rechts zeigen</translation>
     </message>
 </context>
 <context>
@@ -2109,6 +2113,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>Der Käfig biegt das Bild, und kein affiner Code hat ein gebogenes Bild. Mit „Affin angepasst“ lässt sich einrechnen, was ihm am nächsten kommt.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>Der Käfig biegt das Bild, und kein anderer Käfig zeigt dasselbe. Setzen Sie ihn erst zurück oder wählen Sie „Affin angepasst“.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2227,6 +2239,10 @@
     <message>
         <source>  across %1</source>
         <translation>  quer zu %1</translation>
+    </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  entlang der Normalen</translation>
     </message>
 </context>
 <context>
@@ -4582,6 +4598,18 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Drei Kanten des umgebenden Quaders</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>Das System hat sehr viele Abbildungen: Der Käfig darum wird gerade gesucht …</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Hüllquader, acht Ecken</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Oktaeder</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -6168,6 +6196,21 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Wie viele Pixel auf ein Zoll Papier kommen: 300 sind im Druck üblich.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8087,30 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Move the Slice</source>
         <translation>Schnitt verschieben</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Seite %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Abbildung %1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Abbildung %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Abbildung %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Ecke %1 der Abbildung %2 bewegen</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8221,6 +8288,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Look from &amp;Above</source>
         <translation>Von &amp;oben sehen</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Zeichenfläche im Raum: %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Abbildung %5, Ecke %1 bei %2, %3, %4</translation>
     </message>
 </context>
 <context>

@@ -1824,8 +1824,12 @@
         <translation>La animación de este fractal: sus movimientos y las claves de todo lo que puede moverse.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Este sistema tiene más de %L1 aplicaciones, demasiadas para un sólido en la ventana. «barycage-cli convert --lift» las admite.</translation>
+        <source>Four &amp;Views</source>
+        <translation>Cuatro &amp;vistas</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Mostrar el sólido también desde arriba, de frente y desde la derecha</translation>
     </message>
 </context>
 <context>
@@ -2109,6 +2113,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>La jaula curva la imagen, y ningún código afín tiene una imagen curvada. Elija «Ajuste afín» para incorporar lo que más se le acerca.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>La jaula curva la imagen, y ninguna otra jaula la mostraría. Antes restablezca la jaula o elija «Ajuste afín».</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2227,6 +2239,10 @@
     <message>
         <source>  across %1</source>
         <translation>  perpendicular a %1</translation>
+    </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  a lo largo de la normal</translation>
     </message>
 </context>
 <context>
@@ -4582,6 +4598,18 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Tres aristas de la caja envolvente</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>El sistema tiene muchísimas aplicaciones: se está buscando la jaula que lo rodea…</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Caja envolvente, ocho vértices</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Octaedro</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -6168,6 +6196,21 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Cuántos píxeles caben en una pulgada de papel: lo habitual en la imprenta es 300.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>De frente</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Desde la derecha</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8087,30 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Move the Slice</source>
         <translation>Mover el corte</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Mover la cara %1</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Girar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Escalar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Mover la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Mover la esquina %1 de la aplicación %2</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8221,6 +8288,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Look from &amp;Above</source>
         <translation>Mirar desde &amp;arriba</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Lienzo en el espacio: %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Aplicación %5, esquina %1 en %2, %3, %4</translation>
     </message>
 </context>
 <context>

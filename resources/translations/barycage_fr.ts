@@ -1824,8 +1824,12 @@
         <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Ce système a plus de %L1 applications, trop pour un solide dans la fenêtre. « barycage-cli convert --lift » les accepte.</translation>
+        <source>Four &amp;Views</source>
+        <translation>Quatre &amp;vues</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Montrer aussi le solide de dessus, de face et de droite</translation>
     </message>
 </context>
 <context>
@@ -2109,6 +2113,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Ce système n’a pas d’attracteur à entourer.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>La cage courbe l’image, et aucune autre cage ne la montrerait. Réinitialisez d’abord la cage ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2227,6 +2239,10 @@
     <message>
         <source>  across %1</source>
         <translation>  en travers de %1</translation>
+    </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  le long de la normale</translation>
     </message>
 </context>
 <context>
@@ -4582,6 +4598,18 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Trois arêtes de la boîte englobante</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>Le système a de très nombreuses applications : la cage qui l’entoure est en cours de calcul…</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Boîte englobante, huit coins</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Octaèdre</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -6168,6 +6196,21 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Combien de pixels tiennent sur un pouce de papier&#x202f;: 300 est l’usage en imprimerie.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8087,30 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Move the Slice</source>
         <translation>Déplacer la coupe</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>On ne peut pas faire glisser d’applications tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Déplacer la face %1</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Tourner l’application %1</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Mettre à l’échelle l’application %1</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Déplacer l’application %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Déplacer le coin %1 de l’application %2</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8221,6 +8288,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Look from &amp;Above</source>
         <translation>Regarder d’en &amp;haut</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Zone de dessin dans l’espace : %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Application %5, coin %1 en %2, %3, %4</translation>
     </message>
 </context>
 <context>

@@ -1829,8 +1829,12 @@
         <translation>Анимацијата на овој фрактал: неговите движења и клучевите на сè што може да се движи.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Овој систем има повеќе од %L1 пресликувања, премногу за тело во прозорецот. „barycage-cli convert --lift“ ги прифаќа.</translation>
+        <source>Four &amp;Views</source>
+        <translation>Четири &amp;погледи</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Прикажи го телото и одозгора, однапред и оддесно</translation>
     </message>
 </context>
 <context>
@@ -2114,6 +2118,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>Кафезот ја свиткува сликата, а ниеден афин код не дава свиткана слика. Изберете „Афино приближување“ за да се впише она што е најблиску до неа.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>Кафезот ја свиткува сликата, па ниеден друг кафез не би ја покажал. Прво вратете го кафезот или изберете „Афино приближување“.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2232,6 +2244,10 @@
     <message>
         <source>  across %1</source>
         <translation>  напречно на %1</translation>
+    </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  по нормалата</translation>
     </message>
 </context>
 <context>
@@ -4589,6 +4605,18 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Три рабови на опфатната кутија</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>Системот има многу пресликувања: кафезот околу него се бара…</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Опфаќачка кутија, осум темиња</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Октаедар</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -6181,6 +6209,21 @@
     <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Колку пиксели доаѓаат на еден инч хартија: за печат вообичаени се 300.</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Одозгора</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Однапред</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Оддесно</translation>
     </message>
 </context>
 <context>
@@ -8058,6 +8101,30 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Move the Slice</source>
         <translation>Помести го пресекот</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Пресликувањата не може да се влечат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Помести ја страната %1</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Ротирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Скалирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Помести го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Помести го аголот %1 на пресликувањето %2</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8235,6 +8302,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Look from &amp;Above</source>
         <translation>Поглед од&amp;горе</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Платно во простор: %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Пресликување %5, аголот %1 е во %2, %3, %4</translation>
     </message>
 </context>
 <context>
