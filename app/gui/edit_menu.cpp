@@ -8,6 +8,7 @@
 #include "document/edits/dimension_edits.h"
 #include "panels/entries/entries_panel.h"
 #include "session.h"
+#include "stage.h"
 #include "widgets/icon.h"
 #include "widgets/tooltip_text.h"
 

@@ -78,15 +78,27 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view) 
     if (!view.bend) return {word};
     const ifs::CageDeformation& bend = *view.bend;
     StraightWord result;
+    const ifs::AffineMap<3>& toPixels = view.afterBend;
     const ifs::Vector<3> middle = bend(word.translation);
+    ifs::Vector<3> along = ifs::Vector<3>::Zero(); // by how much the middles of the sides are off
     for (int side = 0; side < 3; ++side) {
         const ifs::Vector<3> high = bend(word.translation + word.linear.col(side));
         const ifs::Vector<3> low = bend(word.translation - word.linear.col(side));
-        result.word.linear.col(side) = view.afterBend.linear * ((high - low) / 2);
-        // Twice, for what mixes two directions.
-        result.miss += 2 * (view.afterBend.linear * ((high + low) / 2 - middle)).cwiseAbs();
+        const ifs::Vector<3> off = toPixels.linear * ((high + low) / 2 - middle);
+        result.word.linear.col(side) = toPixels.linear * ((high - low) / 2);
+        result.miss += off.cwiseAbs();
+        along += off;
     }
-    result.word.translation = view.afterBend(middle);
+    result.word.translation = toPixels(middle);
+    // Of what mixes two directions, every corner has what one of these four has.
+    ifs::Vector<3> mixed = ifs::Vector<3>::Zero();
+    for (const auto& corner : {ifs::Vector<3>(1, 1, 1), ifs::Vector<3>(1, -1, -1), ifs::Vector<3>(-1, 1, -1),
+                               ifs::Vector<3>(-1, -1, 1)}) {
+        const ifs::Vector<3> off = toPixels(bend(word(corner))) - result.word(corner) - along;
+        mixed = mixed.cwiseMax(off.cwiseAbs());
+    }
+    constexpr double beyond = 1.5; // for what is of higher order
+    result.miss = beyond * (result.miss + mixed);
     return result;
 }
 

@@ -47,7 +47,7 @@ constexpr double nearestShare = 0x1p-10;
 
 // A word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, in pixels before perspective:
 // where nothing bends, itself. `miss` is by how much its first-order map may be off, by what the middles of
-// the six sides tell.
+// the six sides and four corners tell.
 struct StraightWord {
     ifs::AffineMap<3> word;
     ifs::Vector<3> miss = ifs::Vector<3>::Zero();

@@ -3,6 +3,8 @@
 
 #include "ifs/cage/generalized_coordinates.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/map_handles.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cmath>
 

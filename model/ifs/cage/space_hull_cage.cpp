@@ -4,6 +4,7 @@
 #include "ifs/cage/cage_surface.h"
 #include "ifs/extent/extent.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ double volumeOf(const std::vector<Vector<3>>& corners, const CageSurface& surfac
 // What is in all of them: every corner is one of three planes. nullopt where its corners lie too close to
 // each other to hold coordinates.
 std::optional<Polyhedron> intersection(const std::vector<HalfSpace>& all, double size) {
-    const double room = 1e-6 * size;
+    const double room = 1e-8 * size;
     Polyhedron result;
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = i + 1; j < all.size(); ++j)
@@ -137,6 +138,10 @@ std::vector<Vector<3>> hullCage(const SupportFunction<3>& support, int corners, 
         halves.push_back(cut);
         best = std::move(least);
     }
+    // Corners that lay too close to each other have become one: a ten-thousandth makes up for it.
+    constexpr double larger = 1e-4;
+    for (Vector<3>& corner : best.corners)
+        corner += larger * (corner - middle);
     return best.corners;
 }
 

@@ -4,12 +4,14 @@
 #include "attractor/samples/space_orbit.h"
 #include "attractor/voxels/voxel_cover.h"
 #include "document/space_geometry.h"
+#include "ifs/cage/cage_surface.h"
 #include "io/text/number.h"
 
 #include <QtEndian>
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace io {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/cage_surface.h"
 
+#include <Eigen/Geometry>
 #include <QtTest>
 
 #include <algorithm>

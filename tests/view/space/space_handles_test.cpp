@@ -101,7 +101,7 @@ void SpaceHandlesTest::theMiddleOfAMapMovesItAsAWhole() {
     const QPointF corner = window.view->mapItem().handle(1);
     window.drag(corner, corner + QPointF(0, -25), Qt::LeftButton, Qt::ControlModifier);
     const auto& turned = document::system3(window.document.fractal())->maps[0].map;
-    const auto& rest = document::spaceCage(before)->rest;
+    const auto rest = document::spaceCage(before)->rest;
     const ifs::Vector<3> centre = (rest[0] + rest[1] + rest[2] + rest[3]) / 4;
     QVERIFY((turned(centre) - is(centre)).norm() < 1e-12);
     QVERIFY((turned.linear - is.linear).norm() > 0.01);
