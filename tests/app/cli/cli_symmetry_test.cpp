@@ -22,7 +22,11 @@ private slots:
 private:
     QJsonObject entryOf(const char* file) {
         const Result result = run(QByteArray("info --json ") + file);
-        return QJsonDocument::fromJson(result.out).object()["entries"].toArray().first().toObject();
+        return QJsonDocument::fromJson(result.out)
+            .object()[QLatin1String("entries")]
+            .toArray()
+            .first()
+            .toObject();
     }
     void writeLeaf() { write("leaf.ifs", "leaf {\n .5 .2 -.2 .5 .4 .1 .6\n .3 0 0 .1 .5 .2 .4\n}\n"); }
 };
@@ -33,16 +37,16 @@ void CliSymmetryTest::aSymmetryIsGivenAndShown() {
     QVERIFY(read("star.ifs").contains("; barycage: symmetry d6:15"));
     QVERIFY(read("star.ifs").contains(".5 .2 -.2 .5 .4 .1 .6"));
     const QJsonObject entry = entryOf("star.ifs");
-    QCOMPARE(entry["maps"].toArray().size(), 2);
-    const QJsonObject symmetry = entry["symmetry"].toObject();
-    QCOMPARE(symmetry["group"].toString(), QStringLiteral("d6"));
-    QCOMPARE(symmetry["elements"].toInt(), 12);
-    QCOMPARE(symmetry["angle"].toDouble(), 15.0);
-    QCOMPARE(symmetry["centre"].toArray(), (QJsonArray{1.0, 2.0}));
-    const QJsonArray mean = entry["mean"].toArray(); // of a symmetric measure, the centre
+    QCOMPARE(entry[QLatin1String("maps")].toArray().size(), 2);
+    const QJsonObject symmetry = entry[QLatin1String("symmetry")].toObject();
+    QCOMPARE(symmetry[QLatin1String("group")].toString(), QStringLiteral("d6"));
+    QCOMPARE(symmetry[QLatin1String("elements")].toInt(), 12);
+    QCOMPARE(symmetry[QLatin1String("angle")].toDouble(), 15.0);
+    QCOMPARE(symmetry[QLatin1String("centre")].toArray(), (QJsonArray{1.0, 2.0}));
+    const QJsonArray mean = entry[QLatin1String("mean")].toArray(); // of a symmetric measure, the centre
     QVERIFY(std::abs(mean[0].toDouble() - 1) < 1e-9 && std::abs(mean[1].toDouble() - 2) < 1e-9);
     QVERIFY(run("info star.ifs").out.contains("6-fold dihedral about (1, 2), a mirror at 15"));
-    QVERIFY(entryOf("leaf.ifs")["symmetry"].isNull());
+    QVERIFY(entryOf("leaf.ifs")[QLatin1String("symmetry")].isNull());
     QCOMPARE(run("convert star.ifs plain.ifs --symmetry none").status, 0);
     QVERIFY(!read("plain.ifs").contains("barycage"));
 }
@@ -52,7 +56,7 @@ void CliSymmetryTest::thePictureIsThatOfTheListedMaps() {
     QCOMPARE(run("convert leaf.ifs star.ifs --symmetry c6").status, 0);
     QCOMPARE(run("convert star.ifs listed.ifs --expand").status, 0);
     QVERIFY(!read("listed.ifs").contains("symmetry"));
-    QCOMPARE(entryOf("listed.ifs")["maps"].toArray().size(), 12);
+    QCOMPARE(entryOf("listed.ifs")[QLatin1String("maps")].toArray().size(), 12);
     QCOMPARE(run("render star.ifs -o star.png --size 200x200 --points 300000").status, 0);
     QCOMPARE(run("render listed.ifs -o listed.png --size 200x200 --points 300000").status, 0);
     const QImage star(path("star.png")), listed(path("listed.png"));
@@ -76,13 +80,14 @@ void CliSymmetryTest::formatsThatHoldNoSymmetryListTheMaps() {
     const Result strict = run("convert star.ifs strict.ifs --strict");
     QCOMPARE(strict.status, 0);
     QVERIFY2(strict.err.contains("The symmetry of"), strict.err.constData());
-    QCOMPARE(entryOf("strict.ifs")["maps"].toArray().size(), 10);
+    QCOMPARE(entryOf("strict.ifs")[QLatin1String("maps")].toArray().size(), 10);
     const Result flame = run("convert star.ifs star.flame");
     QCOMPARE(flame.status, 0);
     QVERIFY2(!flame.err.contains("symmetry"), flame.err.constData());
-    QCOMPARE(entryOf("star.flame")["symmetry"].toObject()["group"].toString(), QStringLiteral("c5"));
+    QCOMPARE(entryOf("star.flame")[QLatin1String("symmetry")].toObject()[QLatin1String("group")].toString(),
+             QStringLiteral("c5"));
     QCOMPARE(run("convert star.ifs listed.flame --expand").status, 0);
-    QCOMPARE(entryOf("listed.flame")["maps"].toArray().size(), 10);
+    QCOMPARE(entryOf("listed.flame")[QLatin1String("maps")].toArray().size(), 10);
 }
 
 void CliSymmetryTest::polyhedraAreInSpace() {
@@ -90,15 +95,16 @@ void CliSymmetryTest::polyhedraAreInSpace() {
     write("space.ifs", "corner (3D) {\n .3 0 0 0 .3 0 0 0 .3 1 0 0 1\n}\n");
     QCOMPARE(run("convert space.ifs octahedron.ifs --symmetry octahedral").status, 0);
     const QJsonObject entry = entryOf("octahedron.ifs");
-    QCOMPARE(entry["symmetry"].toObject()["elements"].toInt(), 24);
-    const QJsonArray high = entry["bounding_box"].toObject()["max"].toArray();
+    QCOMPARE(entry[QLatin1String("symmetry")].toObject()[QLatin1String("elements")].toInt(), 24);
+    const QJsonArray high = entry[QLatin1String("bounding_box")].toObject()[QLatin1String("max")].toArray();
     for (int i = 0; i < 3; ++i)
         QVERIFY(std::abs(high[i].toDouble() - 1 / 0.7) < 1e-6);
     const Result flat = run("convert leaf.ifs no.ifs --symmetry octahedral");
     QCOMPARE(flat.status, 1);
     QVERIFY2(flat.err.contains("in the plane"), flat.err.constData());
     QCOMPARE(run("convert leaf.ifs lifted.ifs --lift --symmetry icosahedral").status, 0);
-    QCOMPARE(entryOf("lifted.ifs")["symmetry"].toObject()["elements"].toInt(), 60);
+    QCOMPARE(entryOf("lifted.ifs")[QLatin1String("symmetry")].toObject()[QLatin1String("elements")].toInt(),
+             60);
 }
 
 void CliSymmetryTest::wrongSymmetries_data() {
