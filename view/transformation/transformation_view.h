@@ -24,7 +24,7 @@ class PictureSource;
 
 // The canvas of the plane, and while it is shown the window of fractal transformations: F in that canvas with
 // the colours it steals, its partner G beside it with the picture, the order of the maps, and the choices
-// below. docs/decisions/00XX-fractal-transformations-in-the-window.md.
+// below. docs/decisions/0015-fractal-transformations-in-the-window.md.
 class TransformationView : public QWidget {
     Q_OBJECT
 
