@@ -18,7 +18,7 @@ namespace view {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(TransformationView)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 constexpr std::uint64_t pointsPerPixel = 100;

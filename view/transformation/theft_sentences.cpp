@@ -10,7 +10,7 @@ namespace view {
 namespace {
 
 struct Text {
-    Q_DECLARE_TR_FUNCTIONS(TransformationView)
+    Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
 } // namespace
