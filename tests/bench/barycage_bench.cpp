@@ -16,7 +16,6 @@
 #include "bench/noise_bench.h"
 #include "bench/plain_rivals.h"
 #include "bench/space_bench.h"
-#include "bench/tops_bench.h"
 
 #include <QApplication>
 
@@ -509,8 +508,6 @@ void addGeometry(std::vector<Metric>& metrics, bool quick) {
 
 void addSpace(std::vector<Metric>& metrics, bool quick) {
     for (const space::Ratio& ratio : space::measure(quick ? 12 : 40))
-        metrics.push_back({ratio.name, ratio.value, ratio.target});
-    for (const space::Ratio& ratio : tops_bench::measure(quick ? 12 : 40))
         metrics.push_back({ratio.name, ratio.value, ratio.target});
 }
 
