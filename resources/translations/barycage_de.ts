@@ -2322,10 +2322,6 @@
         <translation>sie hat eine Schlusstransformation</translation>
     </message>
     <message>
-        <source>it adds a symmetry</source>
-        <translation>sie fügt eine Symmetrie hinzu</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>sie hat Bewegung</translation>
     </message>
@@ -3371,6 +3367,66 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>Das Bild ist zu lang und schmal, um nachgezeichnet zu werden.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>„%1“ hat %2 Abbildungen; mit einer Symmetrie aus %3 Elementen wären es mehr als %4, und das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Die Abbildungen von „%1“ bewegen sich in der Animation, und die Kopien, die die Symmetrie macht, würden sich nicht mitbewegen. Entfernen Sie zuerst die Bewegungen und die Schlüsselbilder der Abbildungen.</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>die Art seiner Symmetrie liegt nicht zwischen −%1 und %1</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>Die gespeicherte Symmetrie ist für diesen Eintrag nicht gültig und wird nicht angewandt; ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Mit der gespeicherten Symmetrie hätte der Eintrag mehr als %1 Abbildungen, und das ist die Grenze. Die Symmetrie wird nicht angewandt; ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>Die Symmetrie von „%1“ wird als die Abbildungen geschrieben, für die sie steht.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, in einem eigenen Bezugssystem</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>Spiegelung bei %1° durch %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>%1-zählige Drehung um %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>%1-zählige Diedersymmetrie um %2, eine Spiegelachse bei %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>Drehungen des Tetraeders um %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>Drehungen des Oktaeders um %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>Drehungen des Ikosaeders um %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -8221,6 +8277,136 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Look from &amp;Above</source>
         <translation>Von &amp;oben sehen</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Jede Abbildung unter einer Gruppe von Drehungen oder Spiegelungen wiederholen</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Mit einer Symmetrie wirkt jede Abbildung der Liste auch um den Mittelpunkt gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Die Kopien stehen nicht in der Liste; „Ausschreiben“ nimmt sie auf. Auf der Zeichenfläche ziehen Sie den Griff des Mittelpunkts.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ordnung der Symmetrie</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Wie oft sich das Fraktal bei einer vollen Drehung wiederholt</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Ausschreiben</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Symmetrie ausschreiben</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Schreibt die Kopien, die die Symmetrie macht, als eigene Abbildungen in die Liste, sodass Sie eine allein ändern können. Das Bild bleibt gleich.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Mittelpunkt x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Mittelpunkt y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Mittelpunkt z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Mittelpunkt der Symmetrie, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Mittelpunkt der Symmetrie, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Mittelpunkt der Symmetrie, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>Der Punkt, den die Symmetrie an seinem Platz lässt</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mittelpunkt der Symmetrie verschieben</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Winkel der Spiegelachse</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Richtung einer Spiegelachse, in Grad gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Winkel °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Spiegelachsen der Symmetrie drehen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diedergruppe</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tetraedergruppe</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Oktaedergruppe</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Ikosaedergruppe</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Die Abbildungen auflisten, für die die Symmetrie steht</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Symmetrie entfernen</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Symmetrie festlegen</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mittelpunkt der Symmetrie verschieben</translation>
     </message>
 </context>
 <context>

@@ -2322,10 +2322,6 @@
         <translation>tiene una transformación final</translation>
     </message>
     <message>
-        <source>it adds a symmetry</source>
-        <translation>añade una simetría</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>tiene movimiento</translation>
     </message>
@@ -3371,6 +3367,66 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>La imagen es demasiado larga y estrecha para calcarla.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>«%1» tiene %2 aplicaciones; con una simetría de %3 elementos serían más de %4, que es el límite.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Las aplicaciones de «%1» se mueven en su animación, y las copias que crea su simetría no se moverían con ellas. Quite antes los movimientos y las claves de las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>su simetría no es de un tipo entre −%1 y %1</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>La simetría guardada no es válida para esta entrada y no se aplica; sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Con la simetría guardada, la entrada tendría más de %1 aplicaciones, que es el límite. La simetría no se aplica; sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>simetría</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>La simetría de «%1» se escribe como las aplicaciones que representa.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, en un sistema de referencia propio</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>reflexión a %1° por %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>rotación de orden %1 alrededor de %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>diédrica de orden %1 alrededor de %2, con un espejo a %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>rotaciones del tetraedro alrededor de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>rotaciones del octaedro alrededor de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>rotaciones del icosaedro alrededor de %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
     </message>
 </context>
 <context>
@@ -8221,6 +8277,136 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Look from &amp;Above</source>
         <translation>Mirar desde &amp;arriba</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Simetría</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Repetir cada aplicación bajo un grupo de rotaciones o reflexiones</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Con una simetría, cada aplicación de la lista actúa también girada o reflejada respecto al centro, de modo que el fractal es simétrico. Las copias no aparecen en la lista; «Desplegar» las añade. En el lienzo, arrastre el tirador del centro.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Orden de la simetría</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Cuántas veces se repite el fractal en una vuelta completa</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Desplegar</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Desplegar la simetría</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Escribe en la lista las copias que crea la simetría como aplicaciones propias, para poder cambiar una sola. La imagen no cambia.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centro x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centro y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Centro z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Centro de la simetría, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Centro de la simetría, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Centro de la simetría, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>El punto que la simetría deja en su sitio</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mover el centro de la simetría</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Ángulo del espejo</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Dirección de un espejo, en grados en sentido antihorario</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Ángulo °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Girar los espejos de la simetría</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Reflexión</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotación</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diédrica</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tetraédrica</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Octaédrica</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Icosaédrica</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Listar las aplicaciones que representa la simetría</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Quitar la simetría</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Establecer la simetría</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mover el centro de la simetría</translation>
     </message>
 </context>
 <context>

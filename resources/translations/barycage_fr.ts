@@ -2322,10 +2322,6 @@
         <translation>elle a une transformation finale</translation>
     </message>
     <message>
-        <source>it adds a symmetry</source>
-        <translation>elle ajoute une symétrie</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>elle est animée</translation>
     </message>
@@ -3371,6 +3367,66 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>L’image est trop longue et trop mince pour être décalquée.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>« %1 » a %2 applications ; avec une symétrie de %3 éléments, il y en aurait plus de %4, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Les applications de « %1 » bougent dans son animation, et les copies créées par sa symétrie ne bougeraient pas avec elles. Supprimez d’abord les mouvements et les clés des applications.</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>sa symétrie n’est pas d’un type compris entre −%1 et %1</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>La symétrie enregistrée n’est pas valable pour cette entrée et n’est pas appliquée ; ses lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Avec la symétrie enregistrée, l’entrée aurait plus de %1 applications, ce qui est la limite. La symétrie n’est pas appliquée ; ses lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>symétrie</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>La symétrie de « %1 » est écrite sous la forme des applications qu’elle représente.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, dans un repère qui lui est propre</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>miroir à %1° passant par %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>rotation d’ordre %1 autour de %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>diédrale d’ordre %1 autour de %2, avec un miroir à %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>rotations du tétraèdre autour de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>rotations de l’octaèdre autour de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>rotations de l’icosaèdre autour de %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
     </message>
 </context>
 <context>
@@ -8221,6 +8277,136 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Look from &amp;Above</source>
         <translation>Regarder d’en &amp;haut</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Répéter chaque application sous un groupe de rotations ou de symétries miroir</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Avec une symétrie, chaque application de la liste agit aussi tournée ou réfléchie autour du centre, si bien que la fractale est symétrique. Les copies ne figurent pas dans la liste ; « Développer » les y ajoute. Sur le canevas, faites glisser la poignée du centre.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ordre de la symétrie</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Nombre de répétitions de la fractale en un tour complet</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Développer</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Développer la symétrie</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Inscrit dans la liste les copies créées par la symétrie, comme applications à part entière, pour pouvoir n’en modifier qu’une. L’image reste la même.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centre x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centre y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Centre z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Centre de la symétrie, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Centre de la symétrie, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Centre de la symétrie, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>Le point que la symétrie laisse en place</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Déplacer le centre de la symétrie</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Angle du miroir</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Direction d’un miroir, en degrés dans le sens antihoraire</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Angle °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Tourner les miroirs de la symétrie</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diédrale</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tétraédrique</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Octaédrique</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Icosaédrique</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Lister les applications que la symétrie représente</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Supprimer la symétrie</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Définir la symétrie</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Déplacer le centre de la symétrie</translation>
     </message>
 </context>
 <context>

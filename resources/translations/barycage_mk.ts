@@ -2327,10 +2327,6 @@
         <translation>има завршна трансформација</translation>
     </message>
     <message>
-        <source>it adds a symmetry</source>
-        <translation>додава симетрија</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>има движење</translation>
     </message>
@@ -3377,6 +3373,66 @@
     <message>
         <source>The picture is too long and thin to be traced.</source>
         <translation>Сликата е премногу долга и тенка за да се прецрта.</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>„%1“ има %2 пресликувања; со симетрија од %3 елементи би биле повеќе од %4, а тоа е границата.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Пресликувањата на „%1“ се движат во анимацијата, а копиите што ги прави симетријата не би се движеле со нив. Прво отстранете ги движењата и клучевите на пресликувањата.</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>неговата симетрија не е од вид меѓу −%1 и %1</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>Зачуваната симетрија не важи за оваа ставка и не се применува; нејзините редови се задржуваат.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Со зачуваната симетрија ставката би имала повеќе од %1 пресликувања, а тоа е границата. Симетријата не се применува; нејзините редови се задржуваат.</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>симетрија</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>Симетријата на „%1“ се запишува како пресликувањата што ги претставува.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, во сопствен координатен систем</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>огледало на %1° низ %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>%1-кратна ротација околу %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>%1-кратна диедарска околу %2, со огледало на %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>ротации на тетраедарот околу %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>ротации на октаедарот околу %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>ротации на икосаедарот околу %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нема</translation>
     </message>
 </context>
 <context>
@@ -8235,6 +8291,136 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Look from &amp;Above</source>
         <translation>Поглед од&amp;горе</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Симетрија</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Повтори го секое пресликување под група ротации или огледални слики</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Со симетрија, секое пресликување од списокот дејствува и завртено или огледално околу центарот, па фракталот е симетричен. Копиите не се во списокот; „Разгрни“ ги додава. На платното, влечете ја рачката на центарот.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ред на симетријата</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Колку пати се повторува фракталот во еден цел круг</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Разгрни</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Разгрни ја симетријата</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Ги запишува копиите што ги прави симетријата во списокот како посебни пресликувања, за да можете да смените само едно. Сликата останува иста.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Центар x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Центар y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Центар z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Центар на симетријата, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Центар на симетријата, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Центар на симетријата, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>Точката што симетријата ја остава на место</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Помести го центарот на симетријата</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Агол на огледалото</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Насока на огледало, во степени спротивно од стрелките на часовникот</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Агол °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Заврти ги огледалата на симетријата</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Нема</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Огледало</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Ротација</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Диедарска</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Тетраедарска</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Октаедарска</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Икосаедарска</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Наведи ги пресликувањата што ги претставува симетријата</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Отстрани ја симетријата</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Постави ја симетријата</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Помести го центарот на симетријата</translation>
     </message>
 </context>
 <context>
