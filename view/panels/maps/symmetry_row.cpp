@@ -165,7 +165,7 @@ void SymmetryRow::fillGroups(int dimension) {
     add(tr("Icosahedral"), Icosahedral);
 }
 
-template <int Dim> void SymmetryRow::show(const ifs::Symmetry<Dim>& symmetry) {
+template <int Dim> void SymmetryRow::showSymmetry(const ifs::Symmetry<Dim>& symmetry) {
     const QSignalBlocker quietGroups(m_groups), quietOrder(m_order);
     m_groups->setCurrentIndex(m_groups->findData(int(symmetry.group)));
     m_order->setVisible(hasOrder(symmetry.group));
@@ -187,11 +187,11 @@ void SymmetryRow::follow() {
     setEnabled(dimension != 0);
     fillGroups(dimension);
     if (const document::System2* system = document::system2(fractal))
-        show(system->symmetry);
+        showSymmetry(system->symmetry);
     else if (const document::System3* solid = document::system3(fractal))
-        show(solid->symmetry);
+        showSymmetry(solid->symmetry);
     else
-        show(ifs::Symmetry<2>{});
+        showSymmetry(ifs::Symmetry<2>{});
     const QString obstacle = document::expandObstacle(m_document->entryFractal());
     m_expand->setVisible(document::isSymmetric(fractal));
     m_expand->setEnabled(obstacle.isEmpty());

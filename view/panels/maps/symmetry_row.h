@@ -41,7 +41,7 @@ private:
     NumberField* makeField(const QString& name, const QString& tip);
     void follow();
     void fillGroups(int dimension);
-    template <int Dim> void show(const ifs::Symmetry<Dim>& symmetry);
+    template <int Dim> void showSymmetry(const ifs::Symmetry<Dim>& symmetry);
     void chooseGroup(ifs::SymmetryGroup group, int order);
 
     document::Document* m_document;
