@@ -383,7 +383,8 @@ void addViewOptions(CLI::App& command, RenderArguments& arguments) {
 void addCageOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup group{command, "View and cage"};
     group.add("--cage", "CORNERS", arguments.cage,
-              "Current corners of the cage: \"x,y x,y x,y\", up to 64; more than three, in space four, bend the picture");
+              "Current corners of the cage: \"x,y x,y x,y\", up to 64; more than three, in space four, bend "
+              "the picture");
     group.add(
         "--rest-cage", "CORNERS", arguments.restCage,
         "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in space octahedron as well");
