@@ -381,6 +381,26 @@
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>Der Attraktor reicht höchstens so weit über das Polyeder hinaus; bewiesen.</translation>
     </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(soweit die Rundung es erkennen lässt)</translation>
+    </message>
+    <message>
+        <source>Tile area</source>
+        <translation>Fläche der Kachel</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
+        <translation>Fläche des Attraktors, wenn alle Abbildungen denselben linearen Teil haben und verschobene Kopien des Attraktors die Ebene im Gitter ihrer Verschiebungen pflastern; bewiesen durch die Berührungen der Kopien.</translation>
+    </message>
+    <message>
+        <source>Boundary dimension</source>
+        <translation>Dimension des Randes</translation>
+    </message>
+    <message>
+        <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
+        <translation>Dimension des Randes, wenn alle Abbildungen Ähnlichkeiten mit einem Faktor sind, deren Teile eine Fläche füllen und sich auf endlich viele Arten berühren: aus dem Wachstum der Zahl der Berührungen.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -470,6 +490,10 @@
     <message>
         <source>The cage is at rest.</source>
         <translation>Der Käfig ist in Ruhe.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Die Abbildungen sind verknüpft; verknüpften Abbildungen lässt sich kein Käfig anpassen.</translation>
     </message>
 </context>
 <context>
@@ -663,6 +687,10 @@
     <message>
         <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>Abbildung %1 von „%2“ ändert die Richtung; der Schatten ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Die Abbildungen von „%1“ sind verknüpft, was Abbildungen im Raum nicht sein können.</translation>
     </message>
 </context>
 <context>
@@ -1839,10 +1867,6 @@
         <translation>Die Animation dieses Fraktals: seine Bewegungen und die Schlüssel von allem, was sich bewegen kann.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Dieses System hat mehr als %L1 Abbildungen, zu viele für einen Körper im Fenster. „barycage-cli convert --lift“ nimmt sie an.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>Fraktale &amp;Transformation</translation>
     </message>
@@ -1869,6 +1893,34 @@
     <message>
         <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
         <translation>In diesem Eintrag bewegt sich noch nichts. Wählen Sie zuerst eine Bewegung in der Zeitleiste: Animation, Animieren.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Matrix.</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Ein Fraktal zu einem Bild: das Ziel, wie gut das Fraktal mit ihm übereinstimmt, und Anpassungen.</translation>
+    </message>
+    <message>
+        <source>Four &amp;Views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Den Körper auch von oben, von vorne und von rechts zeigen</translation>
     </message>
 </context>
 <context>
@@ -2137,6 +2189,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>Der Käfig biegt das Bild, und kein affiner Code hat ein gebogenes Bild. Mit „Affin angepasst“ lässt sich einrechnen, was ihm am nächsten kommt.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>Der Käfig biegt das Bild, und kein anderer Käfig zeigt dasselbe. Setzen Sie ihn erst zurück oder wählen Sie „Affin angepasst“.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2256,6 +2316,10 @@
         <source>  across %1</source>
         <translation>  quer zu %1</translation>
     </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  entlang der Normalen</translation>
+    </message>
 </context>
 <context>
     <name>StealExport</name>
@@ -2334,10 +2398,6 @@
         <translation>sie benutzt die Variation „%1“</translation>
     </message>
     <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>ihr „chaos“ erlaubt nur manche Nachfolger, was eine Liste von Abbildungen nicht sagen kann</translation>
-    </message>
-    <message>
         <source>it is active but not drawn (opacity 0)</source>
         <translation>sie ist aktiv, wird aber nicht gezeichnet (opacity 0)</translation>
     </message>
@@ -2348,10 +2408,6 @@
     <message>
         <source>it has a final transform</source>
         <translation>sie hat eine Schlusstransformation</translation>
-    </message>
-    <message>
-        <source>it adds a symmetry</source>
-        <translation>sie fügt eine Symmetrie hinzu</translation>
     </message>
     <message>
         <source>it has motion</source>
@@ -2610,10 +2666,6 @@
         <translation>konvexe Hülle</translation>
     </message>
     <message>
-        <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
-        <translation>%1 Ecken, %2 Seitenflächen, Volumen %3; Fehler höchstens %4</translation>
-    </message>
-    <message>
         <source>similarity dimension</source>
         <translation>Ähnlichkeitsdimension</translation>
     </message>
@@ -2864,10 +2916,6 @@
     <message>
         <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
         <translation>Der Eintrag hat mehr als %1 Zeilen; das ist die Grenze. Er bleibt als Text erhalten.</translation>
-    </message>
-    <message>
-        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
-        <translation>%1 Ecken, davon %2 mit periodischen Adressen, Fläche %3; Fehler höchstens %4</translation>
     </message>
     <message>
         <source>deformation</source>
@@ -3357,10 +3405,6 @@
         <translation>innerhalb des Zeitbudgets nicht berechnet</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
-        <translation>%1 Ecken, Fläche %2; Fehler höchstens %3; periodische Adressen innerhalb des Zeitbudgets nicht berechnet</translation>
-    </message>
-    <message>
         <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
         <translation>Ein Käfig mit mehr als vier Ecken biegt den Körper; dessen Punkte können nicht geschrieben werden.</translation>
     </message>
@@ -3443,6 +3487,170 @@
     <message>
         <source>Continuous to %1, worst at (%2, %3)</source>
         <translation>Stetig bis auf %1, am schlechtesten bei (%2, %3)</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>„%1“ hat %2 Abbildungen; mit einer Symmetrie aus %3 Elementen wären es mehr als %4, und das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Die Abbildungen von „%1“ bewegen sich in der Animation, und die Kopien, die die Symmetrie macht, würden sich nicht mitbewegen. Entfernen Sie zuerst die Bewegungen und die Schlüsselbilder der Abbildungen.</translation>
+    </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>sein „chaos“ ist keine Liste von Zahlen ab 0</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>die Art seiner Symmetrie liegt nicht zwischen −%1 und %1</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>sie verknüpft mehr als %1 Transformationen durch „chaos“</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>sie verknüpft Transformationen im Raum durch „chaos“</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Abbildungen eines Systems im Raum lassen sich nicht verknüpfen: Die Verknüpfungen werden nicht angewandt, ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen: Die Verknüpfungen werden nicht angewandt, ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Die Verknüpfungen von Abbildung %1 sind ungültig, daher werden keine angewandt: Eine Zeile von Verknüpfungen hat für jede Abbildung eine Zahl ab 0.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Durch die Verknüpfungen endet jede Folge von Abbildungen; daher ist keine Abbildung aktiv.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>Die gespeicherte Symmetrie ist für diesen Eintrag nicht gültig und wird nicht angewandt; ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Mit der gespeicherten Symmetrie hätte der Eintrag mehr als %1 Abbildungen, und das ist die Grenze. Die Symmetrie wird nicht angewandt; ihre Zeilen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Die Abbildungen sind verknüpft; daher besteht das Bild nicht aus Kopien seiner selbst.</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 Ecke</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>%1, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1, Fläche %2; Fehler höchstens %3; periodische Adressen innerhalb des Zeitbudgets nicht berechnet</translation>
+    </message>
+    <message>
+        <source>%1, all of them with periodic addresses, area %2; exact</source>
+        <translation>%1, alle mit periodischen Adressen, Fläche %2; exakt</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1, davon %2 mit periodischen Adressen, Fläche %3; Fehler höchstens %4</translation>
+    </message>
+    <message>
+        <source>%1, %2, volume %3; error at most %4</source>
+        <translation>%1, %2, Volumen %3; Fehler höchstens %4</translation>
+    </message>
+    <message>
+        <source>1 facet</source>
+        <translation>1 Seitenfläche</translation>
+    </message>
+    <message>
+        <source>%1 facets</source>
+        <translation>%1 Seitenflächen</translation>
+    </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(soweit die Rundung es erkennen lässt)</translation>
+    </message>
+    <message>
+        <source>area of the tile</source>
+        <translation>Fläche der Kachel</translation>
+    </message>
+    <message>
+        <source>dimension of boundary</source>
+        <translation>Dimension des Randes</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>nimmt nicht teil: nach ihr endet das Chaosspiel</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>nimmt nicht teil: keine Abbildung führt zu ihr</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>nimmt nicht teil: das Chaosspiel verlässt sie und kehrt nie zurück</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>Verknüpfungen von Abbildung %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>verknüpfte Abbildungen</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>Trennung, Zusammenhang, gemeinsamer Spektralradius und periodische Adressen werden für verknüpfte Abbildungen nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>die Verknüpfungen seiner Abbildungen</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>Die Symmetrie von „%1“ wird als die Abbildungen geschrieben, für die sie steht.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, in einem eigenen Bezugssystem</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>Spiegelung bei %1° durch %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>%1-zählige Drehung um %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>%1-zählige Diedersymmetrie um %2, eine Spiegelachse bei %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>Drehungen des Tetraeders um %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>Drehungen des Oktaeders um %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>Drehungen des Ikosaeders um %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -3745,6 +3953,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Alle Abbildungen sind aus.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>Der Käfig verbiegt das Bild oder ist flach. Setzen Sie ihn zurück, um die Abbildungen zu vergleichen.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -3777,6 +3996,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Ein anderer Eintrag heißt „%1“ (Groß- und Kleinbuchstaben gelten als gleich).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Abbildungen im Raum lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Dieser Eintrag konnte nicht gelesen werden; seine Abbildungen lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen.</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5199,22 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Drei Kanten des umgebenden Quaders</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>Das System hat sehr viele Abbildungen: Der Käfig darum wird gerade gesucht …</translation>
+    </message>
+    <message>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <translation>%1 Ecken: mit Mittelwertkoordinaten gebogen, nicht einrechenbar.</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Hüllquader, acht Ecken</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Oktaeder</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -5478,6 +5728,164 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm hat den Auftrag nicht angenommen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>Der Anteil des Ziels, der bedeckt ist</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Überschuss</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Wie viel außerhalb des Ziels liegt, als Anteil des Ziels</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Überlappung (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Was beide gemeinsam haben, als Anteil dessen, was eines von beiden bedeckt</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>Von jedem zum nächsten Punkt des anderen, in Pixeln des Bildes</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innerhalb</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>95 % aller Punkte sind höchstens so weit vom anderen entfernt</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>Der Hausdorff-Abstand; die Marke auf der Zeichenfläche zeigt, wo er ist</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Garantie</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Kein Punkt des Ziels ist weiter vom Attraktor entfernt als so, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>keine: eine Abbildung streckt um %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Vorschlag verwenden</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Abbildungen verbessern</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Attraktor verbessern</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Gewichte anpassen</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Käfig anpassen</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Abbildung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>der Collage</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>des Attraktors</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Was mit dem Ziel verglichen wird: die Bilder des Ziels unter den Abbildungen oder der Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Die Abbildungen ziehen nicht zusammen; es gibt keinen Attraktor zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n Vorschlag. Klicken Sie ihn an, um ihn zu verwenden.</numerusform>
+            <numerusform>%n Vorschläge. Klicken Sie einen an, um ihn zu verwenden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>Das Fraktal hat sich inzwischen geändert; das Ergebnis wurde nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>Es wurde nichts gefunden, das besser übereinstimmt.</translation>
     </message>
 </context>
 <context>
@@ -6675,6 +7083,200 @@
     </message>
 </context>
 <context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>Die beste von 2 bis 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Wie viele Abbildungen ein Vorschlag hat; in einem Bereich muss sich jede lohnen</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Anzahl der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Abbildungen:</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Sekunden der Suche</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Wie lange nach Vorschlägen gesucht wird</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Sekunden:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Startwert der Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Ein anderer Startwert sucht an anderen Stellen</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Startwert:</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Nur Ähnlichkeiten</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Nur Abbildungen, die alle Winkel erhalten</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Keine Spiegelbilder</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Nur Abbildungen, die nicht spiegeln</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Erste Abbildung ein Stiel</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>Die erste Abbildung drückt die Form zu einer Linie zusammen, wie der Stiel eines Farns</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Vielfache von %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>Um welche Winkel die Abbildungen drehen dürfen</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Winkel:</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Vorschlagen</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Systeme finden, deren Attraktor dem Ziel gleicht</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Abbildung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Dort eine Abbildung hinzufügen, wo die Übereinstimmung am schlechtesten ist</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Abbildungen verbessern</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Die Abbildungen so bewegen, dass ihre Bilder des Ziels es besser bedecken</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Attraktor verbessern</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Die Abbildungen so bewegen, dass der Attraktor selbst dem Ziel näher kommt</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Gewichte anpassen</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Die Gewichte finden, die die Helligkeiten des Bildes wiedergeben</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Käfig anpassen</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Den Attraktor mit einem Käfig so verformen, dass sein Umriss dem des Ziels folgt</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>Nur ausgewählte Abbildungen verbessern</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Nicht ausgewählte Abbildungen bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Gesperrte Abbildungen bleiben, wie sie sind, während andere verbessert werden</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Ecken des Käfigs</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Wie viele Ecken der angepasste Käfig hat</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Ecken des Käfigs:</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Beenden, was gerade läuft; nichts ändert sich</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Ausgewählte Abbildungen sperren</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Gesperrt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6927,6 +7529,96 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Drag a line to take only the colours along it; click to take all</source>
         <translation>Ziehen Sie eine Linie, um nur die Farben auf ihr zu nehmen; klicken Sie, um alle zu nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>Endet: Keine Abbildung kann endlos folgen</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Unerreicht: Keine Abbildung führt zu ihr</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Verlassen: Das Chaosspiel kehrt nie zurück</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Nimmt teil</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 mit dem %3-Fachen ihres Gewichts angewandt.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 nie angewandt.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>Von Abbildung %1 zu Abbildung %2: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Abbildung %1 mit Abbildung %2 verknüpfen</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>Im Chaosspiel</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Ob die Abbildung immer wieder angewandt wird, oder warum nicht</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>Zu Abbildung %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>Von Abbildung %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Alle Verknüpfungen entfernen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Verknüpfungen zwischen Abbildungen</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Zeilen sind die zuvor angewandten Abbildungen, Spalten die danach. Eine Zahl vervielfacht das Gewicht der Abbildung der Spalte: 1 lässt es unverändert, 0 verbietet sie.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Jede Abbildung darf wieder auf jede folgen</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Jede Abbildung darf auf jede folgen. Geben Sie 0 ein, um es zu verbieten.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Jede Folge von Abbildungen endet; daher wird nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Alle Verknüpfungen entfernen</translation>
     </message>
 </context>
 <context>
@@ -8613,6 +9305,30 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Move the Slice</source>
         <translation>Schnitt verschieben</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Seite %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Abbildung %1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Abbildung %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Abbildung %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Ecke %1 der Abbildung %2 bewegen</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8790,6 +9506,348 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Look from &amp;Above</source>
         <translation>Von &amp;oben sehen</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Zeichenfläche im Raum: %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Abbildung %5, Ecke %1 bei %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n Abbildung</numerusform>
+            <numerusform>%n Abbildungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Mittlerer Abstand %1 px</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Überlappung %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Garantie %1 px</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Klicken Sie einen Vorschlag an, um ihn zu verwenden; Rückgängig führt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Jede Abbildung unter einer Gruppe von Drehungen oder Spiegelungen wiederholen</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Mit einer Symmetrie wirkt jede Abbildung der Liste auch um den Mittelpunkt gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Die Kopien stehen nicht in der Liste; „Ausschreiben“ nimmt sie auf. Auf der Zeichenfläche ziehen Sie den Griff des Mittelpunkts.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ordnung der Symmetrie</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Wie oft sich das Fraktal bei einer vollen Drehung wiederholt</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Ausschreiben</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Symmetrie ausschreiben</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Schreibt die Kopien, die die Symmetrie macht, als eigene Abbildungen in die Liste, sodass Sie eine allein ändern können. Das Bild bleibt gleich.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Mittelpunkt x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Mittelpunkt y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Mittelpunkt z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Mittelpunkt der Symmetrie, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Mittelpunkt der Symmetrie, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Mittelpunkt der Symmetrie, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>Der Punkt, den die Symmetrie an seinem Platz lässt</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mittelpunkt der Symmetrie verschieben</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Winkel der Spiegelachse</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Richtung einer Spiegelachse, in Grad gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Winkel °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Spiegelachsen der Symmetrie drehen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diedergruppe</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tetraedergruppe</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Oktaedergruppe</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Ikosaedergruppe</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Die Abbildungen auflisten, für die die Symmetrie steht</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Symmetrie entfernen</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Symmetrie festlegen</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mittelpunkt der Symmetrie verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Nur Abbildungen, die zusammenziehen, ergeben eine Form zum Nachzeichnen.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>Der Attraktor ist ein einzelner Punkt.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Das Bild wählen, dem das Fraktal gleichen soll</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Eintrag dieser Datei</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Das Bild der Zwischenablage verwenden</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Wieder ohne Ziel arbeiten</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Das Dunkle</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Das Deckende</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Welche Pixel zur Form gehören; automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Form:</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Stattdessen den Hintergrund nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>Der Grauwert, bis zu dem ein Pixel zur Form gehört</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Schwelle:</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Automatische Schwelle</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Dunkel und Hell so gut trennen, wie eine Schwelle es kann (Otsu)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Deckkraft des Ziels</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Wie kräftig das Ziel auf der Zeichenfläche erscheint</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Deckkraft:</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Auf die Form zuschneiden</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>Nur den Teil um die Form verwenden</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Wieder das ganze Bild verwenden</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Ziel wählen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>In der Zwischenablage ist kein Bild.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Eingefügtes Bild</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Das Bild konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 Pixel</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Wählen Sie ein Bild, fügen Sie eines ein oder ziehen Sie eines auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Mit diesen Einstellungen ist die Form leer oder füllt das Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Vorschau des Ziels</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Ziehen Sie ein Rechteck, um das Bild zuzuschneiden; ein Doppelklick nimmt wieder das ganze</translation>
     </message>
 </context>
 <context>
@@ -9076,6 +10134,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Morph to %1</source>
         <translation>Verwandeln in %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Die Abbildungen eines der beiden Fraktale sind verknüpft.</translation>
     </message>
 </context>
 <context>

@@ -381,6 +381,26 @@
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>El atractor sobresale del poliedro a lo sumo esta distancia; certificado.</translation>
     </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(hasta donde deja ver el redondeo)</translation>
+    </message>
+    <message>
+        <source>Tile area</source>
+        <translation>Área de la tesela</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
+        <translation>Área del atractor si todas las aplicaciones tienen la misma parte lineal y las copias trasladadas del atractor teselan el plano según la red de sus traslaciones; demostrada por los contactos de las copias.</translation>
+    </message>
+    <message>
+        <source>Boundary dimension</source>
+        <translation>Dimensión de la frontera</translation>
+    </message>
+    <message>
+        <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
+        <translation>Dimensión de la frontera si todas las aplicaciones son semejanzas de una misma razón cuyas piezas llenan un área y se tocan de un número finito de maneras: a partir del crecimiento del número de contactos.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -470,6 +490,10 @@
     <message>
         <source>The cage is at rest.</source>
         <translation>La jaula está en reposo.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Las aplicaciones están enlazadas; no se puede ajustar una jaula a aplicaciones enlazadas.</translation>
     </message>
 </context>
 <context>
@@ -663,6 +687,10 @@
     <message>
         <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>La aplicación %1 de «%2» desvía la dirección, así que la sombra no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Las aplicaciones de «%1» están enlazadas, y las del espacio no pueden estarlo.</translation>
     </message>
 </context>
 <context>
@@ -1839,10 +1867,6 @@
         <translation>La animación de este fractal: sus movimientos y las claves de todo lo que puede moverse.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Este sistema tiene más de %L1 aplicaciones, demasiadas para un sólido en la ventana. «barycage-cli convert --lift» las admite.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>&amp;Transformación fractal</translation>
     </message>
@@ -1869,6 +1893,34 @@
     <message>
         <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
         <translation>En esta entrada aún no se mueve nada. Elija primero un movimiento en la línea de tiempo: Animación, Animar.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Enlaces</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Qué aplicaciones puede usar el juego del caos después de cuáles, como matriz.</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Un fractal para una imagen: el objetivo, cuánto concuerda con él el fractal, y ajustes.</translation>
+    </message>
+    <message>
+        <source>Four &amp;Views</source>
+        <translation>Cuatro &amp;vistas</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Mostrar el sólido también desde arriba, de frente y desde la derecha</translation>
     </message>
 </context>
 <context>
@@ -2137,6 +2189,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>La jaula curva la imagen, y ningún código afín tiene una imagen curvada. Elija «Ajuste afín» para incorporar lo que más se le acerca.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>La jaula curva la imagen, y ninguna otra jaula la mostraría. Antes restablezca la jaula o elija «Ajuste afín».</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2256,6 +2316,10 @@
         <source>  across %1</source>
         <translation>  perpendicular a %1</translation>
     </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  a lo largo de la normal</translation>
+    </message>
 </context>
 <context>
     <name>StealExport</name>
@@ -2334,10 +2398,6 @@
         <translation>usa la variación «%1»</translation>
     </message>
     <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>su «chaos» solo permite algunos sucesores, lo que una lista de aplicaciones no puede expresar</translation>
-    </message>
-    <message>
         <source>it is active but not drawn (opacity 0)</source>
         <translation>interviene sin dibujarse (opacidad 0)</translation>
     </message>
@@ -2348,10 +2408,6 @@
     <message>
         <source>it has a final transform</source>
         <translation>tiene una transformación final</translation>
-    </message>
-    <message>
-        <source>it adds a symmetry</source>
-        <translation>añade una simetría</translation>
     </message>
     <message>
         <source>it has motion</source>
@@ -2610,10 +2666,6 @@
         <translation>envolvente convexa</translation>
     </message>
     <message>
-        <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
-        <translation>%1 vértices, %2 caras, volumen %3; error a lo sumo %4</translation>
-    </message>
-    <message>
         <source>similarity dimension</source>
         <translation>dimensión de semejanza</translation>
     </message>
@@ -2864,10 +2916,6 @@
     <message>
         <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
         <translation>La entrada tiene más de %1 líneas, que es el límite; se conserva como texto.</translation>
-    </message>
-    <message>
-        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
-        <translation>%1 vértices, %2 de ellos con direcciones periódicas, área %3; error a lo sumo %4</translation>
     </message>
     <message>
         <source>deformation</source>
@@ -3357,10 +3405,6 @@
         <translation>no calculado dentro del tiempo asignado</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
-        <translation>%1 vértices, área %2; error máximo %3; direcciones periódicas no calculadas dentro del tiempo asignado</translation>
-    </message>
-    <message>
         <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
         <translation>Una jaula de más de cuatro vértices curva el sólido; sus puntos no se pueden escribir.</translation>
     </message>
@@ -3443,6 +3487,170 @@
     <message>
         <source>Continuous to %1, worst at (%2, %3)</source>
         <translation>Continua salvo %1, lo peor en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>«%1» tiene %2 aplicaciones; con una simetría de %3 elementos serían más de %4, que es el límite.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Las aplicaciones de «%1» se mueven en su animación, y las copias que crea su simetría no se moverían con ellas. Quite antes los movimientos y las claves de las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>su «chaos» no es una lista de números a partir de 0</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>su simetría no es de un tipo entre −%1 y %1</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>enlaza más de %1 transformaciones mediante «chaos»</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>enlaza transformaciones del espacio mediante «chaos»</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Las aplicaciones de un sistema del espacio no se pueden enlazar: los enlaces no se aplican y sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>No se pueden enlazar más de %1 aplicaciones: los enlaces no se aplican y sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Los enlaces de la aplicación %1 no son válidos, así que no se aplica ninguno: una fila de enlaces tiene un número por aplicación, 0 o mayor.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Con estos enlaces toda sucesión de aplicaciones termina, así que no interviene ninguna.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>La simetría guardada no es válida para esta entrada y no se aplica; sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Con la simetría guardada, la entrada tendría más de %1 aplicaciones, que es el límite. La simetría no se aplica; sus líneas se conservan.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Las aplicaciones están enlazadas, así que la imagen no se compone de copias de sí misma.</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 vértice</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 vértices</translation>
+    </message>
+    <message>
+        <source>%1, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1, área %2; error máximo %3; direcciones periódicas no calculadas dentro del límite de tiempo</translation>
+    </message>
+    <message>
+        <source>%1, all of them with periodic addresses, area %2; exact</source>
+        <translation>%1, todos con direcciones periódicas, área %2; exacta</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1, %2 de ellos con direcciones periódicas, área %3; error máximo %4</translation>
+    </message>
+    <message>
+        <source>%1, %2, volume %3; error at most %4</source>
+        <translation>%1, %2, volumen %3; error máximo %4</translation>
+    </message>
+    <message>
+        <source>1 facet</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 facets</source>
+        <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(hasta donde deja ver el redondeo)</translation>
+    </message>
+    <message>
+        <source>area of the tile</source>
+        <translation>área de la tesela</translation>
+    </message>
+    <message>
+        <source>dimension of boundary</source>
+        <translation>dimensión de la frontera</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>simetría</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>no interviene: después de ella termina el juego del caos</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>no interviene: ninguna aplicación lleva a ella</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>no interviene: el juego del caos la deja y no vuelve nunca</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>enlaces desde la aplicación %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>aplicaciones enlazadas</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>la separación, la conexión, el radio espectral conjunto y las direcciones periódicas no se determinan para aplicaciones enlazadas</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>los enlaces de sus aplicaciones</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>La simetría de «%1» se escribe como las aplicaciones que representa.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, en un sistema de referencia propio</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>reflexión a %1° por %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>rotación de orden %1 alrededor de %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>diédrica de orden %1 alrededor de %2, con un espejo a %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>rotaciones del tetraedro alrededor de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>rotaciones del octaedro alrededor de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>rotaciones del icosaedro alrededor de %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
     </message>
 </context>
 <context>
@@ -3745,6 +3953,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Todas las aplicaciones están desactivadas.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>La jaula dobla la imagen o es plana. Restablezca la jaula para comparar las aplicaciones.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -3777,6 +3996,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Otra entrada se llama «%1» (no se distinguen mayúsculas y minúsculas).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Las aplicaciones del espacio no se pueden enlazar.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Esta entrada no se pudo leer, así que sus aplicaciones no se pueden enlazar.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>No se pueden enlazar más de %1 aplicaciones.</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5199,22 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Tres aristas de la caja envolvente</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>El sistema tiene muchísimas aplicaciones: se está buscando la jaula que lo rodea…</translation>
+    </message>
+    <message>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <translation>%1 vértices: curvada con coordenadas de valor medio, no se puede incorporar.</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Caja envolvente, ocho vértices</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Octaedro</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -5478,6 +5728,164 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm no aceptó el trabajo: %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Cobertura</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>La parte del objetivo que está cubierta</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Exceso</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Cuánto queda fuera del objetivo, como parte del objetivo</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Solapamiento (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Lo que tienen en común, como parte de lo que cubre uno u otro</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Distancia media</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>De cada uno al punto más cercano del otro, en píxeles de la imagen</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % dentro de</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>El 95 % de los puntos está como mucho a esta distancia del otro</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Distancia mayor</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>La distancia de Hausdorff; la marca del lienzo muestra dónde está</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Garantía</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Ningún punto del objetivo está más lejos del atractor que esto, ni al revés</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>ninguna: una aplicación estira por %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Usar la sugerencia</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Afinar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Afinar el atractor</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajustar los pesos</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajustar la jaula</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Añadir aplicación</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Concordancia</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>del collage</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>del atractor</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>no mostrar</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Qué se compara con el objetivo: las imágenes del objetivo por las aplicaciones, o el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Las aplicaciones no contraen, así que no hay atractor que comparar.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>No hay memoria suficiente para esto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n sugerencia. Haga clic en ella para usarla.</numerusform>
+            <numerusform>%n sugerencias. Haga clic en una para usarla.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>El fractal ha cambiado entretanto, así que no se usó el resultado.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>No se encontró nada que concuerde mejor.</translation>
     </message>
 </context>
 <context>
@@ -6675,6 +7083,200 @@
     </message>
 </context>
 <context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>La mejor de 2 a 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Cuántas aplicaciones tiene una sugerencia; en un rango, cada una debe compensar</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Número de aplicaciones</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Aplicaciones:</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Segundos de búsqueda</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Cuánto tiempo buscar sugerencias</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Segundos:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Semilla de los números aleatorios</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Otra semilla busca en otros lugares</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Semilla:</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Solo semejanzas</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Solo aplicaciones que conservan todos los ángulos</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Sin imágenes especulares</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Solo aplicaciones que no reflejan</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Primera aplicación, un tallo</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>La primera aplicación aplana la forma en una línea, como el tallo de un helecho</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Cualquiera</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Múltiplos de %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Ángulos</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>Qué ángulos pueden girar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Ángulos:</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Sugerir</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Buscar sistemas cuyo atractor se parezca al objetivo</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Añadir una aplicación</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Añadir una aplicación donde la concordancia es peor</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Afinar las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Mover las aplicaciones para que sus imágenes del objetivo lo cubran mejor</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Afinar el atractor</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Mover las aplicaciones para que el propio atractor se acerque al objetivo</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajustar los pesos</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Buscar los pesos que reproducen los tonos de la imagen</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajustar la jaula</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Deformar el atractor con una jaula para que su contorno siga el del objetivo</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>Afinar solo las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Las aplicaciones no seleccionadas quedan como están</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Las aplicaciones bloqueadas quedan como están mientras se afinan las demás</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Esquinas de la jaula</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Cuántas esquinas tiene la jaula ajustada</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Esquinas de la jaula:</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Detener lo que está en curso; nada cambia</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Bloquear las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Bloqueadas: %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Desde arriba</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>De frente</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Desde la derecha</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6927,6 +7529,96 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Drag a line to take only the colours along it; click to take all</source>
         <translation>Arrastre una línea para tomar solo los colores a lo largo de ella; haga clic para tomarlos todos</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Desactivada</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>Termina: ninguna sucesión sin fin puede seguirla</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Inalcanzable: ninguna aplicación lleva a ella</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Abandonada: el juego del caos no vuelve nunca</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Interviene</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Justo después de la aplicación %1, la aplicación %2 se usa con su peso multiplicado por %3.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Justo después de la aplicación %1 no se usa nunca la aplicación %2.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>De la aplicación %1 a la aplicación %2: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Enlazar la aplicación %1 con la aplicación %2</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>En el juego del caos</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Si la aplicación se usa una y otra vez, o por qué no</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>A la aplicación %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>De la aplicación %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Quitar todos los enlaces</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Enlaces</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Enlaces entre aplicaciones</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Las filas son las aplicaciones usadas antes; las columnas, las de después. Un número multiplica el peso de la aplicación de la columna: 1 lo deja igual, 0 la prohíbe.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Cualquier aplicación puede seguir de nuevo a cualquier otra</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Cualquier aplicación puede seguir a cualquier otra. Escriba 0 para prohibirlo.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Toda sucesión de aplicaciones termina, así que no se dibuja nada.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Quitar todos los enlaces</translation>
     </message>
 </context>
 <context>
@@ -8613,6 +9305,30 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Move the Slice</source>
         <translation>Mover el corte</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Mover la cara %1</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Girar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Escalar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Mover la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Mover la esquina %1 de la aplicación %2</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8790,6 +9506,348 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Look from &amp;Above</source>
         <translation>Mirar desde &amp;arriba</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Lienzo en el espacio: %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Aplicación %5, esquina %1 en %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n aplicación</numerusform>
+            <numerusform>%n aplicaciones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Distancia media %1 px</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Solapamiento %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Garantía %1 px</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Sugerencias</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Haga clic en una sugerencia para usarla; deshacer la retira</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Simetría</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Repetir cada aplicación bajo un grupo de rotaciones o reflexiones</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Con una simetría, cada aplicación de la lista actúa también girada o reflejada respecto al centro, de modo que el fractal es simétrico. Las copias no aparecen en la lista; «Desplegar» las añade. En el lienzo, arrastre el tirador del centro.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Orden de la simetría</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Cuántas veces se repite el fractal en una vuelta completa</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Desplegar</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Desplegar la simetría</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Escribe en la lista las copias que crea la simetría como aplicaciones propias, para poder cambiar una sola. La imagen no cambia.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centro x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centro y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Centro z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Centro de la simetría, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Centro de la simetría, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Centro de la simetría, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>El punto que la simetría deja en su sitio</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mover el centro de la simetría</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Ángulo del espejo</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Dirección de un espejo, en grados en sentido antihorario</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Ángulo °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Girar los espejos de la simetría</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Reflexión</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotación</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diédrica</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tetraédrica</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Octaédrica</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Icosaédrica</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Listar las aplicaciones que representa la simetría</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Quitar la simetría</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Establecer la simetría</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mover el centro de la simetría</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Solo las aplicaciones que contraen dan una forma que calcar.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>El atractor es un solo punto.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Elegir</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Elegir la imagen a la que debe parecerse el fractal</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Imagen…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Entrada de este archivo</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Usar la imagen del portapapeles</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Volver a trabajar sin objetivo</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Lo oscuro</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Lo opaco</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Qué píxeles pertenecen a la forma; en automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Forma:</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Invertir</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Calcar el fondo en su lugar</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Umbral</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>El tono hasta el que un píxel pertenece a la forma</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Umbral:</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Umbral automático</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Separar lo oscuro de lo claro tan bien como puede un umbral (Otsu)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Opacidad del objetivo</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Con qué intensidad se muestra el objetivo en el lienzo</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Opacidad:</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Recortar a la forma</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>Usar solo la parte que rodea la forma</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Imagen completa</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Volver a usar toda la imagen</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Elegir un objetivo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>No hay ninguna imagen en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Imagen pegada</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>No se pudo leer la imagen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 píxeles</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Elija o pegue una imagen, o suéltela en la ventana.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Con estos ajustes, la forma está vacía o llena la imagen.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Vista previa del objetivo</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Arrastre un rectángulo para recortar la imagen; haga doble clic para usarla entera</translation>
     </message>
 </context>
 <context>
@@ -9076,6 +10134,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Morph to %1</source>
         <translation>Transformar en %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Las aplicaciones de uno de los dos fractales están enlazadas.</translation>
     </message>
 </context>
 <context>

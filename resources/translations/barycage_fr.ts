@@ -381,6 +381,26 @@
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(autant que l’arrondi permet d’en juger)</translation>
+    </message>
+    <message>
+        <source>Tile area</source>
+        <translation>Aire de la tuile</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
+        <translation>Aire de l’attracteur si toutes les applications ont la même partie linéaire et si des copies translatées de l’attracteur pavent le plan suivant le réseau de leurs translations ; prouvée par les contacts des copies.</translation>
+    </message>
+    <message>
+        <source>Boundary dimension</source>
+        <translation>Dimension de la frontière</translation>
+    </message>
+    <message>
+        <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
+        <translation>Dimension de la frontière si toutes les applications sont des similitudes de même rapport dont les morceaux remplissent une aire et se touchent d’un nombre fini de façons : d’après la croissance du nombre de contacts.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -470,6 +490,10 @@
     <message>
         <source>The cage is at rest.</source>
         <translation>La cage est au repos.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Les applications sont liées ; on ne peut pas ajuster de cage à des applications liées.</translation>
     </message>
 </context>
 <context>
@@ -663,6 +687,10 @@
     <message>
         <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>L’application %1 de « %2 » change cette direction ; l’ombre n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Les applications de « %1 » sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
     </message>
 </context>
 <context>
@@ -1839,10 +1867,6 @@
         <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Ce système a plus de %L1 applications, trop pour un solide dans la fenêtre. « barycage-cli convert --lift » les accepte.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>&amp;Transformation fractale</translation>
     </message>
@@ -1869,6 +1893,34 @@
     <message>
         <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
         <translation>Rien ne bouge encore dans cette entrée. Choisissez d’abord un mouvement dans la chronologie : Animation, Animer.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Liens</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de matrice.</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
+    </message>
+    <message>
+        <source>Four &amp;Views</source>
+        <translation>Quatre &amp;vues</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Montrer aussi le solide de dessus, de face et de droite</translation>
     </message>
 </context>
 <context>
@@ -2137,6 +2189,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Ce système n’a pas d’attracteur à entourer.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez « Ajustement affine » pour intégrer au code ce qui s’en approche le plus.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>La cage courbe l’image, et aucune autre cage ne la montrerait. Réinitialisez d’abord la cage ou choisissez « Ajustement affine ».</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2256,6 +2316,10 @@
         <source>  across %1</source>
         <translation>  en travers de %1</translation>
     </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  le long de la normale</translation>
+    </message>
 </context>
 <context>
     <name>StealExport</name>
@@ -2334,10 +2398,6 @@
         <translation>elle utilise la variation «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>son «&#x202f;chaos&#x202f;» n’autorise que certains successeurs, ce qu’une liste d’applications ne peut exprimer</translation>
-    </message>
-    <message>
         <source>it is active but not drawn (opacity 0)</source>
         <translation>elle agit sans être dessinée (opacity 0)</translation>
     </message>
@@ -2348,10 +2408,6 @@
     <message>
         <source>it has a final transform</source>
         <translation>elle a une transformation finale</translation>
-    </message>
-    <message>
-        <source>it adds a symmetry</source>
-        <translation>elle ajoute une symétrie</translation>
     </message>
     <message>
         <source>it has motion</source>
@@ -2610,10 +2666,6 @@
         <translation>enveloppe convexe</translation>
     </message>
     <message>
-        <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
-        <translation>%1 sommets, %2 faces, volume %3&#x202f;; erreur d’au plus %4</translation>
-    </message>
-    <message>
         <source>similarity dimension</source>
         <translation>dimension de similitude</translation>
     </message>
@@ -2864,10 +2916,6 @@
     <message>
         <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
         <translation>L’entrée a plus de %1 lignes, ce qui est la limite ; elle est gardée comme texte.</translation>
-    </message>
-    <message>
-        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
-        <translation>%1 sommets, dont %2 à adresse périodique, aire %3 ; erreur d’au plus %4</translation>
     </message>
     <message>
         <source>deformation</source>
@@ -3357,10 +3405,6 @@
         <translation>non calculé dans le temps imparti</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
-        <translation>%1 sommets, aire %2&#x202f;; erreur au plus %3&#x202f;; adresses périodiques non calculées dans le temps imparti</translation>
-    </message>
-    <message>
         <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
         <translation>Une cage de plus de quatre sommets courbe le solide&#x202f;; ses points ne peuvent pas être écrits.</translation>
     </message>
@@ -3443,6 +3487,170 @@
     <message>
         <source>Continuous to %1, worst at (%2, %3)</source>
         <translation>Continue à %1 près, au pire en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>« %1 » a %2 applications ; avec une symétrie de %3 éléments, il y en aurait plus de %4, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Les applications de « %1 » bougent dans son animation, et les copies créées par sa symétrie ne bougeraient pas avec elles. Supprimez d’abord les mouvements et les clés des applications.</translation>
+    </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>son « chaos » n’est pas une liste de nombres positifs ou nuls</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>sa symétrie n’est pas d’un type compris entre −%1 et %1</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>elle lie plus de %1 transformations par « chaos »</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>elle lie des transformations de l’espace par « chaos »</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Les applications d’un système de l’espace ne peuvent pas être liées : les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>On ne peut pas lier plus de %1 applications : les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Les liens de l’application %1 ne sont pas valides, donc aucun n’est appliqué : une ligne de liens a un nombre par application, 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Avec ces liens, toute suite d’applications prend fin ; aucune application n’est donc active.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>La symétrie enregistrée n’est pas valable pour cette entrée et n’est pas appliquée ; ses lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Avec la symétrie enregistrée, l’entrée aurait plus de %1 applications, ce qui est la limite. La symétrie n’est pas appliquée ; ses lignes sont conservées.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Les applications sont liées ; l’image n’est donc pas faite de copies d’elle-même.</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 sommet</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 sommets</translation>
+    </message>
+    <message>
+        <source>%1, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1, aire %2 ; erreur d’au plus %3 ; adresses périodiques non calculées dans le temps imparti</translation>
+    </message>
+    <message>
+        <source>%1, all of them with periodic addresses, area %2; exact</source>
+        <translation>%1, tous d’adresses périodiques, aire %2 ; exacte</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1, dont %2 d’adresses périodiques, aire %3 ; erreur d’au plus %4</translation>
+    </message>
+    <message>
+        <source>%1, %2, volume %3; error at most %4</source>
+        <translation>%1, %2, volume %3 ; erreur d’au plus %4</translation>
+    </message>
+    <message>
+        <source>1 facet</source>
+        <translation>1 facette</translation>
+    </message>
+    <message>
+        <source>%1 facets</source>
+        <translation>%1 facettes</translation>
+    </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(autant que l’arrondi permet d’en juger)</translation>
+    </message>
+    <message>
+        <source>area of the tile</source>
+        <translation>aire de la tuile</translation>
+    </message>
+    <message>
+        <source>dimension of boundary</source>
+        <translation>dimension de la frontière</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>symétrie</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>ne participe pas : après elle, le jeu du chaos prend fin</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>ne participe pas : aucune application n’y mène</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>ne participe pas : le jeu du chaos la quitte et n’y revient jamais</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>liens de l’application %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>applications liées</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>la séparation, la connexité, le rayon spectral joint et les adresses périodiques ne sont pas déterminés pour les applications liées</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>les liens de ses applications</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>La symétrie de « %1 » est écrite sous la forme des applications qu’elle représente.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, dans un repère qui lui est propre</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>miroir à %1° passant par %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>rotation d’ordre %1 autour de %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>diédrale d’ordre %1 autour de %2, avec un miroir à %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>rotations du tétraèdre autour de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>rotations de l’octaèdre autour de %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>rotations de l’icosaèdre autour de %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
     </message>
 </context>
 <context>
@@ -3745,6 +3953,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Toutes les applications sont désactivées.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>La cage déforme l’image ou est plate. Réinitialisez-la pour comparer les applications.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -3777,6 +3996,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Les applications de l’espace ne peuvent pas être liées.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Cette entrée n’a pas pu être lue ; ses applications ne peuvent donc pas être liées.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>On ne peut pas lier plus de %1 applications.</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5199,22 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Trois arêtes de la boîte englobante</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>Le système a de très nombreuses applications : la cage qui l’entoure est en cours de calcul…</translation>
+    </message>
+    <message>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <translation>%1 sommets : image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Boîte englobante, huit coins</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Octaèdre</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -5478,6 +5728,164 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm n’a pas accepté le travail : %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Couverture</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>La part de la cible qui est couverte</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Excédent</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Ce qui dépasse de la cible, en part de la cible</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Recouvrement (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Ce qu’elles ont en commun, en part de ce que couvre l’une ou l’autre</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Distance moyenne</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>De chacune au point le plus proche de l’autre, en pixels de l’image</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % à moins de</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>95 % des points sont au plus à cette distance de l’autre</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Plus grande distance</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>La distance de Hausdorff ; la marque sur le canevas montre où elle se trouve</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Garantie</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Aucun point de la cible n’est plus loin de l’attracteur que cela, ni l’inverse</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>aucune : une application étire de %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Utiliser la suggestion</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Affiner les applications</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Affiner l’attracteur</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajuster les poids</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajuster la cage</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Ajouter une application</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Collage</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Accord</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>du collage</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>de l’attracteur</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>masqué</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Ce qui est comparé à la cible : les images de la cible par les applications, ou l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Les applications ne sont pas contractantes ; il n’y a pas d’attracteur à comparer.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n suggestion. Cliquez dessus pour l’utiliser.</numerusform>
+            <numerusform>%n suggestions. Cliquez sur l’une d’elles pour l’utiliser.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>La fractale a changé entre-temps ; le résultat n’a pas été utilisé.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>Rien de plus concordant n’a été trouvé.</translation>
     </message>
 </context>
 <context>
@@ -6675,6 +7083,200 @@
     </message>
 </context>
 <context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>La meilleure de 2 à 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Combien d’applications a une suggestion ; dans un intervalle, chacune doit être rentable</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Nombre d’applications</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Applications :</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Secondes de recherche</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Combien de temps chercher des suggestions</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Secondes :</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Graine des nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Une autre graine cherche ailleurs</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Graine :</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Similitudes seulement</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Seulement des applications qui conservent tous les angles</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Sans images miroir</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Seulement des applications sans réflexion</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Première application : une tige</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>La première application aplatit la forme en une ligne, comme la tige d’une fougère</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Quelconques</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Multiples de %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>De quels angles les applications peuvent tourner</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Angles :</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Suggérer</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Trouver des systèmes dont l’attracteur ressemble à la cible</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Ajouter une application</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Ajouter une application là où l’accord est le plus mauvais</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Affiner les applications</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Déplacer les applications pour que leurs images de la cible la couvrent mieux</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Affiner l’attracteur</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Déplacer les applications pour que l’attracteur lui-même se rapproche de la cible</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Ajuster les poids</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Trouver les poids qui reproduisent les nuances de l’image</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Ajuster la cage</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Déformer l’attracteur par une cage pour que son contour suive celui de la cible</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>N’affiner que les applications sélectionnées</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Les applications non sélectionnées restent telles quelles</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Les applications verrouillées restent telles quelles pendant qu’on affine les autres</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Sommets de la cage</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Combien de sommets a la cage ajustée</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Sommets de la cage :</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Arrêter ce qui est en cours ; rien ne change</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Verrouiller les applications sélectionnées</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Verrouillées : %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6927,6 +7529,96 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Drag a line to take only the colours along it; click to take all</source>
         <translation>Tracez une ligne pour ne prendre que les couleurs le long de celle-ci ; cliquez pour les prendre toutes</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Désactivée</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>S’arrête : aucune suite sans fin ne peut la suivre</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Non atteinte : aucune application n’y mène</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Quittée : le jeu du chaos n’y revient jamais</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Participe</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Juste après l’application %1, l’application %2 est appliquée avec son poids multiplié par %3.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Juste après l’application %1, l’application %2 n’est jamais appliquée.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>De l’application %1 à l’application %2 : %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Lier l’application %1 à l’application %2</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>Dans le jeu du chaos</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Si l’application est appliquée encore et encore, ou pourquoi pas</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>Vers l’application %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>De l’application %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Retirer tous les liens</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Liens</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Liens entre applications</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Les lignes sont les applications appliquées avant, les colonnes celles d’après. Un nombre multiplie le poids de l’application de la colonne : 1 le laisse tel quel, 0 l’interdit.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Toute application peut de nouveau suivre toute autre</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Toute application peut suivre toute autre. Saisissez 0 pour l’interdire.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Toute suite d’applications prend fin ; rien n’est donc dessiné.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Retirer tous les liens</translation>
     </message>
 </context>
 <context>
@@ -8613,6 +9305,30 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Move the Slice</source>
         <translation>Déplacer la coupe</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>On ne peut pas faire glisser d’applications tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Déplacer la face %1</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Tourner l’application %1</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Mettre à l’échelle l’application %1</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Déplacer l’application %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Déplacer le coin %1 de l’application %2</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8790,6 +9506,348 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Look from &amp;Above</source>
         <translation>Regarder d’en &amp;haut</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Zone de dessin dans l’espace : %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Application %5, coin %1 en %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n application</numerusform>
+            <numerusform>%n applications</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Distance moyenne %1 px</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Recouvrement %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Garantie %1 px</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Suggestions</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Cliquez sur une suggestion pour l’utiliser ; annuler revient en arrière</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Répéter chaque application sous un groupe de rotations ou de symétries miroir</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Avec une symétrie, chaque application de la liste agit aussi tournée ou réfléchie autour du centre, si bien que la fractale est symétrique. Les copies ne figurent pas dans la liste ; « Développer » les y ajoute. Sur le canevas, faites glisser la poignée du centre.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ordre de la symétrie</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Nombre de répétitions de la fractale en un tour complet</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Développer</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Développer la symétrie</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Inscrit dans la liste les copies créées par la symétrie, comme applications à part entière, pour pouvoir n’en modifier qu’une. L’image reste la même.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Centre x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Centre y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Centre z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Centre de la symétrie, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Centre de la symétrie, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Centre de la symétrie, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>Le point que la symétrie laisse en place</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Déplacer le centre de la symétrie</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Angle du miroir</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Direction d’un miroir, en degrés dans le sens antihoraire</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Angle °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Tourner les miroirs de la symétrie</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diédrale</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tétraédrique</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Octaédrique</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Icosaédrique</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Lister les applications que la symétrie représente</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Supprimer la symétrie</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Définir la symétrie</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Déplacer le centre de la symétrie</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Seules des applications contractantes donnent une forme à décalquer.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>L’attracteur est un point unique.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Choisir l’image à laquelle la fractale doit ressembler</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Image…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Entrée de ce fichier</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Utiliser l’image du presse-papiers</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Travailler de nouveau sans cible</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Ce qui est sombre</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Ce qui est opaque</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Quels pixels appartiennent à la forme ; en automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Forme :</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Décalquer plutôt le fond</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>La nuance jusqu’à laquelle un pixel appartient à la forme</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Seuil :</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Seuil automatique</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Séparer le sombre du clair aussi bien qu’un seuil le peut (Otsu)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Opacité de la cible</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Avec quelle intensité la cible apparaît sur le canevas</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Opacité :</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Rogner à la forme</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>N’utiliser que la partie autour de la forme</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Image entière</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Utiliser de nouveau toute l’image</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Choisir une cible</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>Le presse-papiers ne contient pas d’image.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Image collée</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>L’image n’a pas pu être lue.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 pixels</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Choisissez ou collez une image, ou déposez-la sur la fenêtre.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Avec ces réglages, la forme est vide ou remplit l’image.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Aperçu de la cible</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Tracez un rectangle pour rogner l’image ; double-cliquez pour l’utiliser entière</translation>
     </message>
 </context>
 <context>
@@ -9076,6 +10134,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Morph to %1</source>
         <translation>Morphing vers %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Les applications de l’une des deux fractales sont liées.</translation>
     </message>
 </context>
 <context>

@@ -382,6 +382,26 @@
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>Атракторот излегува од полиедарот најмногу за толку; докажано.</translation>
     </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(колку што се гледа од заокружувањето)</translation>
+    </message>
+    <message>
+        <source>Tile area</source>
+        <translation>Плоштина на плочката</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
+        <translation>Плоштина на атракторот ако сите пресликувања имаат ист линеарен дел и поместените копии на атракторот ја поплочуваат рамнината според решетката на нивните поместувања; докажана преку допирите на копиите.</translation>
+    </message>
+    <message>
+        <source>Boundary dimension</source>
+        <translation>Димензија на границата</translation>
+    </message>
+    <message>
+        <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
+        <translation>Димензија на границата ако сите пресликувања се сличности со ист сооднос чии делови исполнуваат плоштина и се допираат на конечно многу начини: од растот на бројот на допири.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -471,6 +491,10 @@
     <message>
         <source>The cage is at rest.</source>
         <translation>Кафезот е во мирување.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Пресликувањата се поврзани; кафез не може да се прилагоди на поврзани пресликувања.</translation>
     </message>
 </context>
 <context>
@@ -664,6 +688,10 @@
     <message>
         <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
         <translation>Пресликувањето %1 од „%2“ ја менува насоката, па сенката не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <translation>Пресликувањата на „%1“ се поврзани, а пресликувањата во просторот не можат да бидат.</translation>
     </message>
 </context>
 <context>
@@ -1844,10 +1872,6 @@
         <translation>Анимацијата на овој фрактал: неговите движења и клучевите на сè што може да се движи.</translation>
     </message>
     <message>
-        <source>This system has more than %L1 maps, too many for a solid in the window. “barycage-cli convert --lift” takes them.</source>
-        <translation>Овој систем има повеќе од %L1 пресликувања, премногу за тело во прозорецот. „barycage-cli convert --lift“ ги прифаќа.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>Фрактална &amp;трансформација</translation>
     </message>
@@ -1874,6 +1898,34 @@
     <message>
         <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
         <translation>Во овој запис сè уште ништо не се движи. Прво изберете движење во временската лента: Анимација, Анимирај.</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Врски</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Колаж</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a matrix.</source>
+        <translation>Кои пресликувања играта на хаосот смее да ги примени по кои, како матрица.</translation>
+    </message>
+    <message>
+        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <translation>Фрактал за слика: целта, колку фракталот се согласува со неа, и прилагодувања.</translation>
+    </message>
+    <message>
+        <source>Four &amp;Views</source>
+        <translation>Четири &amp;погледи</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right as well</source>
+        <translation>Прикажи го телото и одозгора, однапред и оддесно</translation>
     </message>
 </context>
 <context>
@@ -2142,6 +2194,14 @@
         <source>This system has no attractor that can be enclosed.</source>
         <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
     </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>Кафезот ја свиткува сликата, а ниеден афин код не дава свиткана слика. Изберете „Афино приближување“ за да се впише она што е најблиску до неа.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>Кафезот ја свиткува сликата, па ниеден друг кафез не би ја покажал. Прво вратете го кафезот или изберете „Афино приближување“.</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>
@@ -2261,6 +2321,10 @@
         <source>  across %1</source>
         <translation>  напречно на %1</translation>
     </message>
+    <message>
+        <source>  along the normal</source>
+        <translation>  по нормалата</translation>
+    </message>
 </context>
 <context>
     <name>StealExport</name>
@@ -2339,10 +2403,6 @@
         <translation>користи ја варијацијата „%1“</translation>
     </message>
     <message>
-        <source>its “chaos” allows only some successors, which a list of maps cannot express</source>
-        <translation>неговиот „chaos“ дозволува само некои следбеници, а тоа не може да се каже со список пресликувања</translation>
-    </message>
-    <message>
         <source>it is active but not drawn (opacity 0)</source>
         <translation>учествува, но не се црта (opacity 0)</translation>
     </message>
@@ -2353,10 +2413,6 @@
     <message>
         <source>it has a final transform</source>
         <translation>има завршна трансформација</translation>
-    </message>
-    <message>
-        <source>it adds a symmetry</source>
-        <translation>додава симетрија</translation>
     </message>
     <message>
         <source>it has motion</source>
@@ -2615,10 +2671,6 @@
         <translation>конвексна обвивка</translation>
     </message>
     <message>
-        <source>%1 vertices, %2 facets, volume %3; error at most %4</source>
-        <translation>%1 темиња, %2 ѕидови, волумен %3; грешка најмногу %4</translation>
-    </message>
-    <message>
         <source>similarity dimension</source>
         <translation>димензија на сличност</translation>
     </message>
@@ -2869,10 +2921,6 @@
     <message>
         <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
         <translation>Записот има повеќе од %1 редови, што е границата; се чува како текст.</translation>
-    </message>
-    <message>
-        <source>%1 vertices, %2 of them with periodic addresses, area %3; error at most %4</source>
-        <translation>%1 темиња, од нив %2 со периодични адреси, плоштина %3; грешка најмногу %4</translation>
     </message>
     <message>
         <source>deformation</source>
@@ -3363,10 +3411,6 @@
         <translation>не е пресметано во дозволеното време</translation>
     </message>
     <message>
-        <source>%1 vertices, area %2; error at most %3; periodic addresses not computed within the budget</source>
-        <translation>%1 темиња, плоштина %2; грешка најмногу %3; периодичните адреси не се пресметани во дозволеното време</translation>
-    </message>
-    <message>
         <source>A cage with more than four corners bends the solid; its points cannot be written.</source>
         <translation>Кафез со повеќе од четири темиња го свиткува телото; неговите точки не можат да се запишат.</translation>
     </message>
@@ -3449,6 +3493,170 @@
     <message>
         <source>Continuous to %1, worst at (%2, %3)</source>
         <translation>Непрекината до %1, најлошо во (%2, %3)</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
+        <translation>„%1“ има %2 пресликувања; со симетрија од %3 елементи би биле повеќе од %4, а тоа е границата.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
+        <translation>Пресликувањата на „%1“ се движат во анимацијата, а копиите што ги прави симетријата не би се движеле со нив. Прво отстранете ги движењата и клучевите на пресликувањата.</translation>
+    </message>
+    <message>
+        <source>its “chaos” is not a list of numbers from 0 upwards</source>
+        <translation>неговиот „chaos“ не е список од броеви од 0 нагоре</translation>
+    </message>
+    <message>
+        <source>its symmetry is not of a kind from −%1 to %1</source>
+        <translation>неговата симетрија не е од вид меѓу −%1 и %1</translation>
+    </message>
+    <message>
+        <source>it links more than %1 transforms by “chaos”</source>
+        <translation>поврзува повеќе од %1 трансформации со „chaos“</translation>
+    </message>
+    <message>
+        <source>it links transforms in space by “chaos”</source>
+        <translation>поврзува трансформации во просторот со „chaos“</translation>
+    </message>
+    <message>
+        <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Пресликувањата на систем во просторот не можат да се поврзат: врските не се применуваат, а нивните редови се зачувуваат.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
+        <translation>Повеќе од %1 пресликувања не можат да се поврзат: врските не се применуваат, а нивните редови се зачувуваат.</translation>
+    </message>
+    <message>
+        <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
+        <translation>Врските на пресликувањето %1 не се важечки, па не се применуваат никакви врски: редот на врските има по еден број за секое пресликување, 0 или поголем.</translation>
+    </message>
+    <message>
+        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <translation>Со врските секоја низа пресликувања завршува, па ниедно пресликување не е активно.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
+        <translation>Зачуваната симетрија не важи за оваа ставка и не се применува; нејзините редови се задржуваат.</translation>
+    </message>
+    <message>
+        <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
+        <translation>Со зачуваната симетрија ставката би имала повеќе од %1 пресликувања, а тоа е границата. Симетријата не се применува; нејзините редови се задржуваат.</translation>
+    </message>
+    <message>
+        <source>The maps are linked, so the picture is not made of copies of itself.</source>
+        <translation>Пресликувањата се поврзани, па сликата не се состои од копии на самата себе.</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 теме</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 темиња</translation>
+    </message>
+    <message>
+        <source>%1, area %2; error at most %3; periodic addresses not computed within the budget</source>
+        <translation>%1, плоштина %2; грешка најмногу %3; периодичните адреси не се пресметани во даденото време</translation>
+    </message>
+    <message>
+        <source>%1, all of them with periodic addresses, area %2; exact</source>
+        <translation>%1, сите со периодични адреси, плоштина %2; точна</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them with periodic addresses, area %3; error at most %4</source>
+        <translation>%1, од нив %2 со периодични адреси, плоштина %3; грешка најмногу %4</translation>
+    </message>
+    <message>
+        <source>%1, %2, volume %3; error at most %4</source>
+        <translation>%1, %2, волумен %3; грешка најмногу %4</translation>
+    </message>
+    <message>
+        <source>1 facet</source>
+        <translation>1 страна</translation>
+    </message>
+    <message>
+        <source>%1 facets</source>
+        <translation>%1 страни</translation>
+    </message>
+    <message>
+        <source>(as far as rounding tells)</source>
+        <translation>(колку што се гледа од заокружувањето)</translation>
+    </message>
+    <message>
+        <source>area of the tile</source>
+        <translation>плоштина на плочката</translation>
+    </message>
+    <message>
+        <source>dimension of boundary</source>
+        <translation>димензија на границата</translation>
+    </message>
+    <message>
+        <source>symmetry</source>
+        <translation>симетрија</translation>
+    </message>
+    <message>
+        <source>takes no part: after it, the chaos game comes to an end</source>
+        <translation>не учествува: по него играта на хаосот завршува</translation>
+    </message>
+    <message>
+        <source>takes no part: no map leads to it</source>
+        <translation>не учествува: ниедно пресликување не води до него</translation>
+    </message>
+    <message>
+        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <translation>не учествува: играта на хаосот го напушта и никогаш не се враќа</translation>
+    </message>
+    <message>
+        <source>links from map %1</source>
+        <translation>врски од пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>linked maps</source>
+        <translation>поврзани пресликувања</translation>
+    </message>
+    <message>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <translation>раздвоеноста, поврзаноста, заедничкиот спектрален радиус и периодичните адреси не се одредуваат за поврзани пресликувања</translation>
+    </message>
+    <message>
+        <source>the links of its maps</source>
+        <translation>врските на неговите пресликувања</translation>
+    </message>
+    <message>
+        <source>The symmetry of “%1” is written as the maps that it stands for.</source>
+        <translation>Симетријата на „%1“ се запишува како пресликувањата што ги претставува.</translation>
+    </message>
+    <message>
+        <source>, in a frame of its own</source>
+        <translation>, во сопствен координатен систем</translation>
+    </message>
+    <message>
+        <source>mirror at %1° through %2</source>
+        <translation>огледало на %1° низ %2</translation>
+    </message>
+    <message>
+        <source>%1-fold rotation about %2</source>
+        <translation>%1-кратна ротација околу %2</translation>
+    </message>
+    <message>
+        <source>%1-fold dihedral about %2, a mirror at %3°</source>
+        <translation>%1-кратна диедарска околу %2, со огледало на %3°</translation>
+    </message>
+    <message>
+        <source>rotations of the tetrahedron about %1</source>
+        <translation>ротации на тетраедарот околу %1</translation>
+    </message>
+    <message>
+        <source>rotations of the octahedron about %1</source>
+        <translation>ротации на октаедарот околу %1</translation>
+    </message>
+    <message>
+        <source>rotations of the icosahedron about %1</source>
+        <translation>ротации на икосаедарот околу %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нема</translation>
     </message>
 </context>
 <context>
@@ -3751,6 +3959,17 @@
     </message>
 </context>
 <context>
+    <name>document::CollageEdits</name>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Сите пресликувања се исклучени.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>Кафезот ја витка сликата или е рамен. Вратете го за да се споредат пресликувањата.</translation>
+    </message>
+</context>
+<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
@@ -3783,6 +4002,21 @@
     <message>
         <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
         <translation>Друг запис се вика „%1“ (големите и малите букви не се разликуваат).</translation>
+    </message>
+</context>
+<context>
+    <name>document::LinkEdits</name>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Пресликувањата во просторот не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Овој запис не можеше да се прочита, па неговите пресликувања не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>Повеќе од %1 пресликувања не можат да се поврзат.</translation>
     </message>
 </context>
 <context>
@@ -4976,6 +5210,22 @@
         <source>Three Edges of the Bounding Box</source>
         <translation>Три рабови на опфатната кутија</translation>
     </message>
+    <message>
+        <source>The system has very many maps: the cage around it is being found…</source>
+        <translation>Системот има многу пресликувања: кафезот околу него се бара…</translation>
+    </message>
+    <message>
+        <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
+        <translation>%1 темиња: свиткана со координати на средна вредност, не може да се впише во кодот.</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Опфаќачка кутија, осум темиња</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Октаедар</translation>
+    </message>
 </context>
 <context>
     <name>view::CageTool</name>
@@ -5489,6 +5739,164 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm не ја прифати задачата: %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollageNumbers</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <comment>pixels</comment>
+        <translation>%1 пкс</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Покриеност</translation>
+    </message>
+    <message>
+        <source>The share of the target that is covered</source>
+        <translation>Делот од целта што е покриен</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Вишок</translation>
+    </message>
+    <message>
+        <source>How much lies outside the target, as a share of the target</source>
+        <translation>Колку лежи надвор од целта, како дел од целта</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>Преклоп (IoU)</translation>
+    </message>
+    <message>
+        <source>What both have in common, as a share of what either covers</source>
+        <translation>Заедничкото, како дел од она што го покрива барем едното</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Средно растојание</translation>
+    </message>
+    <message>
+        <source>From each to the nearest point of the other, in pixels of the picture</source>
+        <translation>Од секое до најблиската точка на другото, во пиксели на сликата</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % до</translation>
+    </message>
+    <message>
+        <source>95 % of all points are at most so far from the other</source>
+        <translation>95 % од сите точки се најмногу толку далеку од другото</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Најголемо растојание</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
+        <translation>Хаусдорфовото растојание; ознаката на платното покажува каде е</translation>
+    </message>
+    <message>
+        <source>Guarantee</source>
+        <translation>Гаранција</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
+        <translation>Ниедна точка од целта не е подалеку од атракторот, ниту обратно</translation>
+    </message>
+    <message>
+        <source>%1 (s = %2)</source>
+        <translation>%1 (s = %2)</translation>
+    </message>
+    <message>
+        <source>none: a map stretches by %1</source>
+        <translation>нема: едно пресликување растегнува за %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollagePanel</name>
+    <message>
+        <source>Use Suggestion</source>
+        <translation>Користи предлог</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Дотерај ги пресликувањата</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Дотерај го атракторот</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Прилагоди ги тежините</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Прилагоди го кафезот</translation>
+    </message>
+    <message>
+        <source>Add Map</source>
+        <translation>Додај пресликување</translation>
+    </message>
+    <message>
+        <source>Collage</source>
+        <translation>Колаж</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Цел</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Согласност</translation>
+    </message>
+    <message>
+        <source>of the collage</source>
+        <translation>на колажот</translation>
+    </message>
+    <message>
+        <source>of the attractor</source>
+        <translation>на атракторот</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>не се прикажува</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <translation>Што се споредува со целта: сликите на целта под пресликувањата, или атракторот. Заедничкото е сиво, вишокот црвен, недостигот син</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Прилагодување</translation>
+    </message>
+    <message>
+        <source>The maps do not contract, so there is no attractor to compare.</source>
+        <translation>Пресликувањата не собираат, па нема атрактор за споредба.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Нема доволно меморија за ова.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suggestions. Click one to use it.</source>
+        <translation>
+            <numerusform>%n предлог. Кликнете на него за да го користите.</numerusform>
+            <numerusform>%n предлози. Кликнете на еден за да го користите.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The fractal has changed meanwhile, so the result was not used.</source>
+        <translation>Фракталот во меѓувреме се промени, па резултатот не е искористен.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that agrees better.</source>
+        <translation>Не е најдено ништо што подобро се согласува.</translation>
     </message>
 </context>
 <context>
@@ -6692,6 +7100,200 @@
     </message>
 </context>
 <context>
+    <name>view::FitBox</name>
+    <message>
+        <source>Best of 2 to 8</source>
+        <translation>Најдобро од 2 до 8</translation>
+    </message>
+    <message>
+        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <translation>Колку пресликувања има еден предлог; во опсег, секое мора да се исплати</translation>
+    </message>
+    <message>
+        <source>Number of maps</source>
+        <translation>Број на пресликувања</translation>
+    </message>
+    <message>
+        <source>Maps:</source>
+        <translation>Пресликувања:</translation>
+    </message>
+    <message>
+        <source>Seconds to search</source>
+        <translation>Секунди за пребарување</translation>
+    </message>
+    <message>
+        <source>How long to search for suggestions</source>
+        <translation>Колку долго да се бараат предлози</translation>
+    </message>
+    <message>
+        <source>Seconds:</source>
+        <translation>Секунди:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Почетна вредност на случајните броеви</translation>
+    </message>
+    <message>
+        <source>Another seed searches in other places</source>
+        <translation>Друга почетна вредност бара на други места</translation>
+    </message>
+    <message>
+        <source>Seed:</source>
+        <translation>Почеток:</translation>
+    </message>
+    <message>
+        <source>Similarities only</source>
+        <translation>Само сличности</translation>
+    </message>
+    <message>
+        <source>Only maps that keep all angles</source>
+        <translation>Само пресликувања што ги чуваат сите агли</translation>
+    </message>
+    <message>
+        <source>No mirror images</source>
+        <translation>Без огледални слики</translation>
+    </message>
+    <message>
+        <source>Only maps that do not mirror</source>
+        <translation>Само пресликувања што не огледуваат</translation>
+    </message>
+    <message>
+        <source>First map a stem</source>
+        <translation>Првото пресликување е стебло</translation>
+    </message>
+    <message>
+        <source>The first map flattens the shape to a line, like the stem of a fern</source>
+        <translation>Првото пресликување ја сплескува формата во линија, како стебло на папрат</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Кои било</translation>
+    </message>
+    <message>
+        <source>Multiples of %1°</source>
+        <translation>Множители на %1°</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Агли</translation>
+    </message>
+    <message>
+        <source>By which angles the maps may turn</source>
+        <translation>За кои агли смеат да вртат пресликувањата</translation>
+    </message>
+    <message>
+        <source>Angles:</source>
+        <translation>Агли:</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Предложи</translation>
+    </message>
+    <message>
+        <source>Find systems whose attractor looks like the target</source>
+        <translation>Најди системи чиј атрактор наликува на целта</translation>
+    </message>
+    <message>
+        <source>Add a Map</source>
+        <translation>Додај пресликување</translation>
+    </message>
+    <message>
+        <source>Add a map where the agreement is worst</source>
+        <translation>Додај пресликување каде што согласноста е најлоша</translation>
+    </message>
+    <message>
+        <source>Refine Maps</source>
+        <translation>Дотерај ги пресликувањата</translation>
+    </message>
+    <message>
+        <source>Move the maps so that their images of the target cover it better</source>
+        <translation>Помести ги пресликувањата за нивните слики подобро да ја покријат целта</translation>
+    </message>
+    <message>
+        <source>Refine Attractor</source>
+        <translation>Дотерај го атракторот</translation>
+    </message>
+    <message>
+        <source>Move the maps so that the attractor itself comes closer to the target</source>
+        <translation>Помести ги пресликувањата за самиот атрактор да ѝ се приближи на целта</translation>
+    </message>
+    <message>
+        <source>Fit Weights</source>
+        <translation>Прилагоди ги тежините</translation>
+    </message>
+    <message>
+        <source>Find the weights that reproduce the shades of the picture</source>
+        <translation>Најди ги тежините што ги даваат нијансите на сликата</translation>
+    </message>
+    <message>
+        <source>Fit Cage</source>
+        <translation>Прилагоди го кафезот</translation>
+    </message>
+    <message>
+        <source>Deform the attractor by a cage so that its outline follows that of the target</source>
+        <translation>Деформирај го атракторот со кафез за неговиот обрис да го следи обрисот на целта</translation>
+    </message>
+    <message>
+        <source>Refine selected maps only</source>
+        <translation>Дотерај ги само избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>The maps that are not selected stay as they are</source>
+        <translation>Неизбраните пресликувања остануваат какви што се</translation>
+    </message>
+    <message>
+        <source>Locked maps stay as they are while others are refined</source>
+        <translation>Заклучените пресликувања остануваат какви што се додека другите се дотеруваат</translation>
+    </message>
+    <message>
+        <source>Corners of the cage</source>
+        <translation>Агли на кафезот</translation>
+    </message>
+    <message>
+        <source>How many corners the fitted cage has</source>
+        <translation>Колку агли има прилагодениот кафез</translation>
+    </message>
+    <message>
+        <source>Corners of the cage:</source>
+        <translation>Агли на кафезот:</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Напредок</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Откажи</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing changes</source>
+        <translation>Запри го тоа што е во тек; ништо не се менува</translation>
+    </message>
+    <message>
+        <source>Lock Selected Maps</source>
+        <translation>Заклучи ги избраните пресликувања</translation>
+    </message>
+    <message>
+        <source>Locked: %1</source>
+        <translation>Заклучени: %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::FourViews</name>
+    <message>
+        <source>Top</source>
+        <translation>Одозгора</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Однапред</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Оддесно</translation>
+    </message>
+</context>
+<context>
     <name>view::GradientChooser</name>
     <message>
         <source>of this fractal</source>
@@ -6944,6 +7546,96 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Drag a line to take only the colours along it; click to take all</source>
         <translation>Повлечете линија за да ги земете само боите по неа; кликнете за да ги земете сите</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksModel</name>
+    <message>
+        <source>Switched off</source>
+        <translation>Исклучено</translation>
+    </message>
+    <message>
+        <source>Ends: no map can follow for ever</source>
+        <translation>Завршува: ниедна бесконечна низа не може да следи</translation>
+    </message>
+    <message>
+        <source>Unreached: no map leads to it</source>
+        <translation>Недостигнато: ниедно пресликување не води до него</translation>
+    </message>
+    <message>
+        <source>Left: the chaos game never comes back</source>
+        <translation>Напуштено: играта на хаосот никогаш не се враќа</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Учествува</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
+        <translation>Веднаш по пресликувањето %1, пресликувањето %2 се применува со својата тежина помножена со %3.</translation>
+    </message>
+    <message>
+        <source>Just after map %1, map %2 is never applied.</source>
+        <translation>Веднаш по пресликувањето %1, пресликувањето %2 никогаш не се применува.</translation>
+    </message>
+    <message>
+        <source>From map %1 to map %2: %3</source>
+        <translation>Од пресликувањето %1 до пресликувањето %2: %3</translation>
+    </message>
+    <message>
+        <source>Link map %1 to map %2</source>
+        <translation>Поврзи го пресликувањето %1 со пресликувањето %2</translation>
+    </message>
+    <message>
+        <source>In the chaos game</source>
+        <translation>Во играта на хаосот</translation>
+    </message>
+    <message>
+        <source>Whether the map is applied again and again, or why not</source>
+        <translation>Дали пресликувањето се применува повторно и повторно, или зошто не</translation>
+    </message>
+    <message>
+        <source>To map %1</source>
+        <translation>До пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>From map %1</source>
+        <translation>Од пресликувањето %1</translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksPanel</name>
+    <message>
+        <source>Remove All Links</source>
+        <translation>Отстрани ги сите врски</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Врски</translation>
+    </message>
+    <message>
+        <source>Links between maps</source>
+        <translation>Врски меѓу пресликувањата</translation>
+    </message>
+    <message>
+        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <translation>Редовите се пресликувањата применети претходно, колоните оние потоа. Бројот ја множи тежината на пресликувањето во колоната: 1 ја остава, 0 го забранува.</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other again</source>
+        <translation>Секое пресликување повторно смее да следи по секое друго</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Enter 0 to forbid it.</source>
+        <translation>Секое пресликување смее да следи по секое друго. Внесете 0 за да го забраните тоа.</translation>
+    </message>
+    <message>
+        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <translation>Секоја низа пресликувања завршува, па ништо не се црта.</translation>
+    </message>
+    <message>
+        <source>Remove all links</source>
+        <translation>Отстрани ги сите врски</translation>
     </message>
 </context>
 <context>
@@ -8631,6 +9323,30 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Move the Slice</source>
         <translation>Помести го пресекот</translation>
     </message>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Пресликувањата не може да се влечат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
+    </message>
+    <message>
+        <source>Move Face %1</source>
+        <translation>Помести ја страната %1</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Ротирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Скалирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Помести го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Помести го аголот %1 на пресликувањето %2</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -8808,6 +9524,348 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Look from &amp;Above</source>
         <translation>Поглед од&amp;горе</translation>
+    </message>
+    <message>
+        <source>Canvas in space: %1</source>
+        <translation>Платно во простор: %1</translation>
+    </message>
+    <message>
+        <source>Map %5, corner %1 at %2, %3, %4</source>
+        <translation>Пресликување %5, аголот %1 е во %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::SuggestionList</name>
+    <message numerus="yes">
+        <source>%n maps</source>
+        <translation>
+            <numerusform>%n пресликување</numerusform>
+            <numerusform>%n пресликувања</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean distance %1 px</source>
+        <translation>Средно растојание %1 пкс</translation>
+    </message>
+    <message>
+        <source>Overlap %1 %</source>
+        <translation>Преклоп %1 %</translation>
+    </message>
+    <message>
+        <source>Guarantee %1 px</source>
+        <translation>Гаранција %1 пкс</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Предлози</translation>
+    </message>
+    <message>
+        <source>Click a suggestion to use it; undo goes back</source>
+        <translation>Кликнете на предлог за да го користите; враќањето го поништува</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryRow</name>
+    <message>
+        <source>Symmetry</source>
+        <translation>Симетрија</translation>
+    </message>
+    <message>
+        <source>Repeat every map under a group of rotations or mirror images</source>
+        <translation>Повтори го секое пресликување под група ротации или огледални слики</translation>
+    </message>
+    <message>
+        <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
+        <translation>Со симетрија, секое пресликување од списокот дејствува и завртено или огледално околу центарот, па фракталот е симетричен. Копиите не се во списокот; „Разгрни“ ги додава. На платното, влечете ја рачката на центарот.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ред на симетријата</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Колку пати се повторува фракталот во еден цел круг</translation>
+    </message>
+    <message>
+        <source>Expand</source>
+        <translation>Разгрни</translation>
+    </message>
+    <message>
+        <source>Expand the symmetry</source>
+        <translation>Разгрни ја симетријата</translation>
+    </message>
+    <message>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <translation>Ги запишува копиите што ги прави симетријата во списокот како посебни пресликувања, за да можете да смените само едно. Сликата останува иста.</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Центар x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Центар y</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Центар z</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, x</source>
+        <translation>Центар на симетријата, x</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, y</source>
+        <translation>Центар на симетријата, y</translation>
+    </message>
+    <message>
+        <source>Centre of the symmetry, z</source>
+        <translation>Центар на симетријата, z</translation>
+    </message>
+    <message>
+        <source>The point that the symmetry leaves in place</source>
+        <translation>Точката што симетријата ја остава на место</translation>
+    </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Помести го центарот на симетријата</translation>
+    </message>
+    <message>
+        <source>Angle of the mirror</source>
+        <translation>Агол на огледалото</translation>
+    </message>
+    <message>
+        <source>Direction of a mirror, in degrees counter-clockwise</source>
+        <translation>Насока на огледало, во степени спротивно од стрелките на часовникот</translation>
+    </message>
+    <message>
+        <source>Angle °</source>
+        <translation>Агол °</translation>
+    </message>
+    <message>
+        <source>Turn the mirrors of the symmetry</source>
+        <translation>Заврти ги огледалата на симетријата</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Нема</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Огледало</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Ротација</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Диедарска</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Тетраедарска</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Октаедарска</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Икосаедарска</translation>
+    </message>
+    <message>
+        <source>List the maps that the symmetry stands for</source>
+        <translation>Наведи ги пресликувањата што ги претставува симетријата</translation>
+    </message>
+    <message>
+        <source>Remove the symmetry</source>
+        <translation>Отстрани ја симетријата</translation>
+    </message>
+    <message>
+        <source>Set the symmetry</source>
+        <translation>Постави ја симетријата</translation>
+    </message>
+</context>
+<context>
+    <name>view::SymmetryTool</name>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Помести го центарот на симетријата</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetBox</name>
+    <message>
+        <source>Only maps that contract give a shape to trace.</source>
+        <translation>Само пресликувања што собираат даваат форма за прецртување.</translation>
+    </message>
+    <message>
+        <source>The attractor is a single point.</source>
+        <translation>Атракторот е една точка.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Цел</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Избери</translation>
+    </message>
+    <message>
+        <source>Choose the picture that the fractal is to look like</source>
+        <translation>Изберете ја сликата на која фракталот треба да ѝ наликува</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Слика…</translation>
+    </message>
+    <message>
+        <source>Entry of This File</source>
+        <translation>Запис од оваа датотека</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Вметни</translation>
+    </message>
+    <message>
+        <source>Use the picture on the clipboard</source>
+        <translation>Користи ја сликата од таблата со исечоци</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Отстрани</translation>
+    </message>
+    <message>
+        <source>Work without a target again</source>
+        <translation>Работи повторно без цел</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматски</translation>
+    </message>
+    <message>
+        <source>What is dark</source>
+        <translation>Темното</translation>
+    </message>
+    <message>
+        <source>What is opaque</source>
+        <translation>Непроѕирното</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Форма</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
+        <translation>Кои пиксели ѝ припаѓаат на формата; автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните</translation>
+    </message>
+    <message>
+        <source>Shape:</source>
+        <translation>Форма:</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Обратно</translation>
+    </message>
+    <message>
+        <source>Trace the background instead</source>
+        <translation>Наместо тоа прецртај ја позадината</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Праг</translation>
+    </message>
+    <message>
+        <source>The shade up to which a pixel belongs to the shape</source>
+        <translation>Нијансата до која пикселот ѝ припаѓа на формата</translation>
+    </message>
+    <message>
+        <source>Threshold:</source>
+        <translation>Праг:</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Автоматски праг</translation>
+    </message>
+    <message>
+        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <translation>Одвој го темното од светлото најдобро што може со еден праг (Оцу)</translation>
+    </message>
+    <message>
+        <source>Opacity of the target</source>
+        <translation>Непроѕирност на целта</translation>
+    </message>
+    <message>
+        <source>How strongly the target is shown on the canvas</source>
+        <translation>Колку силно целта се гледа на платното</translation>
+    </message>
+    <message>
+        <source>Opacity:</source>
+        <translation>Непроѕирност:</translation>
+    </message>
+    <message>
+        <source>Crop to Shape</source>
+        <translation>Исечи до формата</translation>
+    </message>
+    <message>
+        <source>Use only the part around the shape</source>
+        <translation>Користи го само делот околу формата</translation>
+    </message>
+    <message>
+        <source>Whole Picture</source>
+        <translation>Цела слика</translation>
+    </message>
+    <message>
+        <source>Use all of the picture again</source>
+        <translation>Користи ја повторно целата слика</translation>
+    </message>
+    <message>
+        <source>Choose a Target</source>
+        <translation>Избери цел</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard.</source>
+        <translation>Нема слика во таблата со исечоци.</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Вметната слика</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Сликата не можеше да се прочита.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels</source>
+        <translation>%1, %2 × %3 пиксели</translation>
+    </message>
+    <message>
+        <source>Choose, paste or drop a picture on the window.</source>
+        <translation>Изберете или вметнете слика, или пуштете ја врз прозорецот.</translation>
+    </message>
+    <message>
+        <source>With these settings, the shape is empty or fills the picture.</source>
+        <translation>Со овие поставки формата е празна или ја исполнува сликата.</translation>
+    </message>
+</context>
+<context>
+    <name>view::TargetPreview</name>
+    <message>
+        <source>Preview of the target</source>
+        <translation>Преглед на целта</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
+        <translation>Повлечете правоаголник за да ја исечете сликата; двоен клик ја враќа целата</translation>
     </message>
 </context>
 <context>
@@ -9094,6 +10152,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Morph to %1</source>
         <translation>Преобрази во %1</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Пресликувањата на еден од двата фрактали се поврзани.</translation>
     </message>
 </context>
 <context>
