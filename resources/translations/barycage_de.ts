@@ -3652,6 +3652,10 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>The maps of “%1” are linked, so not every address is one of its points.</source>
+        <translation>Die Abbildungen von „%1“ sind verknüpft; deshalb ist nicht jede Adresse einer seiner Punkte.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -3652,6 +3652,10 @@
         <source>none</source>
         <translation>ninguna</translation>
     </message>
+    <message>
+        <source>The maps of “%1” are linked, so not every address is one of its points.</source>
+        <translation>Las aplicaciones de «%1» están enlazadas, así que no toda dirección es uno de sus puntos.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

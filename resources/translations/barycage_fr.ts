@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
-        <translation>Les applications sont liées ; on ne peut pas ajuster de cage à des applications liées.</translation>
+        <translation>Les applications sont liées&#x202f;; on ne peut pas ajuster de cage à des applications liées.</translation>
     </message>
 </context>
 <context>
@@ -690,7 +690,7 @@
     </message>
     <message>
         <source>The maps of “%1” are linked, which maps in space cannot be.</source>
-        <translation>Les applications de « %1 » sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
+        <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
     </message>
 </context>
 <context>
@@ -2191,11 +2191,11 @@
     </message>
     <message>
         <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez « Ajustement affine » pour intégrer au code ce qui s’en approche le plus.</translation>
+        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
     </message>
     <message>
         <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
-        <translation>La cage courbe l’image, et aucune autre cage ne la montrerait. Réinitialisez d’abord la cage ou choisissez « Ajustement affine ».</translation>
+        <translation>La cage courbe l’image, et aucune autre cage ne la montrerait. Réinitialisez d’abord la cage ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
     </message>
 </context>
 <context>
@@ -3498,7 +3498,7 @@
     </message>
     <message>
         <source>its “chaos” is not a list of numbers from 0 upwards</source>
-        <translation>son « chaos » n’est pas une liste de nombres positifs ou nuls</translation>
+        <translation>son «&#x202f;chaos&#x202f;» n’est pas une liste de nombres positifs ou nuls</translation>
     </message>
     <message>
         <source>its symmetry is not of a kind from −%1 to %1</source>
@@ -3506,27 +3506,27 @@
     </message>
     <message>
         <source>it links more than %1 transforms by “chaos”</source>
-        <translation>elle lie plus de %1 transformations par « chaos »</translation>
+        <translation>elle lie plus de %1 transformations par «&#x202f;chaos&#x202f;»</translation>
     </message>
     <message>
         <source>it links transforms in space by “chaos”</source>
-        <translation>elle lie des transformations de l’espace par « chaos »</translation>
+        <translation>elle lie des transformations de l’espace par «&#x202f;chaos&#x202f;»</translation>
     </message>
     <message>
         <source>Maps of a system in space cannot be linked: the links are not applied, and their lines are kept.</source>
-        <translation>Les applications d’un système de l’espace ne peuvent pas être liées : les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
+        <translation>Les applications d’un système de l’espace ne peuvent pas être liées&#x202f;: les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
     </message>
     <message>
         <source>More than %1 maps cannot be linked: the links are not applied, and their lines are kept.</source>
-        <translation>On ne peut pas lier plus de %1 applications : les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
+        <translation>On ne peut pas lier plus de %1 applications&#x202f;: les liens ne sont pas appliqués, et leurs lignes sont conservées.</translation>
     </message>
     <message>
         <source>The links of map %1 are not valid, so no links are applied: a row of links has one number for each map, 0 or larger.</source>
-        <translation>Les liens de l’application %1 ne sont pas valides, donc aucun n’est appliqué : une ligne de liens a un nombre par application, 0 ou plus.</translation>
+        <translation>Les liens de l’application %1 ne sont pas valides, donc aucun n’est appliqué&#x202f;: une ligne de liens a un nombre par application, 0 ou plus.</translation>
     </message>
     <message>
         <source>The links let every sequence of maps come to an end, so no map is active.</source>
-        <translation>Avec ces liens, toute suite d’applications prend fin ; aucune application n’est donc active.</translation>
+        <translation>Avec ces liens, toute suite d’applications prend fin&#x202f;; aucune application n’est donc active.</translation>
     </message>
     <message>
         <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
@@ -3538,7 +3538,7 @@
     </message>
     <message>
         <source>The maps are linked, so the picture is not made of copies of itself.</source>
-        <translation>Les applications sont liées ; l’image n’est donc pas faite de copies d’elle-même.</translation>
+        <translation>Les applications sont liées&#x202f;; l’image n’est donc pas faite de copies d’elle-même.</translation>
     </message>
     <message>
         <source>1 vertex</source>
@@ -3590,15 +3590,15 @@
     </message>
     <message>
         <source>takes no part: after it, the chaos game comes to an end</source>
-        <translation>ne participe pas : après elle, le jeu du chaos prend fin</translation>
+        <translation>ne participe pas&#x202f;: après elle, le jeu du chaos prend fin</translation>
     </message>
     <message>
         <source>takes no part: no map leads to it</source>
-        <translation>ne participe pas : aucune application n’y mène</translation>
+        <translation>ne participe pas&#x202f;: aucune application n’y mène</translation>
     </message>
     <message>
         <source>takes no part: the chaos game leaves it and never comes back</source>
-        <translation>ne participe pas : le jeu du chaos la quitte et n’y revient jamais</translation>
+        <translation>ne participe pas&#x202f;: le jeu du chaos la quitte et n’y revient jamais</translation>
     </message>
     <message>
         <source>links from map %1</source>
@@ -3651,6 +3651,10 @@
     <message>
         <source>none</source>
         <translation>aucune</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, so not every address is one of its points.</source>
+        <translation>Les applications de « %1 » sont liées, donc toute adresse n’est pas l’un de ses points.</translation>
     </message>
 </context>
 <context>
@@ -4006,7 +4010,7 @@
     </message>
     <message>
         <source>This entry could not be read, so its maps cannot be linked.</source>
-        <translation>Cette entrée n’a pas pu être lue ; ses applications ne peuvent donc pas être liées.</translation>
+        <translation>Cette entrée n’a pas pu être lue&#x202f;; ses applications ne peuvent donc pas être liées.</translation>
     </message>
     <message>
         <source>More than %1 maps cannot be linked.</source>
@@ -5205,7 +5209,7 @@
     </message>
     <message>
         <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
-        <translation>%1 sommets : image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
+        <translation>%1 sommets&#x202f;: image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
     </message>
     <message>
         <source>Bounding Box, Eight Corners</source>
@@ -7539,15 +7543,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Ends: no map can follow for ever</source>
-        <translation>S’arrête : aucune suite sans fin ne peut la suivre</translation>
+        <translation>S’arrête&#x202f;: aucune suite sans fin ne peut la suivre</translation>
     </message>
     <message>
         <source>Unreached: no map leads to it</source>
-        <translation>Non atteinte : aucune application n’y mène</translation>
+        <translation>Non atteinte&#x202f;: aucune application n’y mène</translation>
     </message>
     <message>
         <source>Left: the chaos game never comes back</source>
-        <translation>Quittée : le jeu du chaos n’y revient jamais</translation>
+        <translation>Quittée&#x202f;: le jeu du chaos n’y revient jamais</translation>
     </message>
     <message>
         <source>Takes part</source>
@@ -7563,7 +7567,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>From map %1 to map %2: %3</source>
-        <translation>De l’application %1 à l’application %2 : %3</translation>
+        <translation>De l’application %1 à l’application %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>Link map %1 to map %2</source>
@@ -7602,7 +7606,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
-        <translation>Les lignes sont les applications appliquées avant, les colonnes celles d’après. Un nombre multiplie le poids de l’application de la colonne : 1 le laisse tel quel, 0 l’interdit.</translation>
+        <translation>Les lignes sont les applications appliquées avant, les colonnes celles d’après. Un nombre multiplie le poids de l’application de la colonne&#x202f;: 1 le laisse tel quel, 0 l’interdit.</translation>
     </message>
     <message>
         <source>Any map may follow any other again</source>
@@ -7614,7 +7618,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
-        <translation>Toute suite d’applications prend fin ; rien n’est donc dessiné.</translation>
+        <translation>Toute suite d’applications prend fin&#x202f;; rien n’est donc dessiné.</translation>
     </message>
     <message>
         <source>Remove all links</source>

@@ -3658,6 +3658,10 @@
         <source>none</source>
         <translation>нема</translation>
     </message>
+    <message>
+        <source>The maps of “%1” are linked, so not every address is one of its points.</source>
+        <translation>Пресликувањата на „%1“ се поврзани, па не секоја адреса е негова точка.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5888,6 +5892,7 @@
         <translation>
             <numerusform>%n предлог. Кликнете на него за да го користите.</numerusform>
             <numerusform>%n предлози. Кликнете на еден за да го користите.</numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
     <message>
@@ -9541,6 +9546,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>
             <numerusform>%n пресликување</numerusform>
             <numerusform>%n пресликувања</numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
     <message>

@@ -25,6 +25,8 @@ QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, c
             .arg(name);
     case document::CouplingFlaw::NoMaps:
         return Text::tr("“%1” has no active map, so there is nothing to draw.").arg(name);
+    case document::CouplingFlaw::Linked:
+        return Text::tr("The maps of “%1” are linked, so not every address is one of its points.").arg(name);
     case document::CouplingFlaw::NoAttractor:
         return Text::tr("“%1” has no attractor that could be proved, so its points have no addresses.")
             .arg(name);
