@@ -20,6 +20,7 @@
 #include "io/file/background.h"
 #include "io/fractint/fractint_reader.h"
 #include "maps_menu.h"
+#include "panel_texts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/cage/cage_panel.h"
@@ -101,7 +102,7 @@ MainWindow::MainWindow(QWidget* parent)
     createMenus();
     createPanels();
     createTimeline();
-    explainPanels();
+    explainPanels(*this);
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);
     m_status->addPermanentWidget(zoom);
@@ -195,21 +196,11 @@ void MainWindow::createPanels() {
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
     problemsDock->hide();
 
-    // The rows of the table and the maps on the canvas are selected together.
-    connect(maps, &view::MapsPanel::selectionChanged, m_canvas,
-            [this, maps] { m_canvas->selectMaps(maps->selectedMaps()); });
-    connect(m_canvas, &view::CanvasView::selectedMapsChanged, maps, [this, maps] {
-        const bool isPlane = document::plane(m_document.fractal()) != nullptr; // it shows no maps of space
-        if (isPlane && maps->selectedMaps() != m_canvas->selectedMaps())
-            maps->selectMaps(m_canvas->selectedMaps());
-    });
-    m_canvas->selectMaps(maps->selectedMaps());
-    connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
+    connectMaps(maps);
     connect(entries, &view::EntriesPanel::message, m_messages, &WindowMessages::say);
     connect(entries, &view::EntriesPanel::flamesPasted, this,
             [this](const QList<document::EntryId>& ids) { FlameBanner::offer(this, m_document, ids); });
     connect(links, &view::LinksPanel::message, m_messages, &WindowMessages::say);
-    connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::message, m_messages, &WindowMessages::say);
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
@@ -221,6 +212,24 @@ void MainWindow::createPanels() {
     });
     connect(&m_file, &OpenFile::pathChanged, problems,
             [this, problems] { problems->setFileName(m_file.name()); });
+    connectCollection(collection);
+}
+
+void MainWindow::connectMaps(view::MapsPanel* maps) {
+    // The rows of the table and the maps on the canvas are selected together.
+    connect(maps, &view::MapsPanel::selectionChanged, m_canvas,
+            [this, maps] { m_canvas->selectMaps(maps->selectedMaps()); });
+    connect(m_canvas, &view::CanvasView::selectedMapsChanged, maps, [this, maps] {
+        const bool isPlane = document::plane(m_document.fractal()) != nullptr; // it shows no maps of space
+        if (isPlane && maps->selectedMaps() != m_canvas->selectedMaps())
+            maps->selectMaps(m_canvas->selectedMaps());
+    });
+    m_canvas->selectMaps(maps->selectedMaps());
+    connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
+    connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
+}
+
+void MainWindow::connectCollection(view::CollectionPanel* collection) {
     connect(collection, &view::CollectionPanel::openRequested, this,
             [this](const document::Fractal& fractal) {
                 if (!m_fileCommands->maybeSave()) return;
@@ -262,32 +271,6 @@ void MainWindow::createTimeline() {
                 view::SpaceNavigation& navigation = m_stage->space()->navigation();
                 navigation.moveTo(animation::orbited(navigation.camera(), turned), change.live);
             });
-}
-
-void MainWindow::explainPanels() {
-    for (const auto& [id, text] :
-         {std::pair{"entries",
-                    tr("The fractals in the open file. The canvas shows the one you select here.")},
-          {"collection", tr("Ready-made fractals by theme, and your own folders of fractals.")},
-          {"maps", tr("The maps of the fractal: its code, one map per row.")},
-          {"links", tr("Which maps the chaos game may apply after which, as a matrix.")},
-          {"cage", tr("The control cage in numbers: its vertices, their positions at rest, what moving them "
-                      "does, and other cages to choose from.")},
-          {"appearance",
-           tr("Colours, brightness and background of the picture. They are saved with the fractal.")},
-          {"analysis", tr("Mathematical properties of this fractal. Point to a name to see what it means.")},
-          {"history", tr("Every step since the file was opened. Select one to go back or forward to it.")},
-          {"timeline",
-           tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
-          {"collage",
-           tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
-          {"problems",
-           tr("Problems found in the file, with line and column. The text in the file is kept unchanged.")}})
-        if (auto* panel = findChild<QDockWidget*>(QLatin1String(id))) {
-            panel->setWhatsThis(text);
-            panel->toggleViewAction()->setWhatsThis(panel->toggleViewAction()->statusTip() +
-                                                    QStringLiteral(". ") + text);
-        }
 }
 
 // Dialogs explain themselves before they are seen.

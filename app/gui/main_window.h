@@ -23,6 +23,8 @@ class ViewMenu;
 class WindowMessages;
 namespace view {
 class CollagePanel;
+class CollectionPanel;
+class MapsPanel;
 class TimelinePanel;
 } // namespace view
 
@@ -64,7 +66,8 @@ private:
     void createPanels();
     void createTimeline();
     void createCollage(QDockWidget* neighbour);
-    void explainPanels();
+    void connectMaps(view::MapsPanel* maps);
+    void connectCollection(view::CollectionPanel* collection);
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();

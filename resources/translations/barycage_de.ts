@@ -4875,6 +4875,21 @@
     </message>
 </context>
 <context>
+    <name>view::CageFitter</name>
+    <message>
+        <source>The picture is too thin for such a cage.</source>
+        <translation>Das Bild ist zu dünn für einen solchen Käfig.</translation>
+    </message>
+    <message>
+        <source>The cage is already there.</source>
+        <translation>Der Käfig ist schon dort.</translation>
+    </message>
+    <message>
+        <source>Fit the cage</source>
+        <translation>Den Käfig anpassen</translation>
+    </message>
+</context>
+<context>
     <name>view::CagePanel</name>
     <message>
         <source>Cage</source>
@@ -5056,10 +5071,6 @@
         <translation>Der Ruhekäfig muss ein Vieleck sein, das sich nicht überkreuzt.</translation>
     </message>
     <message>
-        <source>The picture is too thin for such a cage.</source>
-        <translation>Das Bild ist zu dünn für einen solchen Käfig.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Den Käfig zurücksetzen</translation>
     </message>
@@ -5118,10 +5129,6 @@
     <message>
         <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Das gezeigte Bild zum Code machen; der Käfig ruht danach</translation>
-    </message>
-    <message>
-        <source>The cage is already there.</source>
-        <translation>Der Käfig ist schon dort.</translation>
     </message>
     <message>
         <source>Available for triangles only.</source>

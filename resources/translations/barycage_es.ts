@@ -4875,6 +4875,21 @@
     </message>
 </context>
 <context>
+    <name>view::CageFitter</name>
+    <message>
+        <source>The picture is too thin for such a cage.</source>
+        <translation>La imagen es demasiado estrecha para una jaula así.</translation>
+    </message>
+    <message>
+        <source>The cage is already there.</source>
+        <translation>La jaula ya está ahí.</translation>
+    </message>
+    <message>
+        <source>Fit the cage</source>
+        <translation>Ajustar la jaula</translation>
+    </message>
+</context>
+<context>
     <name>view::CagePanel</name>
     <message>
         <source>Cage</source>
@@ -5056,10 +5071,6 @@
         <translation>La jaula de reposo debe ser un polígono que no se cruce a sí mismo.</translation>
     </message>
     <message>
-        <source>The picture is too thin for such a cage.</source>
-        <translation>La imagen es demasiado estrecha para una jaula así.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Restablecer la jaula</translation>
     </message>
@@ -5118,10 +5129,6 @@
     <message>
         <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Convertir la imagen mostrada en el código; la jaula queda entonces en reposo</translation>
-    </message>
-    <message>
-        <source>The cage is already there.</source>
-        <translation>La jaula ya está ahí.</translation>
     </message>
     <message>
         <source>Available for triangles only.</source>

@@ -4875,6 +4875,21 @@
     </message>
 </context>
 <context>
+    <name>view::CageFitter</name>
+    <message>
+        <source>The picture is too thin for such a cage.</source>
+        <translation>L’image est trop mince pour une telle cage.</translation>
+    </message>
+    <message>
+        <source>The cage is already there.</source>
+        <translation>La cage y est déjà.</translation>
+    </message>
+    <message>
+        <source>Fit the cage</source>
+        <translation>Ajuster la cage</translation>
+    </message>
+</context>
+<context>
     <name>view::CagePanel</name>
     <message>
         <source>Cage</source>
@@ -5056,10 +5071,6 @@
         <translation>La cage au repos doit être un polygone non croisé.</translation>
     </message>
     <message>
-        <source>The picture is too thin for such a cage.</source>
-        <translation>L’image est trop mince pour une telle cage.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Réinitialiser la cage</translation>
     </message>
@@ -5118,10 +5129,6 @@
     <message>
         <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Faire de l’image affichée le code&#x202f;; la cage est ensuite au repos</translation>
-    </message>
-    <message>
-        <source>The cage is already there.</source>
-        <translation>La cage y est déjà.</translation>
     </message>
     <message>
         <source>Available for triangles only.</source>

@@ -4885,6 +4885,21 @@
     </message>
 </context>
 <context>
+    <name>view::CageFitter</name>
+    <message>
+        <source>The picture is too thin for such a cage.</source>
+        <translation>Сликата е претенка за таков кафез.</translation>
+    </message>
+    <message>
+        <source>The cage is already there.</source>
+        <translation>Кафезот веќе е таму.</translation>
+    </message>
+    <message>
+        <source>Fit the cage</source>
+        <translation>Опфаќање со кафез</translation>
+    </message>
+</context>
+<context>
     <name>view::CagePanel</name>
     <message>
         <source>Cage</source>
@@ -5067,10 +5082,6 @@
         <translation>Кафезот во мирување мора да биде многуаголник што не се вкрстува сам со себе.</translation>
     </message>
     <message>
-        <source>The picture is too thin for such a cage.</source>
-        <translation>Сликата е претенка за таков кафез.</translation>
-    </message>
-    <message>
         <source>Reset the cage</source>
         <translation>Враќање на кафезот во мирување</translation>
     </message>
@@ -5129,10 +5140,6 @@
     <message>
         <source>Write the displayed picture into the code; the cage is then at rest</source>
         <translation>Впиши ја прикажаната слика во кодот; потоа кафезот е во мирување</translation>
-    </message>
-    <message>
-        <source>The cage is already there.</source>
-        <translation>Кафезот веќе е таму.</translation>
     </message>
     <message>
         <source>Available for triangles only.</source>

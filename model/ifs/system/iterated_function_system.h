@@ -58,7 +58,7 @@ MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map,
 
 // γ∘w_i for every element of the group, the weight of w_i shared among them: for each map in turn the
 // identity, which keeps the id, then the other elements in their order under fresh ids. The result has no
-// symmetry. A system that would have more than maxSymmetricMaps maps, or if linked maxSymmetricLinkedMaps, loses it.
+// symmetry. Beyond maxSymmetricMaps maps, or maxSymmetricLinkedMaps linked ones, it has lost its symmetry.
 template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system);
 // How many maps each map stands for there: |Γ|, and 1 beyond the limit.
 template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system);

@@ -101,8 +101,8 @@ struct Xform {
     double linear3D = 0; // the amount of `linear3D`
     double weight = 0;
     bool standsStill = false; // in animations, as transforms do that stand for a symmetry
-    QList<double> chaos; // P_ij of its successors; 1 beyond the last
-    QString refusal;     // why it is no row of an iterated function system; empty when it is one
+    QList<double> chaos;      // P_ij of its successors; 1 beyond the last
+    QString refusal;          // why it is no row of an iterated function system; empty when it is one
 
     bool isLinked() const {
         return std::ranges::any_of(chaos, [](double link) { return link != 1; });

@@ -53,7 +53,8 @@ namespace {
 
 // Whether the format has a place for the symmetry of an entry; in the others its maps are listed.
 bool holdsSymmetry(TextFormat format) {
-    return format == TextFormat::Fractint || format == TextFormat::Flame; // which lists them itself if need be
+    return format == TextFormat::Fractint ||
+           format == TextFormat::Flame; // which lists them itself if need be
 }
 
 std::shared_ptr<const document::Fractal> plain(const std::shared_ptr<const document::Fractal>& fractal) {
@@ -74,8 +75,12 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
     KeptParts kept;
     if (format == TextFormat::Flame && document::system2(fractal)) {
         const FlameColours colours = flameColoursOf(fractal);
-        kept = {colours.isPalette, fractal.appearance.background.alpha == 255, true, colours.holdsMapColours,
-                flameHoldsSymmetry(fractal), true};
+        kept = {colours.isPalette,
+                fractal.appearance.background.alpha == 255,
+                true,
+                colours.holdsMapColours,
+                flameHoldsSymmetry(fractal),
+                true};
     }
     return lossBeside(kept, fractal);
 }

@@ -293,7 +293,8 @@ void AnimationExportDialogTest::aJobFolderHoldsAllThatItNeeds() {
              list({"README.md", "animate.sh", "encode.sh", "entry.ifs", "submit-animation.sh", "submit.sh"}));
     QVERIFY(QFileInfo(job.filePath(QStringLiteral("submit.sh"))).isExecutable());
     const QByteArray submit = contents(job.filePath(QStringLiteral("submit.sh")));
-    QVERIFY2(submit.contains("'#1' 'animation.mp4' 6 --size 64x48"), submit.constData()); // no more tasks than frames
+    QVERIFY2(submit.contains("'#1' 'animation.mp4' 6 --size 64x48"),
+             submit.constData()); // no more tasks than frames
     const io::Collection entry =
         io::readCollection(contents(job.filePath(QStringLiteral("entry.ifs"))), QStringLiteral("entry.ifs"));
     QVERIFY(document::animationFacts(*entry.file.entries[0].fractal));

@@ -28,7 +28,6 @@ namespace {
 
 constexpr std::size_t triangle = 3;
 constexpr std::chrono::milliseconds restPause{120};
-constexpr std::chrono::milliseconds fitPatience{50}; // for a cage in space
 
 QLabel* quietLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -75,7 +74,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
 } // namespace
 
 CagePanel::CagePanel(document::Document* document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_edit(document) {
+    : QWidget(parent), m_document(document), m_edit(document), m_fitter(document) {
     setAccessibleName(tr("Cage"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
@@ -100,7 +99,7 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     connect(&m_settled, &QTimer::timeout, this, &CagePanel::showSimplex);
     connect(&m_enclosing, &QFutureWatcherBase::resultReadyAt, this,
             [this](int index) { m_simplex->setText(m_enclosing.resultAt(index)); });
-    connect(&m_fitting, &QFutureWatcherBase::finished, this, &CagePanel::takeFitted);
+    connect(&m_fitter, &CageFitter::message, this, &CagePanel::message);
     m_following = connect(document, &document::Document::changed, this, &CagePanel::follow);
     showCage();
 }
@@ -432,63 +431,6 @@ void CagePanel::editRest(ifs::ControlCage<Dim> cage, std::size_t vertex, int axi
     m_edit.preview(stepText<Dim>(pattern, vertex, cage.rest[vertex]), [&](document::Fractal& fractal) {
         std::get<document::Shape<Dim>>(fractal.shape).cage = cage;
     });
-}
-
-void CagePanel::fit(document::SimplexChoice choice) {
-    auto fitted = withCageFitted(m_document->fractal(), choice);
-    const QString obstacle = fitted ? QString() : fitObstacle(m_document->fractal());
-    fitTo(std::move(fitted), obstacle);
-}
-
-void CagePanel::fit(document::PolygonChoice choice, int corners) {
-    const QString obstacle = fitObstacle(m_document->fractal());
-    auto fitted = obstacle.isEmpty() ? withCageAround(m_document->fractal(), choice, corners) : std::nullopt;
-    fitTo(std::move(fitted), obstacle.isEmpty() ? tr("The picture is too thin for such a cage.") : obstacle);
-}
-
-void CagePanel::fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation) {
-    fitInSpace([orientation](const document::Fractal& fractal) {
-        return document::withTetrahedronFitted(fractal, orientation);
-    });
-}
-
-void CagePanel::fitBox() {
-    fitInSpace(&document::withBoxFitted);
-}
-
-void CagePanel::fitPolyhedron(document::SpacePolyhedron choice, int corners) {
-    fitInSpace([choice, corners](const document::Fractal& fractal) {
-        return document::withPolyhedronFitted(fractal, choice, corners);
-    });
-}
-
-// Of very many maps in the background: it is done when it is found, unless something else has been done
-// since.
-void CagePanel::fitInSpace(const Fitting& fitting) {
-    const QString obstacle = fitObstacle(m_document->fractal());
-    if (!obstacle.isEmpty()) return fitTo(std::nullopt, obstacle);
-    m_isFitting = true;
-    m_fitting.setFuture(
-        io::inBackground<Fitted>([fitting, fractal = m_document->sharedFractal()](QPromise<Fitted>& promise) {
-            promise.addResult(Fitted{fractal, fitting(*fractal)});
-        }));
-    if (io::finishesWithin(fitPatience, m_fitting.future())) takeFitted();
-}
-
-void CagePanel::takeFitted() {
-    if (!std::exchange(m_isFitting, false) || m_fitting.future().resultCount() == 0) return;
-    const Fitted fitted = m_fitting.result();
-    if (fitted.from == m_document->sharedFractal())
-        fitTo(fitted.to, tr("The picture is too thin for such a cage."));
-}
-
-void CagePanel::fitTo(std::optional<document::Fractal> fitted, const QString& obstacle) {
-    if (!fitted)
-        emit message(obstacle);
-    else if (isCageAlike(m_document->fractal(), *fitted))
-        emit message(tr("The cage is already there."));
-    else
-        m_document->edit(tr("Fit the cage"), *std::move(fitted));
 }
 
 void CagePanel::reset() {

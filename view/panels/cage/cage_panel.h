@@ -3,15 +3,13 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/edits/live_edit.h"
-#include "document/edits/space_cage_edits.h"
+#include "panels/cage/cage_fitter.h"
 
 #include <QFutureWatcher>
 #include <QTimer>
 #include <QWidget>
 
 #include <array>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -42,11 +40,15 @@ public:
     QString status() const;      // at rest, placed, mirrored or flat, as a sentence
     QString barycentric() const; // of the point typed in the panel
 
-    void fit(document::SimplexChoice choice);
-    void fit(document::PolygonChoice choice, int corners = 4);
-    void fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation = {}); // in space; the smallest
-    void fitBox();
-    void fitPolyhedron(document::SpacePolyhedron choice, int corners);
+    void fit(document::SimplexChoice choice) { m_fitter.fit(choice); }
+    void fit(document::PolygonChoice choice, int corners = 4) { m_fitter.fit(choice, corners); }
+    void fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation = {}) {
+        m_fitter.fitTetrahedron(orientation);
+    }
+    void fitBox() { m_fitter.fitBox(); }
+    void fitPolyhedron(document::SpacePolyhedron choice, int corners) {
+        m_fitter.fitPolyhedron(choice, corners);
+    }
     void setDeformation(ifs::Deformation deformation);
     void reset();
     void bake();
@@ -64,15 +66,6 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    void fitTo(std::optional<document::Fractal> fitted, const QString& obstacle); // nullopt: says why
-    // A fractal in space, and what it is with another cage; nullopt where there is none.
-    struct Fitted {
-        std::shared_ptr<const document::Fractal> from;
-        std::optional<document::Fractal> to;
-    };
-    using Fitting = std::function<std::optional<document::Fractal>(const document::Fractal&)>;
-    void fitInSpace(const Fitting& fitting);
-    void takeFitted();
     struct VertexRow {
         QLabel* number;
         std::array<NumberField*, 3> current;
@@ -109,6 +102,7 @@ private:
 
     document::Document* m_document;
     document::LiveEdit m_edit;
+    CageFitter m_fitter;
     QMetaObject::Connection m_following; // of the document
     Cage m_cage;                         // as shown
     int m_arrangedFor = 0;               // the dimension the fields are arranged for
@@ -136,9 +130,7 @@ private:
     QAction* m_reset = nullptr;
     QAction* m_bake = nullptr;
     QToolButton* m_fit = nullptr;
-    QTimer m_settled; // the simplex is computed when the hand rests,
-    QFutureWatcher<Fitted> m_fitting;
-    bool m_isFitting = false;            // nobody has taken what m_fitting finds
+    QTimer m_settled;                    // the simplex is computed when the hand rests,
     QFutureWatcher<QString> m_enclosing; // beside the window
 };
 

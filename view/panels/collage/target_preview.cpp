@@ -13,7 +13,7 @@ namespace view {
 namespace {
 
 constexpr int usualSide = 140; // pixels
-constexpr int leastCrop = 8; // pixels of the picture
+constexpr int leastCrop = 8;   // pixels of the picture
 
 QRectF rectOf(const collage::PixelBox& box) {
     return {double(box.left), double(box.top), double(box.width()), double(box.height())};

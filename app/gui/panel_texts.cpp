@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "panel_texts.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+
+#include <utility>
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+};
+
+} // namespace
+
+void explainPanels(const QMainWindow& window) {
+    for (const auto& [id, text] :
+         {std::pair{"entries",
+                    Text::tr("The fractals in the open file. The canvas shows the one you select here.")},
+          {"collection", Text::tr("Ready-made fractals by theme, and your own folders of fractals.")},
+          {"maps", Text::tr("The maps of the fractal: its code, one map per row.")},
+          {"links", Text::tr("Which maps the chaos game may apply after which, as a matrix.")},
+          {"cage",
+           Text::tr("The control cage in numbers: its vertices, their positions at rest, what moving them "
+                    "does, and other cages to choose from.")},
+          {"appearance",
+           Text::tr("Colours, brightness and background of the picture. They are saved with the fractal.")},
+          {"analysis",
+           Text::tr("Mathematical properties of this fractal. Point to a name to see what it means.")},
+          {"history",
+           Text::tr("Every step since the file was opened. Select one to go back or forward to it.")},
+          {"timeline",
+           Text::tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
+          {"collage",
+           Text::tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
+          {"problems",
+           Text::tr(
+               "Problems found in the file, with line and column. The text in the file is kept unchanged.")}})
+        if (auto* panel = window.findChild<QDockWidget*>(QLatin1String(id))) {
+            panel->setWhatsThis(text);
+            panel->toggleViewAction()->setWhatsThis(panel->toggleViewAction()->statusTip() +
+                                                    QStringLiteral(". ") + text);
+        }
+}
