@@ -71,14 +71,14 @@ void ViewMenu::addCamera() {
                                            [&space](bool on) { space.setPerspective(on); });
     connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
     disableWhen(perspective, &document::spaceObstacle);
-    view::FourViews* views = context().stage->views();
+    view::FourViews* solid = context().stage->views();
     QAction* four = menu->addToggle({nullptr,
                                      tr("Four &Views"),
                                      {},
                                      tr("Show the solid from the top, the front and the right as well"),
                                      "space/fourViews",
                                      false},
-                                    [views](bool on) { views->showFour(on); });
+                                    [solid](bool on) { solid->showFour(on); });
     disableWhen(four, &document::spaceObstacle);
 }
 
