@@ -36,6 +36,10 @@ CollageLayer::CollageLayer(document::Document* document, CanvasView* canvas)
     setZValue(level);
     setAcceptedMouseButtons(Qt::NoButton);
     canvas->scene()->addItem(this);
+    connect(canvas->scene(), &QGraphicsScene::sceneRectChanged, this, [this](const QRectF& area) {
+        prepareGeometryChange();
+        m_area = area;
+    });
     canvas->viewport()->installEventFilter(this);
     connect(document, &document::Document::changed, this, [this] { update(); });
     connect(canvas, &CanvasView::toolChanged, this, [this] { update(); });
@@ -95,7 +99,7 @@ QTransform CollageLayer::toPixels() const {
 }
 
 QRectF CollageLayer::boundingRect() const {
-    return scene() ? scene()->sceneRect() : QRectF();
+    return m_area;
 }
 
 // On a dark picture the shape is light, and on a light one dark: both ways the attractor stays in sight.

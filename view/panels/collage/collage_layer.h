@@ -54,6 +54,7 @@ private:
 
     document::Document* m_document;
     CanvasView* m_canvas;
+    QRectF m_area; // of the scene: all of the canvas
     std::shared_ptr<const document::TracedPicture> m_traced;
     QPainterPath m_outline; // of the target, in the plane
     QImage m_target;        // as it is blended with the picture
