@@ -390,7 +390,7 @@ void addCageOptions(CLI::App& command, RenderArguments& arguments) {
         "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in space octahedron as well");
     group.add("--frame", "F", arguments.frame,
               "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2; the view is that of "
-              "all frames, the brightness that of animate --exposure each",
+              "all frames, the brightness that of this frame alone",
               "the entry at rest");
 }
 

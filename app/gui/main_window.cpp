@@ -153,6 +153,9 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     m_viewMenu->panels()->addAction(made->toggleViewAction());
     made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(title));
     made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
+    connect(made->toggleViewAction(), &QAction::triggered, made, [made](bool on) {
+        if (on) made->raise(); // it may be behind another tab
+    });
     // Behind another panel it would go on taking keys that nobody sees arrive.
     connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {
         if (!visible) takeFocusFrom(made);

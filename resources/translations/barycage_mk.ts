@@ -5899,7 +5899,7 @@
         <translation>
             <numerusform>%n предлог. Кликнете на него за да го користите.</numerusform>
             <numerusform>%n предлози. Кликнете на еден за да го користите.</numerusform>
-            <numerusform></numerusform>
+            <numerusform>%n предлози. Кликнете на еден за да го користите.</numerusform>
         </translation>
     </message>
     <message>
@@ -9553,7 +9553,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>
             <numerusform>%n пресликување</numerusform>
             <numerusform>%n пресликувања</numerusform>
-            <numerusform></numerusform>
+            <numerusform>%n пресликувања</numerusform>
         </translation>
     </message>
     <message>

@@ -54,6 +54,7 @@ private slots:
         QCOMPARE(exposurePilots(fractal),
                  (std::vector<Moment>{moment(0), moment(11, 2), moment(11), moment(23, 2), moment(12)}));
         shape.animation->loop = Loop::Off;
+        shape.animation->camera = {{3, {}, {}}, {8, {}, {}}};
         shape.animation->motions = {animation::PaletteCycle{}};
         fractal.shape = shape;
         const auto pilots = exposurePilots(fractal);

@@ -189,8 +189,9 @@ void CliCollageTest::constraintsReachTheMaps() {
     QCOMPARE(maps.size(), 4);
     for (int i = 0; i < maps.size(); ++i) {
         const QJsonObject map = maps[i].toObject();
-        const double a = map[QLatin1String("a")].toDouble(), b = map[QLatin1String("b")].toDouble(),
-                     c = map[QLatin1String("c")].toDouble(), d = map[QLatin1String("d")].toDouble();
+        const QJsonArray rows = map[QLatin1String("linear")].toArray();
+        const double a = rows[0][0].toDouble(), b = rows[0][1].toDouble(), c = rows[1][0].toDouble(),
+                     d = rows[1][1].toDouble();
         if (i == 0) {
             QVERIFY(std::abs(a * d - b * c) < 1e-9); // flat
             continue;

@@ -120,7 +120,7 @@ void FileDropTest::aDroppedPictureWithASystemIsOpened() {
     QVERIFY(QTest::qWaitForWindowExposed(window));
     drop(window, path);
     QTRY_COMPARE(window->document().fractal().name, request.fractal.name);
-    QVERIFY(window->findChild<QDockWidget*>(QStringLiteral("collage"))->isHidden());
+    QVERIFY(!window->findChild<view::CollagePanel*>()->target()->traced());
     window->close();
 }
 

@@ -9,7 +9,9 @@
 #include "panels/collage/target_preview.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/menu_button.h"
+#include "widgets/tooltip_text.h"
 
+#include <QAction>
 #include <QBuffer>
 #include <QCheckBox>
 #include <QClipboard>
@@ -199,8 +201,9 @@ void TargetBox::fillEntries(QMenu* menu) {
     for (const document::Entry& entry : m_document->file().entries) {
         if (document::dimension(*entry.fractal) != 2) continue;
         QString name = entry.fractal->name;
-        menu->addAction(name.replace(u'&', QStringLiteral("&&")), this,
-                        [this, fractal = entry.fractal] { take(fractal); });
+        QAction* action = menu->addAction(name.replace(u'&', QStringLiteral("&&")), this,
+                                          [this, fractal = entry.fractal] { take(fractal); });
+        action->setToolTip(tooltipText(entry.fractal->name)); // else its text, which may look like markup
     }
     menu->setDisabled(menu->isEmpty());
 }
