@@ -174,7 +174,9 @@ void CollectionTest::entriesLoadWithoutAProblem() {
     QVERIFY(document::dimension(*loaded.fractal) != 0);
     QVERIFY(!loaded.fractal->headerComment.isEmpty()); // its title
     const io::StrictText strict = io::writeStrict(file, {loaded.id});
-    QVERIFY2(strict.problems.isEmpty(), qPrintable(strict.problems.value(0).message));
+    for (const document::Problem& problem : strict.problems) // other programs have palettes of their own
+        QVERIFY2(problem.message.endsWith(QStringLiteral("is written without its palette.")),
+                 qPrintable(problem.message));
     const document::FractalFile again = io::readFractint(strict.bytes);
     QCOMPARE(again.entries.size(), 1);
     const document::Fractal& written = *again.entries[0].fractal;

@@ -288,6 +288,7 @@ void TimelineTest::aCustomEaseIsDrawn() {
     timeline().select({{timeline().tracks()[0].track, 0}});
     view::EaseDialog dialog(timeline().ease());
     dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
     view::EaseCurve* curve = dialog.curve();
     const QPoint start = curve->handle(0).toPoint();
     QTest::mousePress(curve, Qt::LeftButton, {}, start);
