@@ -102,7 +102,7 @@ void CliSymmetryTest::polyhedraAreInSpace() {
     const Result flat = run("convert leaf.ifs no.ifs --symmetry octahedral");
     QCOMPARE(flat.status, 1);
     QVERIFY2(flat.err.contains("in the plane"), flat.err.constData());
-    QCOMPARE(run("convert leaf.ifs lifted.ifs --lift --symmetry icosahedral").status, 0);
+    QCOMPARE(run("convert leaf.ifs lifted.ifs --lift auto --symmetry icosahedral").status, 0);
     QCOMPARE(entryOf("lifted.ifs")[QLatin1String("symmetry")].toObject()[QLatin1String("elements")].toInt(),
              60);
 }

@@ -45,6 +45,7 @@ void RealLargeTest::manyMapsAreDrawnAndHeldByTheirCage() {
     openMaps();
     const std::vector<ifs::Vector<2>> held = vertices();
     QTRY_VERIFY(!canvas().picture().isNull());
+    QTest::qWait(500); // until the extent is found, and the view fitted
     dragBy(vertex(1), {-60, -45});
     QTRY_COMPARE(steps(), 1);
     QVERIFY(offsetInPixels(vertices()[1], held[1], {-60, -45}) < 1e-6);

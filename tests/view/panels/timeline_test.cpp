@@ -292,11 +292,11 @@ void TimelineTest::aCustomEaseIsDrawn() {
     view::EaseCurve* curve = dialog.curve();
     const QPoint start = curve->handle(0).toPoint();
     QTest::mousePress(curve, Qt::LeftButton, {}, start);
-    QTest::mouseMove(curve, start + QPoint(40, 10));
-    QTest::mouseRelease(curve, Qt::LeftButton, {}, start + QPoint(40, 10));
+    QTest::mouseMove(curve, start + QPoint(40, -10));
+    QTest::mouseRelease(curve, Qt::LeftButton, {}, start + QPoint(40, -10));
     const animation::Ease drawn = dialog.ease();
     QVERIFY(animation::isValid(drawn) && drawn.kind == animation::Ease::Kind::Cubic);
-    QVERIFY((curve->handle(0) - start - QPointF(40, 10)).manhattanLength() < 3);
+    QVERIFY((curve->handle(0) - start - QPointF(40, -10)).manhattanLength() < 3);
     for (auto* number : dialog.findChildren<QDoubleSpinBox*>())
         if (number->accessibleName() == QStringLiteral("Time of the first handle"))
             QVERIFY(std::abs(number->value() - drawn.x1) < 1e-3);
