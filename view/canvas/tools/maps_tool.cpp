@@ -115,7 +115,7 @@ document::Fractal MapsTool::after(const DragResult& result) const {
 double MapsTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
     ifs::SafeWay<2> way;
     // Of linked maps, only some words count; the picture tells when they no longer contract.
-    const bool isLinked = !document::system2(gesture().before())->links.empty();
+    const bool isLinked = !document::system2(scene().document().fractal())->links.empty();
     if (!m_allowsNoAttractor && !isLinked)
         way = ifs::safeWay<2>([&](double share) { return activeMaps(after(share)); });
     scene().notes().setPrompt(way.share < 1 ? stopNote(*document::system2(after(way.share)), way)
