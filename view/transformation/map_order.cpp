@@ -17,6 +17,7 @@ namespace view {
 
 namespace {
 
+constexpr std::size_t maxListed = 256;
 constexpr int letters = 7; // wide
 
 QIcon swatch(const attractor::Rgba& colour, int side) {
@@ -68,6 +69,7 @@ void MapOrder::show(const document::Fractal& fractal, const std::vector<std::siz
     const int row = m_list->currentRow();
     const QSignalBlocker quiet(m_list);
     m_list->clear();
+    if (m_maps.size() > maxListed) return updateButtons(); // more than anybody puts in order by hand
     for (const std::size_t map : isEach ? order : m_maps) {
         const auto& maps = document::system2(fractal)->maps;
         auto* item = new QListWidgetItem(

@@ -64,6 +64,9 @@ MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidge
     m_soon.setSingleShot(true);
     m_soon.setInterval(restBeforeDrawing);
     connect(&m_soon, &QTimer::timeout, this, &MotionPage::draw);
+    m_after.setSingleShot(true);
+    m_after.setInterval(0);
+    connect(&m_after, &QTimer::timeout, this, &MotionPage::drawNext);
     m_clock.setInterval(nextPicture);
     connect(&m_clock, &QTimer::timeout, this, &MotionPage::advance);
 }
@@ -80,6 +83,7 @@ void MotionPage::showEvent(QShowEvent* event) {
 void MotionPage::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     m_soon.stop();
+    m_after.stop();
     m_clock.stop();
 }
 
@@ -89,16 +93,22 @@ void MotionPage::changeEvent(QEvent* event) {
 }
 
 void MotionPage::draw() {
-    const PreviewStyle shown{pictureSize, devicePixelRatioF(), palette().color(QPalette::ButtonText)};
-    for (std::size_t i = 0; i < m_tiles.size() && i < m_motions.size(); ++i) {
-        const auto entry = m_motions[i] ? m_motions[i]() : std::nullopt;
-        m_tiles[i].pictures = entry ? motionPreview(*entry, shown) : std::vector<QPixmap>();
-        if (m_tiles[i].pictures.empty())
-            m_tiles[i].button->setIcon(m_tiles[i].button->defaultAction()->icon());
-    }
-    advance();
+    m_next = 0;
+    drawNext();
     // Where the desktop asks for no animations, the pictures stand still.
     if (style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0) m_clock.start();
+}
+
+void MotionPage::drawNext() {
+    if (m_next >= std::min(m_tiles.size(), m_motions.size())) return;
+    const PreviewStyle shown{pictureSize, devicePixelRatioF(), palette().color(QPalette::ButtonText)};
+    Tile& tile = m_tiles[m_next];
+    const Make& make = m_motions[m_next++];
+    const auto entry = make ? make() : std::nullopt;
+    tile.pictures = entry ? motionPreview(*entry, shown) : std::vector<QPixmap>();
+    tile.button->setIcon(tile.pictures.empty() ? tile.button->defaultAction()->icon()
+                                               : QIcon(tile.pictures[m_frame]));
+    m_after.start();
 }
 
 void MotionPage::advance() {

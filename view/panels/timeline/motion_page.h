@@ -44,6 +44,7 @@ protected:
 
 private:
     void draw();
+    void drawNext(); // one tile at a time, so that the window stays at hand
     void advance();
 
     struct Tile {
@@ -53,8 +54,10 @@ private:
     std::vector<Tile> m_tiles;
     std::vector<Make> m_motions;
     QTimer m_soon;  // until the pictures are drawn anew
+    QTimer m_after; // until the next tile is drawn
     QTimer m_clock; // from one picture to the next
     std::size_t m_frame = 0;
+    std::size_t m_next = 0; // tile to be drawn
 };
 
 } // namespace view

@@ -93,7 +93,6 @@ QPixmap picture(const PreviewFrame& frame, const QRectF& box, const PreviewStyle
     pixmap.setDevicePixelRatio(style.pixelRatio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
     const QSizeF inside(style.size.width() - 2 * margin, style.size.height() - 2 * margin);
     const QPointF centre =
         frame.view ? QPointF(frame.view->centre.x(), frame.view->centre.y()) : box.center();
@@ -102,24 +101,30 @@ QPixmap picture(const PreviewFrame& frame, const QRectF& box, const PreviewStyle
                                                inside.height() / std::max(box.height(), 1e-9));
     QColor ink = frame.colour;
     ink.setAlphaF(0.7F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ink);
+    painter.setPen(QPen(ink, 0));
     const QPointF middle(style.size.width() / 2.0, style.size.height() / 2.0);
+    std::vector<QPointF> dots;
+    dots.reserve(frame.points.size());
     for (const QPointF& point : frame.points) {
         const QPointF away = (point - centre) * scale;
-        painter.drawEllipse(middle + QPointF(away.x(), -away.y()), 0.6, 0.6);
+        dots.push_back(middle + QPointF(away.x(), -away.y()));
     }
+    painter.drawPoints(dots.data(), int(dots.size()));
     return pixmap;
 }
 
 } // namespace
 
-std::vector<QPixmap> motionPreview(const document::Fractal& entry, const PreviewStyle& style) {
-    const auto facts = document::animationFacts(entry);
+bool isPreviewed(const document::Fractal& entry) {
     const auto* plane = document::plane(entry);
     const auto* space = document::space(entry);
     const std::size_t maps = plane ? plane->system.maps.size() : space ? space->system.maps.size() : 0;
-    if (!facts || maps == 0 || maps > maxMaps) return {};
+    return maps > 0 && maps <= maxMaps;
+}
+
+std::vector<QPixmap> motionPreview(const document::Fractal& entry, const PreviewStyle& style) {
+    const auto facts = document::animationFacts(entry);
+    if (!facts || !isPreviewed(entry)) return {};
     const int length = animation::frameCount(facts->loop, facts->length);
     std::vector<PreviewFrame> frames;
     for (int i = 0; i < previewFrames; ++i)

@@ -5,6 +5,7 @@
 #include "document/edits/morph_edits.h"
 #include "document/edits/motion_edits.h"
 #include "panels/timeline/motion_page.h"
+#include "panels/timeline/motion_preview.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
 #include "widgets/icon.h"
@@ -84,7 +85,10 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     m_page = new MotionPage(m_actions);
     std::vector<MotionPage::Make> motions;
     for (const Make& make : m_makes)
-        motions.push_back([this, make] { return make(m_document->entryFractal()); });
+        motions.push_back([this, make]() -> std::optional<document::Fractal> {
+            const document::Fractal& entry = m_document->entryFractal();
+            return make && isPreviewed(entry) ? make(entry) : std::nullopt;
+        });
     m_page->setMotions(std::move(motions));
     m_pages = new QStackedWidget;
     m_pages->addWidget(scrolling(m_page));
@@ -171,6 +175,7 @@ void TimelinePanel::createMotions() {
             return document::withEndlessZoom(entry, usualAspect, view ? view->yAxis : attractor::YAxis::Up);
         },
         tr("No map makes a scaled copy of the fractal that is clear of the others."));
+    m_makes.back() = nullptr; // to find the copy may take too long for a picture
     QAction* morph = addMotion("morph", tr("Morph To"),
                                tr("The fractal becomes another entry of this file, and returns."));
     morph->setMenu(m_entries);
