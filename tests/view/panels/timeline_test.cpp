@@ -149,6 +149,7 @@ void TimelineTest::motionsAreShownMoving() {
     QTRY_VERIFY(page->isMoving());
     for (auto* button : page->findChildren<QToolButton*>()) {
         if (button->defaultAction()->property("isChoice").toBool()) continue; // there is no other entry
+        if (button->defaultAction()->text().startsWith(QStringLiteral("Zoom"))) continue; // not looked for
         const QImage before = button->icon().pixmap(button->iconSize()).toImage();
         QTRY_VERIFY2(button->icon().pixmap(button->iconSize()).toImage() != before,
                      qPrintable(button->accessibleName()));
