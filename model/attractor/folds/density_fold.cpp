@@ -98,10 +98,12 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
 void DensityFold::drawSampleSet() {
     const PreparedSystem& system = prepared().system();
     const std::uint64_t seed = prepared().request().seed;
-    if (system.isLinked())
+    if (system.isLinked()) {
         drawLinkedSamples(system, seed, m_sampleSets, m_samples);
-    else
-        drawSamples(system, seed, m_sampleSets, m_samples.front());
+    } else {
+        m_strata.follow(system);
+        drawSamples(system, seed, m_sampleSets, m_samples.front(), &m_strata);
+    }
 }
 
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is

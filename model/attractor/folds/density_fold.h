@@ -5,6 +5,7 @@
 #include "attractor/folds/picture_part.h"
 #include "attractor/folds/sum_fold.h"
 #include "attractor/kernels/sample_set.h"
+#include "attractor/samples/address_strata.h"
 #include "attractor/threads/job_shares.h"
 
 #include <cstddef>
@@ -59,6 +60,7 @@ private:
     std::optional<AddressCut> m_cut;
     std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
     CutMemory m_cutMemory;
+    AddressStrata m_strata;
     std::vector<SampleSet> m_samples;    // one, or as many as AddressCut::sampleSets tells apart
     std::uint64_t m_sampleSets = 0;      // drawn so far
     std::vector<std::uint64_t> m_counts; // samples of every word

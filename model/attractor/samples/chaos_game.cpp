@@ -135,7 +135,8 @@ std::vector<AliasTable> nextMaps(const PreparedSystem& system) {
     return tables;
 }
 
-void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples) {
+void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
+                 const AddressStrata* strata) {
     samples.x.resize(2 * SampleSet::size + kernels::chunk);
     samples.y.resize(2 * SampleSet::size + kernels::chunk);
     const AliasTable table(system.probabilities);
@@ -153,6 +154,7 @@ void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t
         kernels::iterate(lanes, tables, guard, burnIn(system), nullptr, nullptr);
         kernels::iterate(lanes, tables, guard, SampleSet::size / SampleSet::lanes, samples.x.data(),
                          samples.y.data());
+        if (strata != nullptr) strata->spread(mixed(seed) + mixed(pass), samples);
         const Range x = range(samples.x);
         const Range y = range(samples.y);
         samples.lowX = x.low;
