@@ -6,6 +6,7 @@
 #include "parser.h"
 #include "usage_error.h"
 
+#include "attractor/colour/palette_library.h"
 #include "io/file/save_file.h"
 #include "io/palette/palette_reader.h"
 #include "io/text/number.h"
@@ -198,7 +199,8 @@ attractor::Palette paletteOfFile(const QString& path) {
 }
 
 attractor::Palette paletteArgument(const std::string& option, const std::string& text) {
-    if (const attractor::Palette* palette = attractor::findPalette(text)) return *palette;
+    for (const auto find : {attractor::findPalette, attractor::findInLibrary})
+        if (const attractor::Palette* palette = find(text)) return *palette;
     const QString path = fileNameOf(text);
     const bool isFileName = path.contains(u'/') || !QFileInfo(path).suffix().isEmpty();
     if (isFileName || QFileInfo(path).isFile()) return paletteOfFile(path);
@@ -206,7 +208,10 @@ attractor::Palette paletteArgument(const std::string& option, const std::string&
     for (const auto& palette : attractor::builtInPalettes())
         names << QString::fromStdString(palette.name);
     refuse(option, text,
-           tr("it must be %1, or a .gpl, .ugr or .map file.").arg(names.join(QStringLiteral(", "))));
+           tr("it must be %1, another palette that “render --list-palettes” names, or a .gpl, .ggr, .ugr or "
+              ".map "
+              "file.")
+               .arg(names.join(QStringLiteral(", "))));
 }
 
 attractor::ColourBy colourByArgument(const std::string& option, const std::string& text) {

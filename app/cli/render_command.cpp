@@ -264,6 +264,8 @@ ExitStatus listPalettes() {
     QByteArray names;
     for (const auto& palette : attractor::builtInPalettes())
         names += QByteArray::fromStdString(palette.name) + '\n';
+    for (const auto& entry : attractor::paletteLibrary())
+        names += QByteArray::fromStdString(entry.palette.name) + '\n';
     return writeOutput(QStringLiteral("-"), names);
 }
 

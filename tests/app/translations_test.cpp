@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/palette.h"
+#include "attractor/colour/palette_library.h"
 #include "support/paths.h"
 
 #include <QCoreApplication>
@@ -252,6 +253,9 @@ void TranslationsTest::namesOfDataAreInTheCatalogues() {
     QSet<QString> names = textsOfTheCollection();
     for (const attractor::Palette& palette : attractor::builtInPalettes())
         names << QStringLiteral("Palette|") + QString::fromStdString(palette.name) + u'|';
+    for (const attractor::LibraryPalette& entry : attractor::paletteLibrary())
+        for (const std::string_view part : {entry.pattern, entry.hue})
+            names << QStringLiteral("Palette|") + QString::fromStdString(std::string(part)) + u'|';
     QVERIFY(names.size() > 30);
     for (const Message& message : messagesOf(catalogue(QStringLiteral("de"))))
         names.remove(message.key());

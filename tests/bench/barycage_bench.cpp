@@ -130,22 +130,30 @@ struct BoxMaps {
     std::array<std::vector<float>, 6> rows;
 };
 
-void addBenchmarks(Case& c) {
-    const auto add = [&](const std::string& what, auto work) {
-        benchmark::RegisterBenchmark((what + "/" + c.name).c_str(),
-                                     [work](benchmark::State& state) mutable { work(state); })
-            ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
-    };
-    const std::size_t cells = 1920 * 1080;
-    add("orbit_scalar", [&c](benchmark::State& state) {
+constexpr std::size_t cells = 1920 * 1080;
+
+void add(const std::string& what, const Case& c, auto work) {
+    benchmark::RegisterBenchmark((what + "/" + c.name).c_str(),
+                                 [work](benchmark::State& state) mutable { work(state); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
+void drawOnce(Rendering& rendering, const RenderRequest& request) {
+    rendering.restart(request);
+    rendering.refine();
+}
+
+// Orbits and sample sets, without a picture.
+void addChaosGame(const Case& c) {
+    add("orbit_scalar", c, [&c](benchmark::State& state) {
         std::vector<double> xy(2 * SampleSet::size);
         for (auto _ : state) {
             rivals::scalarOrbit(c.drawable, xy);
             benchmark::DoNotOptimize(xy.data());
         }
     });
-    add("orbit_engine", [&c](benchmark::State& state) {
+    add("orbit_engine", c, [&c](benchmark::State& state) {
         const BoxMaps maps(c.drawable);
         std::mt19937 random(1);
         kernels::Lanes lanes;
@@ -160,7 +168,7 @@ void addBenchmarks(Case& c) {
             benchmark::DoNotOptimize(y.data());
         }
     });
-    add("sample_set", [&c](benchmark::State& state) {
+    add("sample_set", c, [&c](benchmark::State& state) {
         SampleSet samples;
         std::uint64_t pass = 0;
         for (auto _ : state) {
@@ -168,22 +176,22 @@ void addBenchmarks(Case& c) {
             benchmark::DoNotOptimize(samples.x.data());
         }
     });
-    add("grid_plain", [&c, cells](benchmark::State& state) {
+}
+
+// The plain rivals beside the engine.
+void addRivals(Case& c) {
+    add("grid_plain", c, [&c](benchmark::State& state) {
         std::vector<std::uint32_t> counts(cells);
         for (auto _ : state)
             rivals::chaosIntoGrid(c.drawable, c.request.camera, tenMillion, counts);
     });
-    const auto engineGrid = [](Rendering& rendering, const RenderRequest& request) {
-        rendering.restart(request);
-        rendering.refine();
-    };
-    add("grid_engine", [&c, engineGrid](benchmark::State& state) {
+    add("grid_engine", c, [&c](benchmark::State& state) {
         Rendering rendering(c.request);
         int frame = 0;
         for (auto _ : state)
-            engineGrid(rendering, dragged(c.request, ++frame));
+            drawOnce(rendering, dragged(c.request, ++frame));
     });
-    add("redraw_scalar", [&c, cells](benchmark::State& state) {
+    add("redraw_scalar", c, [&c](benchmark::State& state) {
         if (c.points.xy.empty()) c.points = rivals::storedPoints(c.drawable, tenMillion);
         std::vector<std::uint32_t> counts(cells);
         std::vector<std::uint32_t> pixels(cells);
@@ -195,65 +203,55 @@ void addBenchmarks(Case& c) {
             kernels::mapTones({&pointer, 1}, cells, palette.data(), pixels.data());
         }
     });
-    add("redraw", [&c, engineGrid](benchmark::State& state) {
+}
+
+// Whole frames, of which each one's request differs from the one before.
+void addFrames(const std::string& what, const Case& c, auto requestOf) {
+    add(what, c, [&c, requestOf](benchmark::State& state) {
         Rendering rendering(c.request);
         Frame shown;
         int frame = 0;
         for (auto _ : state) {
-            engineGrid(rendering, dragged(c.request, ++frame));
+            drawOnce(rendering, requestOf(c.request, ++frame));
             shown = rendering.frame(std::move(shown));
         }
     });
-    if (c.name == "maple")
-        add("cage8", [&c, engineGrid](benchmark::State& state) {
-            Rendering rendering(c.request);
-            Frame shown;
-            int frame = 0;
-            for (auto _ : state) {
-                engineGrid(rendering, bent(c.request, ++frame));
-                shown = rendering.frame(std::move(shown));
-            }
-        });
-    add("edit", [&c, engineGrid](benchmark::State& state) {
-        Rendering rendering(c.request);
-        Frame shown;
-        int frame = 0;
-        for (auto _ : state) {
-            RenderRequest request = c.request;
-            request.system.maps[0].map.translation.x() += 1e-5 * ++frame;
-            engineGrid(rendering, request);
-            shown = rendering.frame(std::move(shown));
+}
+
+RenderRequest edited(RenderRequest request, int frame) {
+    request.system.maps[0].map.translation.x() += 1e-5 * frame;
+    return request;
+}
+
+// Counts samples alone, at another zoom.
+void addSplat(const std::string& what, const Case& c, double zoom) {
+    add(what, c, [&c, zoom](benchmark::State& state) {
+        Camera camera = c.request.camera;
+        camera.pixelsPerUnit *= zoom;
+        if (zoom > 1) camera.centre = *ifs::fixedPoint(c.drawable.maps.back()); // something is there
+        const PreparedSystem& system = c.drawable;
+        const Projection view = projection(camera, {}, 1);
+        CutSettings settings;
+        settings.words = wordsFor(tenMillion);
+        if (zoom > 1) { // as many words as the engine takes for what is in view
+            settings.samples = addressCut(system, view, settings).probability * tenMillion;
+            settings.words = wordsFor(static_cast<std::uint64_t>(settings.samples));
         }
+        const AddressCut cut = addressCut(system, view, settings);
+        SampleSet samples;
+        drawSamples(system, 1, 0, samples);
+        CellSums sums;
+        sums.reset(CellKind::Count, {1920, 0, 1080}, 1);
+        for (auto _ : state)
+            for (const Word& word : cut.words)
+                splat(word, samples, static_cast<std::uint64_t>(word.probability * tenMillion), sums.window(),
+                      sums.counts(0, reachedCells(word, samples, sums.window())));
     });
-    const auto splatBench = [&c](double zoom) {
-        return [&c, zoom](benchmark::State& state) {
-            Camera camera = c.request.camera;
-            camera.pixelsPerUnit *= zoom;
-            if (zoom > 1) camera.centre = *ifs::fixedPoint(c.drawable.maps.back()); // something is there
-            const PreparedSystem& system = c.drawable;
-            const Projection view = projection(camera, {}, 1);
-            CutSettings settings;
-            settings.words = wordsFor(tenMillion);
-            if (zoom > 1) { // as many words as the engine takes for what is in view
-                settings.samples = addressCut(system, view, settings).probability * tenMillion;
-                settings.words = wordsFor(static_cast<std::uint64_t>(settings.samples));
-            }
-            const AddressCut cut = addressCut(system, view, settings);
-            SampleSet samples;
-            drawSamples(system, 1, 0, samples);
-            CellSums sums;
-            sums.reset(CellKind::Count, {1920, 0, 1080}, 1);
-            for (auto _ : state)
-                for (const Word& word : cut.words)
-                    splat(word, samples, static_cast<std::uint64_t>(word.probability * tenMillion),
-                          sums.window(), sums.counts(0, reachedCells(word, samples, sums.window())));
-        };
-    };
-    add("splat", splatBench(1));
-    add("splat_zoom_out", splatBench(12.0 / 1080));
-    add("splat_zoom16", splatBench(16));
-    // What a frame pays besides counting: tones of one picture, and clearing what the next one reaches.
-    add("tone", [&c, cells](benchmark::State& state) {
+}
+
+// What a frame pays besides counting: tones of one picture, and clearing what the next one reaches.
+void addTone(const Case& c) {
+    add("tone", c, [&c](benchmark::State& state) {
         const ToneMap toneMap({c.request.appearance, 1, 1e-1, 5, 1}, tenMillion);
         SampleSet samples;
         drawSamples(c.drawable, 1, 0, samples);
@@ -277,6 +275,18 @@ void addBenchmarks(Case& c) {
     });
 }
 
+void addBenchmarks(Case& c) {
+    addChaosGame(c);
+    addRivals(c);
+    addFrames("redraw", c, dragged);
+    if (c.name == "maple") addFrames("cage8", c, bent);
+    addFrames("edit", c, edited);
+    addSplat("splat", c, 1);
+    addSplat("splat_zoom_out", c, 12.0 / 1080);
+    addSplat("splat_zoom16", c, 16);
+    addTone(c);
+}
+
 void addRoofline() {
     const auto add = [](const char* what, auto work) {
         benchmark::RegisterBenchmark(what, work)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -291,7 +301,6 @@ void addRoofline() {
         }
     });
     add("memcpy", [](benchmark::State& state) {
-        constexpr std::size_t cells = 1920 * 1080;
         const std::vector<std::uint32_t> from(cells, 5);
         std::vector<std::uint32_t> to(cells);
         for (auto _ : state) {

@@ -311,7 +311,7 @@ std::span<const Reader> readers() {
           "exr"}},
         {"flame", readFlame, {"flame", "flam3", "xml"}},
         {"table", readTable, {"csv", "tsv", "txt"}},
-        {"palettes", readPalettes, {"gpl", "ugr", "map"}},
+        {"palettes", readPalettes, {"gpl", "ggr", "ugr", "map"}},
         {"sums", readSums, {"sum"}},
         {"png", readPng, {"png"}},
         {"raster", readRaster, {"jpg", "webp", "tiff", "exr"}},

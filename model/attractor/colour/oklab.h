@@ -11,6 +11,8 @@ struct Oklab {
     double lightness, a, b, alpha;
 };
 Oklab oklab(const LinearColour& colour);
-Rgba colourOf(const Oklab& lab); // the nearest in sRGB, channel by channel
+LinearColour lightOf(const Oklab& lab); // channels below 0 or above 1 where no screen shows it
+Rgba colourOf(const Oklab& lab);        // the nearest in sRGB, channel by channel
+Rgba nearestShown(const Oklab& lab);    // the same lightness and hue, with as much of the chroma as sRGB has
 
 } // namespace attractor

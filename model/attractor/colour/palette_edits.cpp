@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/palette_edits.h"
 
+#include "attractor/arithmetic/arithmetic.h"
+#include "attractor/colour/oklab.h"
+
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace attractor {
 
@@ -40,6 +45,33 @@ void distribute(Palette& palette) {
     const double last = static_cast<double>(palette.stops.size()) - 1;
     for (std::size_t i = 0; i < palette.stops.size(); ++i)
         palette.stops[i].position = static_cast<double>(i) / last;
+}
+
+void turnHue(Palette& palette, double degrees) {
+    if (std::remainder(degrees, 360.0) == 0) return;
+    const double c = cosineOfDegrees(degrees);
+    const double s = sineOfDegrees(degrees);
+    for (Palette::Stop& stop : palette.stops) {
+        const Oklab lab = oklab(linearColour(stop.colour));
+        stop.colour = nearestShown({lab.lightness, c * lab.a - s * lab.b, s * lab.a + c * lab.b, lab.alpha});
+    }
+}
+
+void shift(Palette& palette, double offset) {
+    const double start = offset - std::floor(offset);
+    if (!(start > 0) || palette.stops.size() < 2) return;
+    std::vector<Palette::Stop> before;
+    std::vector<Palette::Stop> after{{0, colourAt(palette, start)}};
+    for (const Palette::Stop& stop : palette.stops) {
+        if (stop.position > start)
+            after.push_back({stop.position - start, stop.colour});
+        else if (stop.position < start)
+            before.push_back({stop.position + (1 - start), stop.colour});
+    }
+    if (after.back().colour == before.front().colour) before.erase(before.begin()); // no seam
+    after.insert(after.end(), before.begin(), before.end());
+    after.push_back({1, after.front().colour});
+    palette.stops = std::move(after);
 }
 
 } // namespace attractor

@@ -16,4 +16,9 @@ void removeStop(Palette& palette, std::size_t stop);
 void reverse(Palette& palette);
 void distribute(Palette& palette); // stops at equal distances
 
+// Every colour keeps its lightness in Oklab, and its chroma as far as a screen shows it.
+void turnHue(Palette& palette, double degrees);
+// What was at `offset` comes to the beginning, and what was before it to the end. Nothing for a whole number.
+void shift(Palette& palette, double offset);
+
 } // namespace attractor

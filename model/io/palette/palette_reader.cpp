@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/palette/palette_reader.h"
 
+#include "io/palette/palette_ggr.h"
 #include "io/palette/palette_stops.h"
 #include "io/palette/palette_ugr.h"
 #include "io/text/number.h"
@@ -146,8 +147,7 @@ PaletteFile readPalettes(const QByteArray& bytes, const QString& name) {
     else if (head.startsWith("gimp palette"))
         readGimpPalette(text.split('\n'), name, file);
     else if (head.startsWith("gimp gradient"))
-        report(file, Problem::Severity::Error, 1,
-               Text::tr("This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files."));
+        readGimpGradient(text.split('\n'), name, file);
     else if (text.contains('{'))
         readUltraFractalGradients(text, file);
     else

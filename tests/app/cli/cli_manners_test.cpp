@@ -373,11 +373,12 @@ void CliMannersTest::palettesAreListed() {
     const Result list = run("render --list-palettes");
     QCOMPARE(list.status, 0);
     const QByteArrayList names = list.out.trimmed().split('\n');
-    QVERIFY(names.size() > 5);
-    for (const QByteArray& name : names)
-        QCOMPARE(
-            run("render systems.ifs -o palette.png --size 9x9 --points 100 --palette \"" + name + '"').status,
-            0);
+    QVERIFY(names.size() > 200);
+    for (qsizetype i = 0; i < names.size(); i += 13)
+        QCOMPARE(run("render systems.ifs -o palette.png --size 9x9 --points 100 --palette \"" +
+                     names[i].toLower() + '"')
+                     .status,
+                 0);
 }
 
 QTEST_GUILESS_MAIN(CliMannersTest)

@@ -4,7 +4,7 @@
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
 #include "main_window.h"
-#include "panels/appearance/gradient_editor.h"
+#include "panels/appearance/palettes/gradient_editor.h"
 #include "recent_files.h"
 #include "session.h"
 #include "support/every_window.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/palette_edits.h"
 
+#include "attractor/colour/oklab.h"
 #include "attractor/colour/srgb_transfer.h"
 
 #include <QtTest>
@@ -81,6 +82,58 @@ private slots:
         distribute(p);
         for (std::size_t k = 0; k < 4; ++k)
             QCOMPARE(p.stops[k].position, static_cast<double>(k) / 3);
+    }
+
+    void aShiftGoesAround_data() {
+        QTest::addColumn<double>("offset");
+        for (const double offset : {0.1, 0.25, 0.4, 0.75, 1.3, -0.2})
+            QTest::addRow("by %g", offset) << offset;
+    }
+
+    void aShiftGoesAround() {
+        QFETCH(const double, offset);
+        Palette p = palette();
+        shift(p, offset);
+        QCOMPARE(p.stops.front().position, 0.0);
+        QCOMPARE(p.stops.back().position, 1.0);
+        for (std::size_t k = 0; k + 1 < p.stops.size(); ++k)
+            QVERIFY(p.stops[k].position <= p.stops[k + 1].position);
+        for (double x = 0.005; x < 1; x += 0.01) {
+            const double from = x + offset - std::floor(x + offset);
+            const Rgba a = colourAt(p, x);
+            const Rgba b = colourAt(palette(), from);
+            QVERIFY(std::abs(linearLight(a.red) - linearLight(b.red)) < 0.01);
+            QVERIFY(std::abs(linearLight(a.green) - linearLight(b.green)) < 0.01);
+        }
+    }
+
+    void aWholeShiftChangesNothing() {
+        for (const double offset : {0.0, 1.0, -3.0}) {
+            Palette p = palette();
+            shift(p, offset);
+            QCOMPARE(p, palette());
+        }
+    }
+
+    // Lightness stays, and what the screen shows of the chroma.
+    void huesTurn() {
+        const Palette before{"", {{0, {120, 60, 60}}, {1, {60, 60, 130}}}};
+        for (const double degrees : {-180.0, -30.0, 45.0, 120.0}) {
+            Palette after = before;
+            turnHue(after, degrees);
+            for (std::size_t k = 0; k < 2; ++k) {
+                const Oklab a = oklab(linearColour(before.stops[k].colour));
+                const Oklab b = oklab(linearColour(after.stops[k].colour));
+                QVERIFY(std::abs(a.lightness - b.lightness) < 0.005);
+                const double turned = (std::atan2(b.b, b.a) - std::atan2(a.b, a.a)) * 180 / M_PI;
+                QVERIFY(std::abs(std::remainder(turned - degrees, 360.0)) < 4);
+            }
+        }
+        Palette same = before;
+        turnHue(same, 360);
+        QCOMPARE(same, before);
+        turnHue(same, 0);
+        QCOMPARE(same, before);
     }
 };
 

@@ -49,6 +49,8 @@ private slots:
     void anUltraFractalFileHasManyGradients();
     void ultraFractalGradientsGoRoundACircle();
     void smoothGradientsStayBetweenTheirKnots();
+    void gimpGradientsBlendInEveryWay_data();
+    void gimpGradientsBlendInEveryWay();
     void badLinesAreNamedAndLeftOut();
     void otherFilesAreRefused_data();
     void otherFilesAreRefused();
@@ -156,12 +158,53 @@ void PaletteReaderTest::badLinesAreNamedAndLeftOut() {
     QCOMPARE(gradient.problems.size(), 2); // and it is not closed
 }
 
+void PaletteReaderTest::gimpGradientsBlendInEveryWay_data() {
+    QTest::addColumn<QByteArray>("segments");
+    QTest::addColumn<double>("position");
+    QTest::addColumn<attractor::Rgba>("expected");
+    const auto row = [](const char* what, const QByteArray& segments, double position,
+                        attractor::Rgba colour) { QTest::newRow(what) << segments << position << colour; };
+    const QByteArray ramp = "0 .25 1 0 0 0 1 1 1 1 1 ";
+    row("linear, at its middle", "1\n" + ramp + "0 0", 0.25, {128, 128, 128});
+    row("linear, beyond it", "1\n" + ramp + "0 0", 0.625, {191, 191, 191});
+    row("curved", "1\n" + ramp + "1 0", 0.5, {180, 180, 180}); // 0.5 to the power of a half
+    row("sine", "1\n0 .5 1 0 0 0 1 1 1 1 1 2 0", 0.25, {37, 37, 37});
+    row("increasing sphere", "1\n0 .5 1 0 0 0 1 1 1 1 1 3 0", 0.5, {221, 221, 221});
+    row("decreasing sphere", "1\n0 .5 1 0 0 0 1 1 1 1 1 4 0", 0.5, {34, 34, 34});
+    row("step, before it", "1\n" + ramp + "5 0", 0.2, {0, 0, 0});
+    row("step, after it", "1\n" + ramp + "5 0", 0.3, {255, 255, 255});
+    // Red to blue, by way of green or not.
+    row("hue, up", "1\n0 .5 1 1 0 0 1 0 0 1 1 0 1", 0.5, {0, 255, 0});
+    row("hue, down", "1\n0 .5 1 1 0 0 1 0 0 1 1 0 2", 0.5, {255, 0, 255});
+    row("colours of the toolbox", "1\n0 .5 1 1 0 0 1 0 1 0 1 0 0 1 3", 1, {255, 255, 255});
+    row("two segments", "2\n0 .2 .4 1 0 0 1 1 0 0 1 0 0\n.4 .7 1 0 0 1 1 0 0 1 1 0 0", 0.7, {0, 0, 255});
+}
+
+// By the formulas of GIMP's own source, worked out by hand.
+void PaletteReaderTest::gimpGradientsBlendInEveryWay() {
+    QFETCH(const QByteArray, segments);
+    QFETCH(const double, position);
+    QFETCH(const attractor::Rgba, expected);
+    const PaletteFile file = readPalettes("GIMP Gradient\nName: A gradient\n" + segments + "\n", {});
+    QVERIFY(file.problems.isEmpty());
+    QCOMPARE(file.palettes.size(), std::size_t{1});
+    QCOMPARE(file.palettes[0].name, std::string("A gradient"));
+    QVERIFY(near(attractor::colourAt(file.palettes[0], position), expected, 2));
+}
+
 void PaletteReaderTest::otherFilesAreRefused_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::newRow("nothing") << QByteArray();
     QTest::newRow("prose") << QByteArray("Dear Sir,\nhere are no colours.\n");
-    QTest::newRow("gradient of GIMP")
-        << QByteArray("GIMP Gradient\nName: x\n1\n0 .5 1 0 0 0 1 1 1 1 1 0 0\n");
+    QTest::newRow("GIMP gradient without segments") << QByteArray("GIMP Gradient\nName: x\n");
+    QTest::newRow("GIMP gradient with too few")
+        << QByteArray("GIMP Gradient\n2\n0 .3 .5 0 0 0 1 1 1 1 1 0 0\n");
+    QTest::newRow("GIMP gradient with a gap")
+        << QByteArray("GIMP Gradient\n1\n.2 .5 1 0 0 0 1 1 1 1 1 0 0\n");
+    QTest::newRow("GIMP gradient of no known kind")
+        << QByteArray("GIMP Gradient\n1\n0 .5 1 0 0 0 1 1 1 1 1 6 0\n");
+    QTest::newRow("GIMP gradient with numbers that are none")
+        << QByteArray("GIMP Gradient\n1\n0 .5 nan 0 0 0 1 1 1 1 1 0 0\n");
     QTest::newRow("binary") << QByteArray("8BCB\0\0\1", 7);
     QTest::newRow("system") << QByteArray("fern {\n 0 0 0 .16 0 0 .01\n}\n");
     QTest::newRow("too large") << QByteArray(17 * 1024 * 1024, ' ');

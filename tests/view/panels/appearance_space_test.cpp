@@ -2,7 +2,7 @@
 #include "document/space_geometry.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/appearance/appearance_slider.h"
-#include "panels/appearance/gradient_preview.h"
+#include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/light_ball.h"
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"

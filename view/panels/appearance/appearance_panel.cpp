@@ -4,11 +4,12 @@
 #include "document/space_geometry.h"
 #include "panels/appearance/appearance_colour_button.h"
 #include "panels/appearance/appearance_slider.h"
-#include "panels/appearance/gradient_editor.h"
-#include "panels/appearance/gradient_preview.h"
+#include "panels/appearance/palettes/gradient_editor.h"
+#include "panels/appearance/palettes/gradient_preview.h"
+#include "panels/appearance/palettes/palette_browser.h"
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
-#include "widgets/icon.h"
+#include "widgets/flat_buttons.h"
 #include "widgets/number_text.h"
 
 #include <QCheckBox>
@@ -121,19 +122,22 @@ void AppearancePanel::makeGradientRows(QFormLayout* form) {
     connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
         edit(tr("Palette: %1").arg(m_gradient->currentText()), [&](Appearance& a) { a.palette = palette; });
     });
-    m_editGradient = new QToolButton(this);
-    m_editGradient->setIcon(icon(QStringLiteral("edit")));
-    m_editGradient->setIconSize({18, 18});
+    m_browsePalettes = flatButton(QStringLiteral("palette"), tr("More Palettes…"),
+                                  tr("Browse hundreds of palettes, turn and shift them"), this);
+    connect(m_browsePalettes, &QToolButton::clicked, this, &AppearancePanel::choosePalette);
+    m_editGradient = flatButton(QStringLiteral("edit"), tr("Edit Palette"),
+                                tr("Edit the palette, or load one from a file"), this);
     m_editGradient->setCheckable(true);
-    m_editGradient->setAutoRaise(true);
-    m_editGradient->setAccessibleName(tr("Edit Palette"));
-    m_editGradient->setToolTip(tr("Edit the palette, or load one from a file"));
     m_gradientRow = new QHBoxLayout;
     m_gradientRow->setSpacing(6);
     m_gradientRow->addWidget(m_gradient, 1);
+    m_gradientRow->addWidget(m_browsePalettes);
     m_gradientRow->addWidget(m_editGradient);
     form->addRow(m_gradientLabel, m_gradientRow);
+    makeGradientEditor(form);
+}
 
+void AppearancePanel::makeGradientEditor(QFormLayout* form) {
     m_editor = new GradientEditor(this);
     m_editor->hide();
     form->addRow(m_editor);
@@ -145,6 +149,18 @@ void AppearancePanel::makeGradientRows(QFormLayout* form) {
     connect(m_editor, &GradientEditor::accepted, this, [this] { m_edit.commit(); });
     connect(m_editor, &GradientEditor::rejected, this, [this] { m_edit.cancel(); });
     connect(m_editor, &GradientEditor::message, this, &AppearancePanel::message);
+}
+
+void AppearancePanel::choosePalette() {
+    m_edit.commit();
+    PaletteBrowser browser(m_document->fractal().appearance.palette, this);
+    const auto text = [&browser] { return tr("Palette: %1").arg(browser.title()); };
+    connect(&browser, &PaletteBrowser::tried, this,
+            [&] { preview(text(), [&](Appearance& a) { a.palette = browser.palette(); }); });
+    if (browser.exec() == QDialog::Accepted)
+        m_edit.commit();
+    else
+        m_edit.cancel();
 }
 
 void AppearancePanel::makeToneRows(QFormLayout* form) {
@@ -311,8 +327,8 @@ void AppearancePanel::showUses() {
         m_form->setRowVisible(row, isPlane || used.tone);
     m_form->setRowVisible(m_mapColours, isPlane || used.mapColours);
     m_editor->setVisible(m_editGradient->isChecked() && (isPlane || used.palette));
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_gradient, m_gradientLabel, m_editGradient, m_editor})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_gradient, m_gradientLabel, m_browsePalettes,
+                                                           m_editGradient, m_editor})
         widget->setEnabled(used.palette);
     m_plain->setEnabled(used.plain);
     m_plainLabel->setEnabled(used.plain);

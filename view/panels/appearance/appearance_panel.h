@@ -36,6 +36,7 @@ public:
     GradientChooser* gradient() const { return m_gradient; }
     GradientEditor* gradientEditor() const { return m_editor; }
     QToolButton* editGradient() const { return m_editGradient; }
+    QToolButton* browsePalettes() const { return m_browsePalettes; }
     AppearanceSlider* brightness() const { return m_brightness; }
     AppearanceSlider* gamma() const { return m_gamma; }
     QCheckBox* transparent() const { return m_transparent; }
@@ -51,6 +52,8 @@ private:
     using Setting = std::function<void(attractor::Appearance&)>;
     void makeColourRows(QFormLayout* form);
     void makeGradientRows(QFormLayout* form);
+    void makeGradientEditor(QFormLayout* form);
+    void choosePalette(); // from all that come with the program
     void makeToneRows(QFormLayout* form);
     void makeMapColours(QFormLayout* form);
     ColourButton* colourButton(const QString& name, attractor::Rgba attractor::Appearance::*member);
@@ -86,6 +89,7 @@ private:
     QComboBox* m_colourBy;
     GradientChooser* m_gradient;
     QLabel* m_gradientLabel;
+    QToolButton* m_browsePalettes;
     QToolButton* m_editGradient;
     GradientEditor* m_editor;
     ColourButton* m_plain;

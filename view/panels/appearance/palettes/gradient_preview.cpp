@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/gradient_preview.h"
+#include "panels/appearance/palettes/gradient_preview.h"
 
 #include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/palettes/palette_titles.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -12,17 +12,6 @@ namespace view {
 namespace {
 
 constexpr QSize previewSize(88, 14);
-
-// The names of the built-in palettes, for the translators: the palettes themselves know no Qt.
-[[maybe_unused]] constexpr const char* paletteNames[] = {
-    QT_TRANSLATE_NOOP("Palette", "Maple"),     QT_TRANSLATE_NOOP("Palette", "Fern"),
-    QT_TRANSLATE_NOOP("Palette", "Glacier"),   QT_TRANSLATE_NOOP("Palette", "Orchid"),
-    QT_TRANSLATE_NOOP("Palette", "Aurora"),    QT_TRANSLATE_NOOP("Palette", "Dusk"),
-    QT_TRANSLATE_NOOP("Palette", "Copper"),    QT_TRANSLATE_NOOP("Palette", "Lagoon"),
-    QT_TRANSLATE_NOOP("Palette", "Silver"),    QT_TRANSLATE_NOOP("Palette", "Ink"),
-    QT_TRANSLATE_NOOP("Palette", "Herbarium"), QT_TRANSLATE_NOOP("Palette", "Sanguine"),
-    QT_TRANSLATE_NOOP("Palette", "Cyanotype"),
-};
 
 } // namespace
 
@@ -50,10 +39,8 @@ QPixmap gradientPixmap(const attractor::Palette& palette, const QSize& size, qre
 
 GradientChooser::GradientChooser(QWidget* parent) : QComboBox(parent) {
     setIconSize(previewSize);
-    for (const attractor::Palette& palette : attractor::builtInPalettes()) {
-        const QString english = QString::fromStdString(palette.name);
-        add(palette, QCoreApplication::translate("Palette", english.toUtf8().constData()));
-    }
+    for (const attractor::Palette& palette : attractor::builtInPalettes())
+        add(palette, paletteTitle(palette));
     m_builtIn = m_palettes.size();
     connect(this, &QComboBox::activated, this, [this](int index) {
         if (index >= 0) emit chosen(m_palettes[static_cast<std::size_t>(index)]);
@@ -79,8 +66,11 @@ void GradientChooser::showPalette(const attractor::Palette& palette) {
         m_palettes.resize(m_builtIn);
         removeItem(static_cast<int>(m_builtIn));
     }
-    const QString name = QString::fromStdString(palette.name);
-    add(palette, name.isEmpty() ? tr("of this fractal") : tr("%1 (of this fractal)").arg(name));
+    const QString name = paletteTitle(palette);
+    if (isOfLibrary(palette))
+        add(palette, name);
+    else
+        add(palette, name.isEmpty() ? tr("of this fractal") : tr("%1 (of this fractal)").arg(name));
     setCurrentIndex(count() - 1);
 }
 

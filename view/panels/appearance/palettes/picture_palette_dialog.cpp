@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/picture_palette_dialog.h"
+#include "panels/appearance/palettes/picture_palette_dialog.h"
 
 #include "attractor/colour/picture_palette.h"
 

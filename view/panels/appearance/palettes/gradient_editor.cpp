@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/gradient_editor.h"
+#include "panels/appearance/palettes/gradient_editor.h"
 
 #include "attractor/colour/palette_edits.h"
 #include "io/file/background.h"
@@ -7,9 +7,9 @@
 #include "io/palette/palette_reader.h"
 #include "io/picture/picture_decoder.h"
 #include "panels/appearance/appearance_colour_button.h"
-#include "panels/appearance/gradient_preview.h"
-#include "panels/appearance/gradient_strip.h"
-#include "panels/appearance/picture_palette_dialog.h"
+#include "panels/appearance/palettes/gradient_preview.h"
+#include "panels/appearance/palettes/gradient_strip.h"
+#include "panels/appearance/palettes/picture_palette_dialog.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/number_field.h"
@@ -53,9 +53,9 @@ GradientEditor::GradientEditor(QWidget* parent) : QWidget(parent) {
     m_remove = flatButton(QStringLiteral("remove"), tr("Delete Stop"), tr("Delete the selected stop"), this);
     auto* turn = flatButton({}, tr("Reverse"), tr("Reverse the order of the colours"), this);
     auto* spread = flatButton({}, tr("Distribute"), tr("Space the stops evenly"), this);
-    auto* open =
-        flatButton(QStringLiteral("open"), tr("Load…"),
-                   tr("Load a palette from a .gpl, .ugr or .map file, or take it from a picture"), this);
+    auto* open = flatButton(
+        QStringLiteral("open"), tr("Load…"),
+        tr("Load a palette from a .gpl, .ggr, .ugr or .map file, or take it from a picture"), this);
     auto* keep =
         flatButton(QStringLiteral("save-as"), tr("Save As…"), tr("Save the palette as a .gpl file"), this);
 
@@ -147,7 +147,7 @@ void GradientEditor::distribute() {
 void GradientEditor::chooseAndLoad() {
     const QString path = chooseFileToOpen(
         this, tr("Load Palette"),
-        tr("Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;"
+        tr("Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;"
            "All files (*)"));
     if (!path.isEmpty()) load(path);
 }

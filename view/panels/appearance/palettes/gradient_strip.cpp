@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/gradient_strip.h"
+#include "panels/appearance/palettes/gradient_strip.h"
 
 #include "attractor/colour/palette_edits.h"
 #include "panels/appearance/appearance_colour_button.h"
-#include "panels/appearance/gradient_preview.h"
+#include "panels/appearance/palettes/gradient_preview.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
