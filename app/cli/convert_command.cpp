@@ -531,7 +531,7 @@ Command convertCommand(CLI::App& program) {
     };
     command
         ->add_option("--to", arguments->format,
-                     "fractint, flame, aifs, csv, tsv, ply, pdf, stl, obj, glb or scad")
+                     "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad")
         ->type_name("FORMAT")
         ->default_str("as the name of the output shows")
         ->group("Format");

@@ -53,9 +53,10 @@ Format formatOf(const QString& name, bool hasPoints, bool hasVoxels) {
     if (name.compare(u"scad", Qt::CaseInsensitive) == 0) return ScadFormat{};
     if (const auto format = io::meshFormat(name)) return *format;
     if (const auto format = io::textFormat(name)) return *format;
-    throw UsageError{tr("The formats are fractint (.ifs), flame, aifs, csv, tsv, ply, pdf, stl, obj, glb and "
-                        "scad, not “%1”.")
-                         .arg(name)};
+    throw UsageError{
+        tr("The formats are fractint (.ifs), flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb and "
+           "scad, not “%1”.")
+            .arg(name)};
 }
 
 QString dimensionObstacle(const Format& format, const document::Fractal& fractal) {

@@ -161,7 +161,7 @@ _barycage_cli_value() {
       elif [[ ${line[1]} == render ]]; then
         _barycage_cli_offer "$2"{png,jpg,webp,tiff,exr,svg,pdf}
       else
-        _barycage_cli_offer "$2"{fractint,flame,aifs,csv,tsv,ply,pdf,stl,obj,glb,scad}
+        _barycage_cli_offer "$2"{fractint,flame,aifs,tex,csv,tsv,ply,pdf,stl,obj,glb,scad}
       fi
       ;;
     --existing) _barycage_cli_offer "$2"{skip,replace,fail} ;;

@@ -50,7 +50,7 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l progress -x -a
 complete -c barycage-cli -n "__fish_seen_subcommand_from info" -l hull-tolerance -x -d "Length"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l bake -d "Bake the cage into the code"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l strict -d "Write what every program can read"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l to -x -a "fractint flame aifs csv tsv ply pdf stl obj glb scad" -d "Format"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l to -x -a "fractint flame aifs tex csv tsv ply pdf stl obj glb scad" -d "Format"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns to write"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l in-columns -x -a "abcdefp abecdfp acbdefp pabcdef" -d "Order of the columns to read"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l points -x -d "Number of points to write"

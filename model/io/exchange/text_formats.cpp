@@ -5,6 +5,7 @@
 #include "io/exchange/aifs.h"
 #include "io/exchange/flame_colours.h"
 #include "io/exchange/flame_symmetry.h"
+#include "io/exchange/latex.h"
 #include "io/fractint/entry_writer.h"
 #include "io/table/table_reader.h"
 #include "io/text/lost_parts.h"
@@ -21,10 +22,11 @@ struct Name {
     TextFormat format;
 };
 // The first of each format is its suffix.
-constexpr std::array names{Name{"ifs", TextFormat::Fractint}, Name{"flame", TextFormat::Flame},
-                           Name{"aifs", TextFormat::Aifs},    Name{"csv", TextFormat::Csv},
-                           Name{"tsv", TextFormat::Tsv},      Name{"fractint", TextFormat::Fractint},
-                           Name{"flam3", TextFormat::Flame}};
+constexpr std::array names{Name{"ifs", TextFormat::Fractint},      Name{"flame", TextFormat::Flame},
+                           Name{"aifs", TextFormat::Aifs},         Name{"tex", TextFormat::Latex},
+                           Name{"csv", TextFormat::Csv},           Name{"tsv", TextFormat::Tsv},
+                           Name{"fractint", TextFormat::Fractint}, Name{"flam3", TextFormat::Flame},
+                           Name{"latex", TextFormat::Latex}};
 
 } // namespace
 
@@ -96,6 +98,8 @@ QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractal
         return writeFlame(held, options.axis);
     case TextFormat::Aifs:
         return writeAifs(held);
+    case TextFormat::Latex:
+        return writeLatex(held);
     case TextFormat::Csv:
         return tableOf(*held.first(), options.columns, TableSeparator::Comma);
     case TextFormat::Tsv:

@@ -14,9 +14,10 @@
 namespace io {
 
 // The forms in which systems are handed to other programs as text.
-enum class TextFormat { Fractint, Flame, Aifs, Csv, Tsv };
+enum class TextFormat { Fractint, Flame, Aifs, Latex, Csv, Tsv };
 
-// By the suffix of a file, or by name: "fractint", "ifs", "flame", "flam3", "aifs", "csv", "tsv".
+// By the suffix of a file, or by name: "fractint", "ifs", "flame", "flam3", "aifs", "tex",
+// "latex", "csv", "tsv".
 std::optional<TextFormat> textFormat(const QString& name);
 QString suffixOf(TextFormat format);
 bool holdsOneSystem(TextFormat format); // tables have no place for a second

@@ -28,7 +28,7 @@ namespace view {
 
 namespace {
 
-enum Format { Flame, Aifs, Csv, Tsv, PointsCsv, PointsPly };
+enum Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
 
 std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
     const ifs::ControlCage<2>* cage = document::cage2(fractal);
@@ -86,8 +86,8 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format->setWhatsThis(
         tr("The program that will read the data; each format contains what that program understands."));
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
-                        tr("Table with commas (.csv)"), tr("Table with tabs (.tsv)"), tr("Points (.csv)"),
-                        tr("Points, coloured (.ply)")});
+                        tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
+                        tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new QSpinBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -120,6 +120,8 @@ std::optional<io::TextFormat> ExportDataDialog::textFormat() const {
         return io::TextFormat::Flame;
     case Aifs:
         return io::TextFormat::Aifs;
+    case Latex:
+        return io::TextFormat::Latex;
     case Csv:
         return io::TextFormat::Csv;
     case Tsv:

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "io/exchange/latex.h"
+
+#include "document/fractal_geometry.h"
+#include "io/text/number.h"
+
+#include <QByteArrayList>
+
+#include <algorithm>
+
+namespace io {
+
+namespace {
+
+constexpr double figureSize = 8; // cm, the longer side
+
+// A number as mathematics is set: 1.5·10⁻⁵ instead of 1.5e-05. Exact to the last digit.
+QByteArray set(double value) {
+    const QByteArray text = formatNumber(value);
+    const qsizetype e = text.indexOf('e');
+    if (e < 0) return text;
+    const QByteArray digits = text.first(e);
+    const QByteArray power = "10^{" + QByteArray::number(text.sliced(e + 1).toInt()) + '}';
+    if (digits == "1") return power;
+    return digits == "-1" ? '-' + power : digits + "\\cdot " + power;
+}
+
+// For a comment: one line.
+QByteArray oneLine(QString name) {
+    for (QChar& c : name)
+        if (c.category() == QChar::Other_Control || c.category() == QChar::Separator_Line) c = u' ';
+    return name.toUtf8();
+}
+
+template <class Matrix> QByteArray matrix(const Matrix& values) {
+    QByteArrayList rows;
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+        QByteArrayList row;
+        for (Eigen::Index j = 0; j < values.cols(); ++j)
+            row << set(values(i, j));
+        rows << row.join(" & ");
+    }
+    return "\\begin{pmatrix} " + rows.join(" \\\\ ") + " \\end{pmatrix}";
+}
+
+template <int Dim> QByteArray formulas(const ifs::IteratedFunctionSystem<Dim>& system) {
+    const std::vector<double> shares = ifs::probabilities(system);
+    QByteArrayList lines;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        if (!(shares[i] > 0)) continue;
+        const QByteArray number = QByteArray::number(qulonglong(i) + 1);
+        const ifs::AffineMap<Dim>& map = system.maps[i].map;
+        lines << "  w_{" + number + "}(x) &= " + matrix(map.linear) + " x + " + matrix(map.translation) +
+                     ", & p_{" + number + "} &= " + set(shares[i]);
+    }
+    return "\\begin{align*}\n" + lines.join(" \\\\\n") + "\n\\end{align*}\n";
+}
+
+// The corners, in centimetres.
+class Sheet {
+public:
+    explicit Sheet(const std::vector<std::vector<ifs::Vector<2>>>& polygons) {
+        ifs::Vector<2> low = polygons.front().front();
+        ifs::Vector<2> high = low;
+        for (const auto& polygon : polygons)
+            for (const ifs::Vector<2>& corner : polygon) {
+                low = low.cwiseMin(corner);
+                high = high.cwiseMax(corner);
+            }
+        m_low = low;
+        const double size = (high - low).maxCoeff();
+        m_scale = size > 0 ? figureSize / size : 1;
+    }
+
+    QByteArray path(const std::vector<ifs::Vector<2>>& polygon) const {
+        QByteArray text;
+        for (const ifs::Vector<2>& corner : polygon) {
+            const ifs::Vector<2> p = m_scale * (corner - m_low);
+            text +=
+                '(' + QByteArray::number(p.x(), 'f', 4) + ',' + QByteArray::number(p.y(), 'f', 4) + ") -- ";
+        }
+        return text + "cycle";
+    }
+
+private:
+    ifs::Vector<2> m_low;
+    double m_scale = 1;
+};
+
+QByteArray figure(const document::Fractal& fractal, const document::System2& system) {
+    const std::vector<ifs::Vector<2>> cage = document::effectiveCage(fractal).rest;
+    const std::vector<double> shares = ifs::probabilities(system);
+    std::vector<std::vector<ifs::Vector<2>>> polygons{cage};
+    std::vector<std::size_t> drawn;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        if (!(shares[i] > 0)) continue;
+        std::vector<ifs::Vector<2>> image;
+        for (const ifs::Vector<2>& corner : cage)
+            image.push_back(system.maps[i].map(corner));
+        if (!std::ranges::all_of(image, [](const auto& p) { return p.allFinite(); })) continue;
+        polygons.push_back(std::move(image));
+        drawn.push_back(i);
+    }
+    const Sheet sheet(polygons);
+    QByteArray text = "\\begin{tikzpicture}\n  \\draw[thick] " + sheet.path(cage) + ";\n";
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        const std::size_t i = drawn[k];
+        const attractor::Rgba colour = attractor::mapColour(fractal.appearance, system.maps[i].id, i);
+        const auto level = [](std::uint8_t value) { return QByteArray::number(int(value)); };
+        text += "  \\draw[color={rgb,255:red," + level(colour.red) + ";green," + level(colour.green) +
+                ";blue," + level(colour.blue) + "},fill,fill opacity=0.2] " + sheet.path(polygons[k + 1]) +
+                "; % " + QByteArray::number(qulonglong(i) + 1) + '\n';
+    }
+    return text + "\\end{tikzpicture}\n";
+}
+
+} // namespace
+
+QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fractals) {
+    QByteArrayList parts;
+    for (const auto& fractal : fractals) {
+        const QByteArray head = "% " + oneLine(fractal->name) + "\n% \\usepackage{amsmath,tikz}\n";
+        if (const auto* plane = document::system2(*fractal))
+            parts << head + formulas(*plane) + figure(*fractal, *plane);
+        else if (const auto* space = document::system3(*fractal))
+            parts << head + formulas(*space);
+    }
+    return parts.join('\n');
+}
+
+} // namespace io

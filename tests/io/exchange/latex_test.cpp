@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/cage_edits.h"
+#include "ifs/canonical_systems.h"
+#include "io/exchange/latex.h"
+#include "io/exchange/text_formats.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+namespace {
+
+QByteArray text(const document::Fractal& fractal) {
+    return io::writeLatex({std::make_shared<const document::Fractal>(fractal)});
+}
+
+document::Fractal inSpace() {
+    document::Shape<3> shape;
+    ifs::AffineMap<3> map;
+    map.linear = ifs::Vector<3>(.5, .25, 1e-7).asDiagonal();
+    map.translation = ifs::Vector<3>(1, 2, 3);
+    ifs::append(shape.system, map);
+    document::Fractal fractal;
+    fractal.shape = shape;
+    return fractal;
+}
+
+} // namespace
+
+class LatexTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void formulasAreExact() {
+        const QByteArray tex = text(document::sierpinskiTriangle());
+        QVERIFY(tex.contains("\\begin{align*}"));
+        QVERIFY(tex.contains("w_{1}(x) &= \\begin{pmatrix} 0.5 & 0 \\\\ 0 & 0.5 \\end{pmatrix} x + "));
+        QCOMPARE(tex.count("\\begin{pmatrix}"), 6);
+        QVERIFY(tex.contains("p_{3} &= 0.333333333333333"));
+    }
+
+    void everyEnvironmentIsClosedAndBracesMatch() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        fractal.name = QStringLiteral("50% of {a_b\n} \\ $x$"); // in a comment
+        for (QByteArray tex : {text(fractal), text(inSpace())}) {
+            QVERIFY(tex.startsWith("% "));
+            tex = tex.sliced(tex.indexOf('\n'));
+            int depth = 0;
+            QStringList open;
+            for (qsizetype i = 0; i < tex.size(); ++i) {
+                if (tex[i] == '\\') {
+                    ++i; // \{ is no brace
+                    continue;
+                }
+                depth += tex[i] == '{' ? 1 : tex[i] == '}' ? -1 : 0;
+                QVERIFY(depth >= 0);
+            }
+            QCOMPARE(depth, 0);
+            const QRegularExpression mark(QStringLiteral(R"(\\(begin|end)\{(\w+\*?)\})"));
+            auto found = mark.globalMatch(QString::fromUtf8(tex));
+            while (found.hasNext()) {
+                const auto match = found.next();
+                if (match.captured(1) == u"begin")
+                    open << match.captured(2);
+                else
+                    QCOMPARE(open.takeLast(), match.captured(2));
+            }
+            QVERIFY(open.isEmpty());
+        }
+    }
+
+    void smallNumbersAreSetAsPowers() {
+        const QByteArray tex = text(inSpace());
+        QVERIFY(tex.contains("& 10^{-7} \\end{pmatrix}"));
+        QVERIFY(!tex.contains("e-"));
+        QVERIFY(!tex.contains("tikzpicture")); // a figure lies in the plane
+    }
+
+    // The longer side of everything drawn is eight centimetres.
+    void theFigureFillsItsSquare() {
+        const QString tex = QString::fromUtf8(text(document::sierpinskiTriangle()));
+        QCOMPARE(tex.count(QStringLiteral("\\draw")), 4);
+        double high = 0;
+        auto found = QRegularExpression(QStringLiteral(R"(\((-?[\d.]+),(-?[\d.]+)\) --)")).globalMatch(tex);
+        while (found.hasNext()) {
+            const auto match = found.next();
+            for (int k = 1; k <= 2; ++k) {
+                const double value = match.captured(k).toDouble();
+                QVERIFY(value >= 0 && value <= 8);
+                high = std::max(high, value);
+            }
+        }
+        QCOMPARE(high, 8.0);
+    }
+
+    void mapsThatAreOffAreLeftOut() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        document::plane(fractal)->system.maps[1].enabled = false;
+        const QByteArray tex = text(fractal);
+        QVERIFY(tex.contains("w_{1}") && !tex.contains("w_{2}") && tex.contains("w_{3}"));
+    }
+
+    void theFormatIsKnownByName() {
+        QCOMPARE(io::textFormat(QStringLiteral("tex")), io::TextFormat::Latex);
+        QCOMPARE(io::textFormat(QStringLiteral("LaTeX")), io::TextFormat::Latex);
+        QCOMPARE(io::suffixOf(io::TextFormat::Latex), QStringLiteral("tex"));
+        QVERIFY(io::lossOf(io::TextFormat::Latex, document::sierpinskiTriangle()) == std::nullopt);
+    }
+};
+
+QTEST_GUILESS_MAIN(LatexTest)
+#include "latex_test.moc"
