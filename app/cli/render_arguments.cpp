@@ -385,9 +385,9 @@ void addCageOptions(CLI::App& command, RenderArguments& arguments) {
     group.add("--cage", "CORNERS", arguments.cage,
               "Current corners of the cage: \"x,y x,y x,y\", up to 64; more than three, in space four, bend "
               "the picture");
-    group.add(
-        "--rest-cage", "CORNERS", arguments.restCage,
-        "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in space octahedron as well");
+    group.add("--rest-cage", "CORNERS", arguments.restCage,
+              "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in the plane rectangle, "
+              "in space octahedron as well");
     group.add("--frame", "F", arguments.frame,
               "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2; the view is that of "
               "all frames, the brightness that of this frame alone",

@@ -37,11 +37,12 @@ int hullCorners(const std::string& text) {
     return corners;
 }
 
-// A certified box or hull around the attractor of the code.
+// A certified box, rectangle or hull around the attractor of the code.
 std::vector<ifs::Vector<2>> verticesAround(const document::Fractal& code, const std::string& text) {
     using enum document::PolygonChoice;
-    const auto vertices = text == "box" ? document::verticesAround(code, Box)
-                                        : document::verticesAround(code, Hull, hullCorners(text));
+    const auto vertices = text == "box"         ? document::verticesAround(code, Box)
+                          : text == "rectangle" ? document::verticesAround(code, Rectangle)
+                                                : document::verticesAround(code, Hull, hullCorners(text));
     if (!vertices)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(QString::fromStdString(text))};
@@ -53,7 +54,7 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
     if (!arguments.restCage) return document::effectiveCage(fractal).rest;
     const std::string& text = *arguments.restCage;
     if (text == "canonical") return document::canonicalCage(fractal).rest;
-    if (text == "box" || text == "hull" || text.starts_with("hull:")) {
+    if (text == "box" || text == "rectangle" || text == "hull" || text.starts_with("hull:")) {
         document::Fractal code = fractal;
         document::plane(code)->cage.reset();
         return verticesAround(code, text);

@@ -153,7 +153,7 @@ _barycage_cli_value() {
     --supersample) _barycage_cli_offer "$2"{1,2,3,4} ;;
     --simd) _barycage_cli_offer "$2"{scalar,sse4,avx2,avx512,neon} ;;
     --progress) _barycage_cli_offer "$2"{always,never,auto} ;;
-    --rest-cage) _barycage_cli_offer "$2"{canonical,box,octahedron,hull,hull:8} ;;
+    --rest-cage) _barycage_cli_offer "$2"{canonical,box,rectangle,octahedron,hull,hull:8} ;;
     --background) _barycage_cli_offer "$2"{transparent,black,white} ;;
     --to)
       if [[ ${line[1]} == morph ]]; then

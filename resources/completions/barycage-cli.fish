@@ -132,7 +132,7 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l ster
 complete -c barycage-cli -n $render -l svg -x -a "structured outline points" -d "Kind of vector graphics"
 complete -c barycage-cli -n $render -l to -x -a "png jpg webp tiff exr svg pdf" -d "Format"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l background -x -a "transparent black white" -d "Background"
-complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box octahedron hull" -d "Corners at rest"
+complete -c barycage-cli -n $render -l rest-cage -x -a "canonical box rectangle octahedron hull" -d "Corners at rest"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l palette -r -a "(command barycage-cli render --list-palettes </dev/null 2>/dev/null)" -d "Palette by name or from a file"
 complete -c barycage-cli -n $render -l list-palettes -d "List the palettes"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l color -x -a "density map address none" -d "What the colours show"

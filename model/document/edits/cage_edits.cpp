@@ -250,6 +250,7 @@ std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal
         return {{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
     }
     const auto around = ifs::enlargedHull(*support);
+    if (choice == PolygonChoice::Rectangle) return ifs::smallestRectangleAround(around);
     return choice == PolygonChoice::Hull ? ifs::simplifiedHull(around, corners)
                                          : ifs::regularPolygonAround(around, corners);
 }

@@ -100,6 +100,31 @@ Polygon simplifiedHull(const Polygon& hull, int corners) {
     return corners == 3 && polygon.size() == 4 ? triangleAround(polygon) : polygon;
 }
 
+Polygon smallestRectangleAround(const Polygon& hull) {
+    Polygon smallest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+        const Vector<2> edge = hull[(k + 1) % hull.size()] - hull[k];
+        if (!(edge.norm() > 0)) continue;
+        const Vector<2> along = edge.normalized();
+        const Vector<2> across(-along.y(), along.x());
+        Vector<2> low(along.dot(hull[0]), across.dot(hull[0]));
+        Vector<2> high = low;
+        for (const auto& corner : hull) {
+            const Vector<2> at(along.dot(corner), across.dot(corner));
+            low = low.cwiseMin(at);
+            high = high.cwiseMax(at);
+        }
+        const double size = (high - low).prod();
+        if (!(size < least)) continue;
+        least = size;
+        const auto corner = [&](double u, double v) { return Vector<2>(u * along + v * across); };
+        smallest = {corner(low.x(), low.y()), corner(high.x(), low.y()), corner(high.x(), high.y()),
+                    corner(low.x(), high.y())};
+    }
+    return smallest;
+}
+
 Polygon regularPolygonAround(const Polygon& hull, int corners) {
     const double step = 2 * std::numbers::pi / corners;
     const auto direction = [step](double k) {

@@ -19,6 +19,10 @@ Polygon enlargedHull(const SupportFunction<2>& support);
 // have at least three.
 Polygon simplifiedHull(const Polygon& hull, int corners);
 
+// The rectangle of least area around the hull, of any direction; one side lies along an edge of the hull,
+// which must have at least three corners.
+Polygon smallestRectangleAround(const Polygon& hull);
+
 // The smallest regular polygon of `corners` ≥ 3 corners and level base around the hull; its first edge is the
 // base. Around a single point: that with distance 1 from centre to edges.
 Polygon regularPolygonAround(const Polygon& hull, int corners);

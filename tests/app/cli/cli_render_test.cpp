@@ -125,7 +125,7 @@ void CliRenderTest::cageMovesThePicture() {
 
 void CliRenderTest::restCagesAroundTheAttractor_data() {
     QTest::addColumn<QByteArray>("rest");
-    for (const char* rest : {"canonical", "box", "hull", "hull:4"})
+    for (const char* rest : {"canonical", "box", "rectangle", "hull", "hull:4"})
         QTest::newRow(rest) << QByteArray(rest);
 }
 

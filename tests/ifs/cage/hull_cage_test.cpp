@@ -69,6 +69,41 @@ private slots:
                 cage, [&](const Vector<2>& corner) { return (corner - expected).norm() < 2e-4; }));
     }
 
+    // A square on its corner, and a hull whose least rectangle is known.
+    void theSmallestRectangleTurns() {
+        const Polygon diamond{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+        QVERIFY(std::abs(area(smallestRectangleAround(diamond)) - 2) < 1e-12);
+        const Polygon triangle{{0, 0}, {3, 0}, {0, 4}}; // 12 along a leg and along the hypotenuse alike
+        QVERIFY(std::abs(area(smallestRectangleAround(triangle)) - 12) < 1e-12);
+        Random random(7);
+        for (int n = 0; n < 100; ++n) {
+            const auto maps = randomContractions<2>(random, 1 + int(random() % 4));
+            const Polygon hull = enlargedHull(*SupportFunction<2>::of(maps));
+            const Polygon rectangle = smallestRectangleAround(hull);
+            QCOMPARE(rectangle.size(), std::size_t{4});
+            double size = 0;
+            double least = Infinity;
+            for (const auto& corner : hull) {
+                size = std::max(size, corner.norm());
+                QVERIFY(outside(rectangle, corner) < 1e-12 * (1 + size));
+            }
+            // None of a thousand directions does better.
+            for (int k = 0; k < 1000; ++k) {
+                const Vector<2> along(std::cos(k * std::numbers::pi / 2000),
+                                      std::sin(k * std::numbers::pi / 2000));
+                Vector<2> low(Infinity, Infinity);
+                Vector<2> high = -low;
+                for (const auto& corner : hull) {
+                    const Vector<2> at(along.dot(corner), cross(along, corner));
+                    low = low.cwiseMin(at);
+                    high = high.cwiseMax(at);
+                }
+                least = std::min(least, (high - low).prod());
+            }
+            QVERIFY(area(rectangle) <= least * (1 + 1e-9));
+        }
+    }
+
     void containsTheOrbit() {
         Random random(1);
         for (int n = 0; n < 100; ++n) {

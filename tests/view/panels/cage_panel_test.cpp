@@ -131,6 +131,13 @@ private slots:
                 QVERIFY(cage().current == rest);
                 QCOMPARE(ifs::suitableCoordinates(rest, &*support), ifs::Coordinates::Wachspress);
             }
+        m_panel->fit(document::PolygonChoice::Rectangle);
+        QCOMPARE(cage().rest.size(), std::size_t{4});
+        const double inBox = [this] {
+            const auto box = document::displayedBox(m_document->fractal());
+            return (box->max - box->min).prod();
+        }();
+        QVERIFY(ifs::area(cage().rest) <= 1.001 * inBox);
         // Around the picture as it is placed, and the picture stays.
         document::Fractal fractal = m_document->fractal();
         for (auto& vertex : document::plane(fractal)->cage->current)

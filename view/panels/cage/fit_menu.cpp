@@ -33,6 +33,8 @@ QMenu* makeFitMenu(QWidget* parent, const PlaneFits& fits) {
     menu->addSeparator();
     menu->addAction(Text::tr("Bounding Box"), parent,
                     [fits] { fits.polygon(document::PolygonChoice::Box, 4); });
+    menu->addAction(Text::tr("Smallest Rectangle"), parent,
+                    [fits] { fits.polygon(document::PolygonChoice::Rectangle, 4); });
     const auto addPolygons = [&](const QString& title, document::PolygonChoice choice) {
         QMenu* polygons = menu->addMenu(title);
         for (const int corners : {3, 4, 5, 6, 8, 12, 16, 24})
