@@ -153,8 +153,14 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     m_viewMenu->panels()->addAction(made->toggleViewAction());
     made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(title));
     made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
+    // Behind another tab it is not hidden but shown. Queued: as it was before the action.
+    connect(
+        made, &QDockWidget::visibilityChanged, made,
+        [made](bool isSeen) { made->setProperty("isSeen", isSeen); }, Qt::QueuedConnection);
     connect(made->toggleViewAction(), &QAction::triggered, made, [made](bool on) {
-        if (on) made->raise(); // it may be behind another tab
+        if (!on && made->property("isSeen").toBool()) return;
+        made->show();
+        made->raise();
     });
     // Behind another panel it would go on taking keys that nobody sees arrive.
     connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {

@@ -39,6 +39,8 @@ QPixmap gradientPixmap(const attractor::Palette& palette, const QSize& size, qre
 
 GradientChooser::GradientChooser(QWidget* parent) : QComboBox(parent) {
     setIconSize(previewSize);
+    setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon); // a long name of a file would widen the panel
+    setMinimumContentsLength(6);
     for (const attractor::Palette& palette : attractor::builtInPalettes())
         add(palette, paletteTitle(palette));
     m_builtIn = m_palettes.size();
