@@ -496,6 +496,48 @@ private slots:
         QVERIFY(std::abs(pixels / double(collage::area(traced.mask)) - 1) < 0.02);
     }
 
+    void stepsBackDuringASearchDoNoHarm() {
+        traceLeaf();
+        const document::Fractal first = m_document->fractal();
+        takeRoughMaps();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
+        push("Suggest");
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == first);
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        QVERIFY(list->count() > 0);
+        QVERIFY(m_document->fractal() == first); // nothing is used unasked
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        settle();
+        QVERIFY(!(m_document->fractal() == first));
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == first);
+    }
+
+    void solidsHaveNoCollage() {
+        traceLeaf();
+        document::Fractal solid = m_document->fractal();
+        document::Shape<3> shape;
+        for (const double x : {-0.5, 0.5}) {
+            ifs::AffineMap<3> map;
+            map.linear = 0.5 * ifs::Matrix<3>::Identity();
+            map.translation = {x, 0, 0};
+            ifs::append<3>(shape.system, map);
+        }
+        solid.shape = std::move(shape);
+        m_document->edit(QStringLiteral("Lift"), solid);
+        settle();
+        QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        QVERIFY(!named<QPushButton>(QStringLiteral("Fit Cage"))->isEnabled());
+        QVERIFY(!layer()->mark());
+        QVERIFY(!document::collageObstacle(m_document->fractal()).isEmpty());
+        m_document->undoStack()->undo();
+        settle();
+        QVERIFY(named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        QVERIFY(layer()->mark());
+    }
+
     void theCanvasMayGoFirst() {
         traceLeaf();
         push("Refine Maps");
