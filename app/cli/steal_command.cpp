@@ -300,11 +300,10 @@ ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArgu
     const ProgressMode mode = applied(arguments.shown.verbosity);
     const Interrupt interrupt;
     const QString path = fileNameOf(*arguments.picture), output = fileNameOf(*arguments.output);
-    io::ReadPicture read = io::readPicture(path);
-    if (read.failure) {
-        reportError(path, *read.failure);
-        return ExitStatus::CannotReadOrWrite;
-    }
+    const io::Loaded loaded = io::loadFile(path);
+    if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
+    io::ReadPicture read = io::decodePicture(loaded.bytes);
+    if (read.failure) throw InputError{path, *read.failure};
     const attractor::TheftRequest request = requestOf(read.picture, entries, arguments, fileName);
     const io::StealExport what{embedded, entries.system(), std::move(read.picture), request};
     ProgressBar bar(mode);

@@ -10,8 +10,10 @@ namespace {
 
 using Shape = TraceOptions::Shape;
 
-constexpr double margin = 0.25;  // around the shape, a share of its longer side
-constexpr int opaqueLevel = 127; // up to which 255 − opacity is opaque
+constexpr double margin = 0.25;       // around the shape, a share of its longer side
+constexpr int opaqueLevel = 127;      // up to which 255 − opacity is opaque
+constexpr int coarseSide = 256;       // cells along the longer side of a shape at most, where it is coarse
+constexpr double outlineError = 0.75; // pixels
 
 // Cropped, and seen as the options want it.
 collage::GreyPicture prepared(const collage::GreyPicture& picture, const TraceOptions& options) {
@@ -24,6 +26,48 @@ std::optional<int> levelOf(const collage::GreyPicture& part, const TraceOptions&
     if (options.threshold) return options.threshold;
     if (collage::isShapedByOpacity(part)) return opaqueLevel;
     return collage::otsuThreshold(part.grey);
+}
+
+using Outline = std::vector<ifs::Vector<2>>;
+
+double distanceToSegment(const ifs::Vector<2>& p, const ifs::Vector<2>& a, const ifs::Vector<2>& b) {
+    const ifs::Vector<2> along = b - a;
+    const double square = along.squaredNorm();
+    const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
+    return (p - a - t * along).norm();
+}
+
+// The corner between two others that is farthest from the line between them, and how far.
+std::pair<std::size_t, double> farthest(const Outline& outline, std::size_t first, std::size_t last) {
+    std::pair<std::size_t, double> found{first, 0};
+    for (std::size_t k = first + 1; k < last; ++k) {
+        const double distance = distanceToSegment(outline[k], outline[first], outline[last % outline.size()]);
+        if (distance > found.second) found = {k, distance};
+    }
+    return found;
+}
+
+// A closed outline with as few of its corners as the error allows (Douglas and Peucker 1973).
+Outline simplified(const Outline& outline, double error) {
+    std::vector<std::uint8_t> stays(outline.size());
+    std::vector<std::pair<std::size_t, std::size_t>> parts;
+    const std::size_t opposite = farthest(outline, 0, outline.size()).first;
+    stays[0] = stays[opposite] = 1;
+    parts.emplace_back(0, opposite);
+    parts.emplace_back(opposite, outline.size());
+    while (!parts.empty()) {
+        const auto [first, last] = parts.back();
+        parts.pop_back();
+        const auto [corner, distance] = farthest(outline, first, last);
+        if (distance <= error) continue;
+        stays[corner] = 1;
+        parts.emplace_back(first, corner);
+        parts.emplace_back(corner, last);
+    }
+    Outline result;
+    for (std::size_t k = 0; k < outline.size(); ++k)
+        if (stays[k] != 0) result.push_back(outline[k]);
+    return result.size() < 3 ? outline : result; // a speck
 }
 
 // The edges between set and other pixels, with the shape on the left seen with y up; corners are (x, y) of
@@ -60,7 +104,7 @@ public:
                 before = at;
                 at = to;
             }
-            all.push_back(std::move(outline));
+            all.push_back(simplified(outline, outlineError * pixel));
         }
         return all;
     }
@@ -112,6 +156,8 @@ std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, 
     const std::size_t area = collage::area(traced.mask);
     if (area == 0 || area == traced.mask.cells.size()) return std::nullopt;
     traced.target = collage::target(traced.mask, 1, margin);
+    traced.coarseFactor = collage::factorFor(traced.mask, coarseSide);
+    if (traced.coarseFactor > 1) traced.coarse = collage::target(traced.mask, traced.coarseFactor, margin);
     traced.outlines = Outlines(traced.mask).closed();
     return traced;
 }

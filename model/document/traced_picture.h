@@ -25,7 +25,11 @@ struct TracedPicture {
     collage::GreyPicture picture; // cropped
     collage::Mask mask;           // of the same size
     collage::Target target;       // one cell for each pixel of the mask
-    // Closed outlines of the mask along the edges of pixels, in the plane: holes run the other way round.
+    // Of large shapes also with cells of coarseFactor² pixels, for numbers that keep up with a hand.
+    std::optional<collage::Target> coarse;
+    int coarseFactor = 1;
+    // Closed outlines of the mask, in the plane: holes run the other way round. At most 3/4 of a pixel away
+    // from the edges of pixels, and of far fewer corners, so that they are quick to draw.
     std::vector<std::vector<ifs::Vector<2>>> outlines;
 };
 

@@ -11,6 +11,7 @@
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
 #include "bench/canvas_drag.h"
+#include "bench/collage_bench.h"
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
 #include "bench/noise_bench.h"
@@ -480,6 +481,25 @@ void addDrag(std::vector<Metric>& metrics, bool quick) {
     }
 }
 
+void addCollage(std::vector<Metric>& metrics, bool quick) {
+    metrics.push_back(
+        {"collage.starts_per_second.vs_plain", collage_bench::startsRatio(quick ? 20 : 60), ">= 3"});
+    using collage_bench::WithTarget;
+    for (const auto& [label, target, limit] : {std::tuple{"without_target", WithTarget::No, "reported"},
+                                               std::tuple{"picture", WithTarget::Yes, "<= 16.7"}}) {
+        collage_bench::Drag drag = collage_bench::drag(target, quick ? 100 : 300);
+        const auto add = [&](const std::string& what, std::vector<double>& times, const char* wanted) {
+            if (times.empty()) return;
+            std::sort(times.begin(), times.end());
+            const std::string name = "collage.drag_ms." + what;
+            metrics.push_back({name + ".p50", times[times.size() / 2], "reported"});
+            metrics.push_back({name + ".p99", times[times.size() * 99 / 100], wanted});
+        };
+        add(label, drag.picture, limit);
+        if (target == WithTarget::Yes) add("numbers", drag.numbers, "reported");
+    }
+}
+
 void addWholeEngine(std::vector<Metric>& metrics, bool quick) {
     metrics.push_back({"memory.mb.1e7", engineMemory(tenMillion), "< 64"});
     metrics.push_back({quick ? "memory.mb.1e8" : "memory.mb.1e9",
@@ -539,14 +559,14 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
     bool quick = false;
-    bool dragOnly = false;
+    std::string only; // one part alone
     std::string json = BARYCAGE_BENCH_JSON;
     std::vector<char*> rest{argv[0]};
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--quick") == 0)
             quick = true;
-        else if (std::strcmp(argv[i], "--drag") == 0)
-            dragOnly = true;
+        else if (std::strcmp(argv[i], "--drag") == 0 || std::strcmp(argv[i], "--collage") == 0)
+            only = argv[i] + 2;
         else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
             json = argv[++i];
         else
@@ -562,8 +582,9 @@ int main(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(count, rest.data())) return 2;
     std::vector<Metric> whole;
     std::vector<Metric> metrics;
-    addDrag(whole, quick);
-    if (!dragOnly) {
+    if (only != "collage") addDrag(whole, quick);
+    if (only != "drag") addCollage(whole, quick);
+    if (only.empty()) {
         addGeometry(whole, quick);
         addNoise(whole);
         addSpace(whole, quick);
@@ -580,6 +601,6 @@ int main(int argc, char** argv) {
     std::printf("instruction set: %s\n%-42s %10s   %s\n", simdName().c_str(), "metric", "value", "target");
     for (const Metric& metric : metrics)
         std::printf("%-42s %10.3f   %s\n", metric.name.c_str(), metric.value, metric.target.c_str());
-    if (!dragOnly) writeJson(metrics, json);
+    if (only.empty()) writeJson(metrics, json);
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace document {
 
@@ -48,22 +49,34 @@ QImage pictureOf(const collage::Mask& target, const collage::Mask& compared) {
     return image;
 }
 
+// From cells of factor² pixels. A pixel of the shape is at most a diagonal of a cell away from one that is
+// set, and the other way round: that much more may the attractor differ from the shape.
+void inPixels(MeasuredFractal& measured, int factor) {
+    measured.agreement.mean *= factor;
+    measured.agreement.p95 *= factor;
+    measured.agreement.hausdorff *= factor;
+    if (measured.bound) measured.bound = factor * (*measured.bound + std::sqrt(2.0));
+}
+
 } // namespace
 
 std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPicture& traced,
-                                        Compared compared) {
+                                        Compared compared, Detail detail) {
     const auto maps = collageMaps(fractal);
     if (!maps || maps->maps.empty()) return std::nullopt;
-    const collage::MeasuredCollage images = collage::measuredCollage(traced.target, maps->maps);
+    const bool isCoarse = detail == Detail::Live && traced.coarse;
+    const collage::Target& target = isCoarse ? *traced.coarse : traced.target;
+    const collage::MeasuredCollage images = collage::measuredCollage(target, maps->maps);
     MeasuredFractal result{images.measure.images, images.measure.contraction, images.measure.bound, {}, {}};
-    const collage::Grid& grid = traced.target.grid;
+    const collage::Grid& grid = target.grid;
     if (compared == Compared::Attractor) {
         if (result.contraction >= 1) return std::nullopt;
-        result.agreement = collage::attractorAgreement(traced.target, maps->maps);
-        result.picture = pictureOf(traced.target.mask, collage::attractorMask(grid, maps->maps));
+        result.agreement = collage::attractorAgreement(target, maps->maps);
+        result.picture = pictureOf(target.mask, collage::attractorMask(grid, maps->maps));
     } else {
-        result.picture = pictureOf(traced.target.mask, images.images);
+        result.picture = pictureOf(target.mask, images.images);
     }
+    if (isCoarse) inPixels(result, traced.coarseFactor);
     result.area = {grid.left, grid.top, grid.width * grid.cell, grid.height * grid.cell};
     return result;
 }

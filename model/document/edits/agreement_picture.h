@@ -13,6 +13,9 @@ namespace document {
 
 // What is compared with the target.
 enum class Compared { Collage, Attractor };
+// Live: with the coarse cells of the target, if it has any. Distances stay in pixels, and the bound stays
+// one, though a larger one.
+enum class Detail { Full, Live };
 
 // How well a fractal agrees with a target, in numbers and as a picture over the plane.
 struct MeasuredFractal {
@@ -25,6 +28,6 @@ struct MeasuredFractal {
 
 // nullopt when the maps cannot be compared. Any thread.
 std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPicture& traced,
-                                        Compared compared);
+                                        Compared compared, Detail detail = Detail::Full);
 
 } // namespace document

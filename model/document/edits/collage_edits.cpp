@@ -6,6 +6,7 @@
 #include "collage/fit/collage_fit.h"
 #include "collage/fit/weight_fit.h"
 #include "document/edits/cage_edits.h"
+#include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 
 #include <QCoreApplication>
@@ -99,6 +100,12 @@ collage::Density densityOf(const TracedPicture& traced) {
 QString collageObstacle(const Fractal& fractal) {
     if (QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (ifs::countActive(*system2(fractal)) == 0) return Text::tr("All maps are off.");
+    if (!system2(fractal)->links.empty())
+        return Text::tr(
+            "The maps are linked. Only maps that may all follow each other can be compared with a "
+            "picture.");
+    if (isSymmetric(fractal))
+        return Text::tr("A symmetry repeats the maps. Expand it to compare them with a picture.");
     if (!effectiveSystem(fractal))
         return Text::tr("The cage bends the picture, or is flat. Reset the cage to compare the maps.");
     return {};
@@ -178,7 +185,7 @@ std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPic
 }
 
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners) {
-    if (!planeObstacle(fractal).isEmpty()) return std::nullopt;
+    if (!planeObstacle(fractal).isEmpty() || !system2(fractal)->links.empty()) return std::nullopt;
     Fractal result = fractal;
     plane(result)->cage.reset();
     auto held = withCageAround(withCageAtRest(std::move(result)), PolygonChoice::Regular, corners);

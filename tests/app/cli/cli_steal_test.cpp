@@ -281,9 +281,13 @@ void CliStealTest::badPicturesAreErrors() {
     write("bad", bytes);
     const Result result =
         run("steal tops.ifs --entry square --from uneven --picture bad -o bad.png --size 60x40");
-    QCOMPARE(result.status, 3);
+    QCOMPARE(result.status, 1); // it was read, and has problems
     QVERIFY2(result.err.contains("error: " + said), result.err.constData());
     QVERIFY(read("bad.png").isEmpty());
+    const Result absent =
+        run("steal tops.ifs --entry square --from uneven --picture absent -o bad.png --size 60x40");
+    QCOMPARE(absent.status, 3);
+    QVERIFY2(absent.err.contains("error: "), absent.err.constData());
 }
 
 void CliStealTest::refuses_data() {

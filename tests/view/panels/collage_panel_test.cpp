@@ -20,6 +20,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -255,6 +256,27 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(number("Coverage"), before, 30000);
     }
 
+    // On cells twice as large: about the same, and the guarantee still is one.
+    void liveNumbersAreCoarse() {
+        m_panel->target()->read(write(QStringLiteral("large.png"), encoded(leaf(512), "PNG")));
+        settle();
+        takeRoughMaps();
+        using document::Compared;
+        const auto& traced = *m_panel->target()->traced();
+        QCOMPARE(traced.coarseFactor, 2);
+        const auto full = document::measured(m_document->fractal(), traced, Compared::Collage);
+        const auto live =
+            document::measured(m_document->fractal(), traced, Compared::Collage, document::Detail::Live);
+        const auto attractor = document::measured(m_document->fractal(), traced, Compared::Attractor);
+        QVERIFY(full && live && attractor);
+        QVERIFY(std::abs(live->agreement.coverage - full->agreement.coverage) < 0.02);
+        QVERIFY(std::abs(live->agreement.mean - full->agreement.mean) < 1);
+        QVERIFY(std::abs(live->agreement.hausdorff - full->agreement.hausdorff) < 4);
+        QVERIFY(*live->bound > *full->bound && *live->bound < *full->bound + 25);
+        QVERIFY(*live->bound > attractor->agreement.hausdorff);
+        QCOMPARE(live->picture.size().width() / 100, full->picture.size().width() / 100);
+    }
+
     void mapsCarryTheTarget() {
         traceLeaf();
         takeRoughMaps();
@@ -377,6 +399,143 @@ private slots:
         push("Suggest");
         m_panel.reset(); // the window is closed meanwhile
         QCOMPARE(layer(), nullptr);
+    }
+
+    // What was found, or is being sought, is of the old one.
+    void anotherTargetEndsASearch() {
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
+        const QSignalSpy said(m_panel.get(), &CollagePanel::message);
+        push("Suggest");
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Remove")), Qt::LeftButton);
+        QVERIFY(m_panel->isSettled());
+        QVERIFY2(said.last().first().toString().contains(QStringLiteral("target has changed")),
+                 qPrintable(said.last().first().toString()));
+        QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.3);
+        push("Suggest");
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        QVERIFY(list->count() > 0);
+        QTest::mouseClick(named<QCheckBox>(QStringLiteral("Invert")), Qt::LeftButton, {}, {8, 8});
+        settle();
+        QCOMPARE(list->count(), 0);
+    }
+
+    // In a dock that is lower than the panel.
+    void suggestionsScrollIntoView() {
+        QScrollArea area;
+        area.setWidgetResizable(true);
+        area.resize(360, 400);
+        area.setWidget(m_panel.get());
+        area.show();
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.3);
+        push("Suggest");
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        const auto isSeen = [&] {
+            const QRect first = list->visualItemRect(list->item(0));
+            return list->viewport()->visibleRegion().contains(first.center());
+        };
+        QVERIFY(list->count() > 0);
+        QTRY_VERIFY(isSeen());
+        area.takeWidget();
+    }
+
+    // Their attractors are not those of the listed maps alone, and a guarantee would be false.
+    void symmetricAndLinkedMapsAreNotMeasured() {
+        traceLeaf();
+        takeRoughMaps();
+        const document::Fractal plain = m_document->fractal();
+        document::Fractal fractal = plain;
+        document::system2(fractal)->symmetry.group = ifs::SymmetryGroup::Mirror;
+        m_document->edit(QStringLiteral("Mirror"), fractal);
+        settle();
+        const auto says = [this](const char* part) {
+            const QList<QLabel*> labels = m_panel->findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [&](const QLabel* label) {
+                return label->isVisible() && label->text().contains(QLatin1String(part));
+            });
+        };
+        QVERIFY(says("A symmetry repeats the maps"));
+        QVERIFY(!named<QLabel>(QStringLiteral("Guarantee"))->isVisible());
+        const QSignalSpy said(m_panel.get(), &CollagePanel::message);
+        const int before = steps();
+        push("Refine Maps");
+        QVERIFY(m_panel->isSettled());
+        QVERIFY(said.last().first().toString().contains(QStringLiteral("symmetry")));
+        QCOMPARE(steps(), before);
+        m_panel->target()->take(m_document->sharedFractal()); // its attractor is a shape all the same
+        settle();
+        QVERIFY(m_panel->target()->traced());
+        fractal = plain;
+        const auto& maps = document::system2(fractal)->maps;
+        document::system2(fractal)->links = {{maps[0].id, maps[1].id, 0}};
+        m_document->edit(QStringLiteral("Link"), fractal);
+        settle();
+        QVERIFY(says("The maps are linked"));
+        QVERIFY(!named<QLabel>(QStringLiteral("Guarantee"))->isVisible());
+    }
+
+    // They follow the shape within a pixel, with few corners.
+    void outlinesAreLight() {
+        traceLeaf();
+        const auto& traced = *m_panel->target()->traced();
+        QCOMPARE(traced.outlines.size(), std::size_t{1});
+        const auto& outline = traced.outlines.front();
+        QVERIFY2(outline.size() > 8 && outline.size() < 80, qPrintable(QString::number(outline.size())));
+        double area = 0; // twice, positive: the shape is on the left
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const auto& a = outline[k];
+            const auto& b = outline[(k + 1) % outline.size()];
+            area += a.x() * b.y() - a.y() * b.x();
+        }
+        const double pixels = area / 2 * traced.mask.height * traced.mask.height;
+        QVERIFY(std::abs(pixels / double(collage::area(traced.mask)) - 1) < 0.02);
+    }
+
+    void stepsBackDuringASearchDoNoHarm() {
+        traceLeaf();
+        const document::Fractal first = m_document->fractal();
+        takeRoughMaps();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
+        push("Suggest");
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == first);
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        QVERIFY(list->count() > 0);
+        QVERIFY(m_document->fractal() == first); // nothing is used unasked
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        settle();
+        QVERIFY(!(m_document->fractal() == first));
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == first);
+    }
+
+    void solidsHaveNoCollage() {
+        traceLeaf();
+        document::Fractal solid = m_document->fractal();
+        document::Shape<3> shape;
+        for (const double x : {-0.5, 0.5}) {
+            ifs::AffineMap<3> map;
+            map.linear = 0.5 * ifs::Matrix<3>::Identity();
+            map.translation = {x, 0, 0};
+            ifs::append<3>(shape.system, map);
+        }
+        solid.shape = std::move(shape);
+        m_document->edit(QStringLiteral("Lift"), solid);
+        settle();
+        QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        QVERIFY(!named<QPushButton>(QStringLiteral("Fit Cage"))->isEnabled());
+        QVERIFY(!layer()->mark());
+        QVERIFY(!document::collageObstacle(m_document->fractal()).isEmpty());
+        m_document->undoStack()->undo();
+        settle();
+        QVERIFY(named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        QVERIFY(layer()->mark());
     }
 
     void theCanvasMayGoFirst() {

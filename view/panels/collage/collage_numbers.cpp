@@ -41,7 +41,7 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         {tr("95 % within"), tr("95 % of all points are at most so far from the other")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
         {tr("Guarantee"), tr("No point of the target is farther from the attractor than this, nor the other "
-                             "way round")},
+                             "way round. It is larger while you drag, when a coarser picture is measured")},
     };
     for (const auto& [name, tip] : rows) {
         const int row = int(m_labels.size());

@@ -25,6 +25,8 @@ namespace {
 using Task = FitBox::Task;
 
 constexpr int progressInterval = 100; // milliseconds
+// In a drag the picture comes first, and the numbers are measured when it has had this time.
+constexpr int pictureFirst = 8;
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -65,6 +67,7 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
       m_fit(new FitBox(this)),
       m_suggestions(new SuggestionList(this)),
       m_progressTimer(new QTimer(this)),
+      m_liveTimer(new QTimer(this)),
       m_measuring(
           [this](std::optional<document::MeasuredFractal> measured) { showMeasured(std::move(measured)); }),
       m_fitting([this](std::optional<Result> result) { finish(std::move(result)); }) {
@@ -89,6 +92,9 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     layout->addWidget(m_suggestions);
     layout->addStretch();
     m_progressTimer->setInterval(progressInterval);
+    m_liveTimer->setSingleShot(true);
+    m_liveTimer->setTimerType(Qt::PreciseTimer);
+    m_liveTimer->setInterval(pictureFirst);
     connectParts();
     updatePossible();
     showLocks();
@@ -106,7 +112,12 @@ void CollagePanel::connectParts() {
     connect(m_target, &TargetBox::tracedChanged, this, [this] {
         if (m_layer) m_layer->setTarget(m_target->traced());
         m_measured.reset();
-        m_measuring.cancel(); // it is of another target
+        m_measuring.cancel();    // it is of another target,
+        m_suggestions->forget(); // and so are these
+        if (m_running) {
+            cancel();
+            emit message(tr("The target has changed, so the fit was cancelled."));
+        }
         updatePossible();
         measure();
     });
@@ -120,11 +131,12 @@ void CollagePanel::connectParts() {
     connect(m_fit, &FitBox::cancelled, this, &CollagePanel::cancel);
     connect(m_canvas, &CanvasView::selectedMapsChanged, this, &CollagePanel::showLocks);
     connect(m_suggestions, &SuggestionList::chosen, this, &CollagePanel::use);
+    connect(m_liveTimer, &QTimer::timeout, this, [this] { measure(document::Detail::Live); });
     connect(m_progressTimer, &QTimer::timeout, this, [this] { m_fit->setProgress(m_progress->load()); });
 }
 
 bool CollagePanel::isSettled() const {
-    return !m_target->isBusy() && !m_measuring.isBusy() && !m_running;
+    return !m_target->isBusy() && !m_measuring.isBusy() && !m_liveTimer->isActive() && !m_running;
 }
 
 void CollagePanel::follow(const document::Change& change) {
@@ -134,14 +146,18 @@ void CollagePanel::follow(const document::Change& change) {
         m_suggestions->forget();
         m_locked.clear();
     }
-    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
+    if (!(change.parts & (Change::System | Change::Cage | Change::Current | Change::File))) return;
+    if (change.live) {
+        if (!m_liveTimer->isActive()) m_liveTimer->start();
+    } else {
         updatePossible();
         showLocks();
         measure();
     }
 }
 
-void CollagePanel::measure() {
+void CollagePanel::measure(document::Detail detail) {
+    m_liveTimer->stop();
     const auto& traced = m_target->traced();
     const QString obstacle = traced ? document::collageObstacle(m_document->fractal()) : QString();
     if (!traced || !obstacle.isEmpty()) {
@@ -153,9 +169,10 @@ void CollagePanel::measure() {
     }
     const document::Compared compared =
         m_compared->currentIndex() == 1 ? document::Compared::Attractor : document::Compared::Collage;
-    m_measuring.submit([traced, compared, fractal = m_document->sharedFractal()](const std::stop_token&) {
-        return document::measured(*fractal, *traced, compared);
-    });
+    m_measuring.submit(
+        [traced, compared, detail, fractal = m_document->sharedFractal()](const std::stop_token&) {
+            return document::measured(*fractal, *traced, compared, detail);
+        });
 }
 
 void CollagePanel::showMeasured(std::optional<document::MeasuredFractal> measured) {
@@ -213,6 +230,10 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
 
 void CollagePanel::run(Task task) {
     if (m_running || !m_target->traced()) return;
+    // A suggestion, or a cage around what is there, needs no maps that can be compared.
+    if (task != Task::Suggest && task != Task::FitCage)
+        if (const QString obstacle = document::collageObstacle(m_document->fractal()); !obstacle.isEmpty())
+            return emit message(obstacle);
     m_progress = std::make_shared<std::atomic<double>>(task == Task::Suggest ? 0 : -1);
     m_running = Running{task, textOf(task), m_document->sharedFractal()};
     m_fit->setProgress(m_progress->load());

@@ -54,7 +54,7 @@ private:
 
     void connectParts();
     void follow(const document::Change& change);
-    void measure();
+    void measure(document::Detail detail = document::Detail::Full);
     void showMeasured(std::optional<document::MeasuredFractal> measured);
     void run(FitBox::Task task);
     Work workFor(FitBox::Task task, const std::shared_ptr<const document::Fractal>& fractal);
@@ -79,6 +79,7 @@ private:
     std::optional<Running> m_running;
     std::shared_ptr<std::atomic<double>> m_progress; // of what runs
     QTimer* m_progressTimer;
+    QTimer* m_liveTimer; // runs while numbers wait for the picture under the hand
     NewestWork<document::MeasuredFractal> m_measuring;
     NewestWork<Result> m_fitting; // last: it stops before the rest goes
 };

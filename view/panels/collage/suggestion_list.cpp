@@ -3,6 +3,10 @@
 
 #include "widgets/number_text.h"
 
+#include <QLayout>
+#include <QScrollArea>
+#include <QTimer>
+
 #include <utility>
 
 namespace view {
@@ -53,6 +57,16 @@ void SuggestionList::show(const std::vector<collage::Suggestion>& suggestions,
         showPicture(count() - 1);
     }
     setVisible(count() > 0);
+    if (count() > 0) QTimer::singleShot(0, this, [this] { scrollIntoView(); });
+}
+
+// The panel may be longer than its dock, and the list is at its end.
+void SuggestionList::scrollIntoView() {
+    for (QWidget* at = parentWidget(); at != nullptr; at = at->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(at)) {
+            if (area->widget()->layout() != nullptr) area->widget()->layout()->activate();
+            area->ensureWidgetVisible(this, 0);
+        }
 }
 
 void SuggestionList::forget() {

@@ -35,6 +35,7 @@ signals:
 
 private:
     void showPicture(int row);
+    void scrollIntoView();
 
     Thumbnails* m_thumbnails;
     quint64 m_sheet = 0; // counts them, for the keys of the pictures

@@ -47,8 +47,10 @@ QToolButton* button(const QString& text, const QString& tip, QWidget* parent) {
 // The attractor, dark on light; null with a sentence.
 std::shared_ptr<const collage::GreyPicture> pictureOf(const document::Fractal& fractal, QString& sentence) {
     const auto box = document::displayedBox(fractal);
-    const auto maps = document::collageMaps(fractal);
-    if (!maps || !box || collage::contraction(maps->maps) >= 1) {
+    const auto shown = document::effectiveSystem(fractal);
+    // Those that a symmetry stands for, too.
+    const auto maps = shown ? ifs::activeMaps(*shown) : ifs::ActiveMaps<2>{};
+    if (!box || maps.maps.empty() || maps.isLinked() || collage::contraction(maps.maps) >= 1) {
         sentence = document::collageObstacle(fractal);
         if (sentence.isEmpty()) sentence = TargetBox::tr("Only maps that contract give a shape to trace.");
         return nullptr;
@@ -64,7 +66,7 @@ std::shared_ptr<const collage::GreyPicture> pictureOf(const document::Fractal& f
     grid.top = box->max.y() + entryMargin * grid.cell;
     grid.width = int(size.x() / grid.cell) + 2 * entryMargin + 1;
     grid.height = int(size.y() / grid.cell) + 2 * entryMargin + 1;
-    const collage::Mask mask = collage::attractorMask(grid, maps->maps);
+    const collage::Mask mask = collage::attractorMask(grid, maps.maps);
     auto picture = std::make_shared<collage::GreyPicture>();
     picture->width = mask.width;
     picture->height = mask.height;

@@ -32,7 +32,6 @@ public:
 
     // In the background; a sentence says why a picture cannot be used.
     void read(const QString& path);
-    void read(const QByteArray& bytes, const QString& name);
     void take(const std::shared_ptr<const document::Fractal>& entry); // its attractor
 
     const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
