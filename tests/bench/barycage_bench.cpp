@@ -10,6 +10,7 @@
 #include "attractor/render/renderer.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
+#include "bench/addresses_bench.h"
 #include "bench/canvas_drag.h"
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
@@ -511,6 +512,11 @@ void addSpace(std::vector<Metric>& metrics, bool quick) {
         metrics.push_back({ratio.name, ratio.value, ratio.target});
 }
 
+void addAddresses(std::vector<Metric>& metrics, bool quick) {
+    for (const addresses::Ratio& ratio : addresses::measure(quick ? 12 : 40))
+        metrics.push_back({ratio.name, ratio.value, ratio.target});
+}
+
 void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
     std::ofstream file(path);
     file << "{\n";
@@ -530,7 +536,7 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
     bool quick = false;
-    bool dragOnly = false;
+    bool dragOnly = false, addressesOnly = false;
     std::string json = BARYCAGE_BENCH_JSON;
     std::vector<char*> rest{argv[0]};
     for (int i = 1; i < argc; ++i) {
@@ -538,6 +544,8 @@ int main(int argc, char** argv) {
             quick = true;
         else if (std::strcmp(argv[i], "--drag") == 0)
             dragOnly = true;
+        else if (std::strcmp(argv[i], "--addresses") == 0)
+            addressesOnly = true;
         else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
             json = argv[++i];
         else
@@ -553,8 +561,10 @@ int main(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(count, rest.data())) return 2;
     std::vector<Metric> whole;
     std::vector<Metric> metrics;
-    addDrag(whole, quick);
-    if (!dragOnly) {
+    if (!addressesOnly) addDrag(whole, quick);
+    if (!dragOnly) addAddresses(whole, quick);
+    const bool isWhole = !dragOnly && !addressesOnly;
+    if (isWhole) {
         addGeometry(whole, quick);
         addNoise(whole);
         addSpace(whole, quick);
@@ -571,6 +581,6 @@ int main(int argc, char** argv) {
     std::printf("instruction set: %s\n%-42s %10s   %s\n", simdName().c_str(), "metric", "value", "target");
     for (const Metric& metric : metrics)
         std::printf("%-42s %10.3f   %s\n", metric.name.c_str(), metric.value, metric.target.c_str());
-    if (!dragOnly) writeJson(metrics, json);
+    if (isWhole) writeJson(metrics, json);
     return 0;
 }
