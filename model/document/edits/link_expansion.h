@@ -6,7 +6,7 @@
 #include <QString>
 
 // Linked maps written as plain ones, where that is possible.
-// docs/decisions/0019-plain-maps-of-linked-ones.md.
+// docs/decisions/0019-plain-maps-and-pictures-without-files.md.
 namespace document {
 
 bool isLinked(const Fractal& fractal); // some link is not 1, whether it matters or not
