@@ -23,9 +23,18 @@ struct Held {
     bool linked = false;
 };
 
+// Whether they make a difference: between the maps that take part, or in which these are.
+template <int Dim> bool linksMatter(const ifs::IteratedFunctionSystem<Dim>& system) {
+    if (system.links.empty()) return false;
+    auto unlinked = system;
+    unlinked.links.clear();
+    const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
+    return active.isLinked() || active.maps.size() != ifs::countActive(unlinked);
+}
+
 Held heldBy(const document::Fractal& fractal) {
     const auto of = [](const auto& shape) {
-        return Held{shape.cage.has_value(), !shape.moved.empty(), ifs::activeMaps(shape.system).isLinked()};
+        return Held{shape.cage.has_value(), !shape.moved.empty(), linksMatter(shape.system)};
     };
     if (const auto* plane = document::plane(fractal)) return of(*plane);
     if (const auto* space = document::space(fractal)) return of(*space);
