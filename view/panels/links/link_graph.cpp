@@ -223,19 +223,30 @@ QString LinkGraph::tipAt(const QPoint& position) const {
     return m_model->index(hit.from, hit.to).data(Qt::ToolTipRole).toString();
 }
 
+// Keys that are ours before they are a command of the window.
+bool LinkGraph::takes(int key) const {
+    switch (key) {
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+        return m_to >= 0;
+    case Qt::Key_Space:
+        return m_map >= 0;
+    case Qt::Key_Escape:
+        return m_keyTarget >= 0 || m_pulledFrom >= 0;
+    default:
+        return false;
+    }
+}
+
 bool LinkGraph::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
         return true;
     }
-    // Esc ends an arrow that is being drawn before it ends anything else.
-    if (event->type() == QEvent::ShortcutOverride && (m_keyTarget >= 0 || m_pulledFrom >= 0 || m_to >= 0)) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        const bool isOurs = key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Space ||
-                            (key == Qt::Key_Escape && (m_keyTarget >= 0 || m_pulledFrom >= 0));
-        if (isOurs) event->accept();
-        if (isOurs) return true;
+    if (event->type() == QEvent::ShortcutOverride && takes(static_cast<QKeyEvent*>(event)->key())) {
+        event->accept();
+        return true;
     }
     return QWidget::event(event);
 }

@@ -48,6 +48,7 @@ private:
     void walkMaps(int step);
     void walkArrows(int step);
     bool isLinked(int from, int to) const;
+    bool takes(int key) const;
     void describe();
     QString tipAt(const QPoint& position) const;
     void paintArrows(QPainter& painter) const;
