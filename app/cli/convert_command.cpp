@@ -147,7 +147,8 @@ bool hasActiveMap(const document::Fractal& fractal) {
 }
 
 // Why the entry cannot be written in this form; the code takes up the cage where that is asked.
-std::optional<QString> obstacle(document::Entry& entry, const Arguments& arguments, const Plan& plan) {
+std::optional<QString> obstacle(document::Entry& entry, const Input& input, const Arguments& arguments,
+                                const Plan& plan) {
     if (auto reason = changeDimension(entry, plan.change)) return reason;
     if (auto reason = changeSymmetry(entry, plan.symmetry)) return reason;
     const std::shared_ptr<const document::Fractal> before = entry.fractal;
@@ -164,7 +165,9 @@ std::optional<QString> obstacle(document::Entry& entry, const Arguments& argumen
             return tr("“%1” was omitted: its cage is too flat to be baked into the code.").arg(fractal.name);
         entry.fractal = std::make_shared<const document::Fractal>(*std::move(baked));
     }
-    if (auto reason = expandSymmetry(entry, plan.symmetry)) return reason;
+    Expansion expansion = expanded(entry, plan.symmetry);
+    if (expansion.obstacle) return expansion.obstacle;
+    if (expansion.warning) reportWarning(input.name, *expansion.warning);
     if (const auto* points = std::get_if<io::PointFormat>(&plan.format))
         return io::obstacle({*entry.fractal, plan.points, plan.seed, *points});
     if (plan.format == Format(TextFormat::Aifs) && !hasActiveMap(fractal))
@@ -181,7 +184,7 @@ Content contentOf(const Input& input, const Arguments& arguments, const Plan& pl
     content.file.entries.clear();
     for (document::Entry entry : selection.entries) {
         if (!isLoaded(entry)) continue;
-        if (const auto reason = obstacle(entry, arguments, plan)) {
+        if (const auto reason = obstacle(entry, input, arguments, plan)) {
             reportError(input.name, *reason);
             content.status = ExitStatus::InputProblems;
         } else {

@@ -2,6 +2,7 @@
 #include "symmetry_arguments.h"
 #include "usage_error.h"
 
+#include "document/edits/link_expansion.h"
 #include "document/edits/symmetry_edits.h"
 
 #include <QCoreApplication>
@@ -36,7 +37,7 @@ void addSymmetryOptions(CLI::App& command, SymmetryArguments& arguments) {
         ->group("Symmetry");
     command
         .add_flag("--expand", arguments.expand,
-                  "Write the maps that a symmetry stands for, for programs that know no symmetry")
+                  "Write the plain maps that a symmetry or linked maps stand for, where there are such")
         ->group("Symmetry");
 }
 
@@ -70,11 +71,25 @@ std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChan
     return std::nullopt;
 }
 
-std::optional<QString> expandSymmetry(document::Entry& entry, const SymmetryChange& change) {
-    if (!change.expand || !document::isSymmetric(*entry.fractal)) return std::nullopt;
-    if (QString reason = document::expandObstacle(*entry.fractal); !reason.isEmpty()) return reason;
-    entry.fractal = std::make_shared<const document::Fractal>(document::expanded(*entry.fractal));
-    return std::nullopt;
+Expansion expanded(document::Entry& entry, const SymmetryChange& change) {
+    Expansion result;
+    if (!change.expand) return result;
+    if (document::isSymmetric(*entry.fractal)) {
+        if (const QString reason = document::expandObstacle(*entry.fractal); !reason.isEmpty())
+            return {reason, {}};
+        entry.fractal = std::make_shared<const document::Fractal>(document::expanded(*entry.fractal));
+    }
+    const document::Fractal& fractal = *entry.fractal;
+    if (!document::isLinked(fractal)) return result;
+    if (const QString reason = document::linkExpansionObstacle(fractal); !reason.isEmpty())
+        return {reason, {}};
+    if (!document::linkExpansionKeepsDensity(fractal))
+        result.warning =
+            tr("The plain maps of “%1” have the attractor of its linked maps, but other densities: "
+               "the brightness of the picture changes.")
+                .arg(fractal.name);
+    entry.fractal = std::make_shared<const document::Fractal>(document::withLinksExpanded(fractal));
+    return result;
 }
 
 } // namespace cli

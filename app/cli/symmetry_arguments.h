@@ -9,7 +9,8 @@
 #include <optional>
 #include <string>
 
-// The options of `convert` that give entries a symmetry, and that list the maps one stands for.
+// The options of `convert` that give entries a symmetry, and that list the maps one and linked maps stand
+// for.
 namespace cli {
 
 struct SymmetryArguments {
@@ -27,8 +28,14 @@ struct SymmetryChange {
 };
 SymmetryChange symmetryChange(const SymmetryArguments& arguments); // throws UsageError
 
-// The entry with the symmetry, and then as plain maps; or why it cannot have it.
+// The entry with the symmetry; or why it cannot have it.
 std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChange& change);
-std::optional<QString> expandSymmetry(document::Entry& entry, const SymmetryChange& change);
+
+struct Expansion {
+    std::optional<QString> obstacle; // the entry cannot be written
+    std::optional<QString> warning;
+};
+// The entry as plain maps, without a symmetry and without links.
+Expansion expanded(document::Entry& entry, const SymmetryChange& change);
 
 } // namespace cli

@@ -6,10 +6,10 @@
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
 #include "cage_menu.h"
+#include "collection_commands.h"
 #include "desktop/preferences.h"
 #include "desktop/settings.h"
 #include "dialogs/paste_table_dialog.h"
-#include "document/edits/entries_edits.h"
 #include "dropped_picture.h"
 #include "edit_menu.h"
 #include "file_commands.h"
@@ -64,14 +64,6 @@ namespace {
 constexpr int cascade = 32;         // pixels from one window to the next
 constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
-
-// Adds the fractal to the file as a new entry and shows it: one undo step.
-void addEntry(document::Document& document, const document::Fractal& fractal) {
-    document::Entry entry;
-    entry.fractal = std::make_shared<const document::Fractal>(fractal);
-    document::Inserted added = document::inserted(document.file(), {entry}, document::EntryId::None);
-    document.editFile(MainWindow::tr("Add %1").arg(fractal.name), std::move(added.file), added.ids.front());
-}
 
 } // namespace
 
@@ -221,7 +213,8 @@ void MainWindow::createPanels() {
     });
     connect(&m_file, &OpenFile::pathChanged, problems,
             [this, problems] { problems->setFileName(m_file.name()); });
-    connectCollection(collection);
+    connectCollection(collection,
+                      {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
 }
 
 void MainWindow::connectMaps(view::MapsPanel* maps) {
@@ -236,23 +229,6 @@ void MainWindow::connectMaps(view::MapsPanel* maps) {
     m_canvas->selectMaps(maps->selectedMaps());
     connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
     connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
-}
-
-void MainWindow::connectCollection(view::CollectionPanel* collection) {
-    connect(collection, &view::CollectionPanel::openRequested, this,
-            [this](const document::Fractal& fractal) {
-                if (!m_fileCommands->maybeSave()) return;
-                m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
-            });
-    connect(collection, &view::CollectionPanel::chosen, this, [this](const document::Fractal& fractal) {
-        const bool untouched = m_file.path().isEmpty() && m_document.undoStack()->count() == 0;
-        if (untouched)
-            m_file.startFrom(document::fileOf(fractal), document::EntryId::None);
-        else
-            addEntry(m_document, fractal);
-    });
-    connect(collection, &view::CollectionPanel::addRequested, this,
-            [this](const document::Fractal& fractal) { addEntry(m_document, fractal); });
 }
 
 void MainWindow::createCollage(QDockWidget* neighbour) {

@@ -67,7 +67,6 @@ private:
     void createTimeline();
     void createCollage(QDockWidget* neighbour);
     void connectMaps(view::MapsPanel* maps);
-    void connectCollection(view::CollectionPanel* collection);
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();

@@ -22,7 +22,7 @@ void explainPanels(const QMainWindow& window) {
                     Text::tr("The fractals in the open file. The canvas shows the one you select here.")},
           {"collection", Text::tr("Ready-made fractals by theme, and your own folders of fractals.")},
           {"maps", Text::tr("The maps of the fractal: its code, one map per row.")},
-          {"links", Text::tr("Which maps the chaos game may apply after which, as a matrix.")},
+          {"links", Text::tr("Which maps the chaos game may apply after which, as a graph and as a matrix.")},
           {"cage",
            Text::tr("The control cage in numbers: its vertices, their positions at rest, what moving them "
                     "does, and other cages to choose from.")},

@@ -125,11 +125,11 @@ void ViewMenu::addSnapping() {
 
 void ViewMenu::addTransformation() {
     view::TransformationView* transformation = context().stage->transformation();
-    QAction* shown =
+    m_transformation =
         addToggle({nullptr, tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
                    tr("Show another entry beside this one, and paint this one with a picture on it")},
                   [transformation](bool on) { transformation->setTransformationShown(on); });
-    disableWhen(shown, &document::planeObstacle);
+    disableWhen(m_transformation, &document::planeObstacle);
     connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
 }
 

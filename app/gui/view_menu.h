@@ -13,6 +13,7 @@ public:
     QMenu* panels() const { return m_panels; } // filled by the window
     QAction* fullScreen() const { return m_fullScreen; }
     QAction* presentation() const { return m_presentation; }
+    void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
 
 private:
     void addZoom();
@@ -25,4 +26,5 @@ private:
     QMenu* m_panels = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_presentation = nullptr;
+    QAction* m_transformation = nullptr;
 };

@@ -63,7 +63,7 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l longest -x 
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l lift -x -a auto -d "To space, with this factor of z"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l flatten -x -d "To the plane, along a direction"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l symmetry -x -a "none mirror c2 c3 c4 c5 c6 c8 c12 d2 d3 d4 d5 d6 d8 d12 tetrahedral octahedral icosahedral" -d "Group under which entries become symmetric"
-complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l expand -d "List the maps of a symmetry"
+complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l expand -d "Write the plain maps of a symmetry or of linked maps"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l y-as-written -d "Keep the y of flames as written"
 complete -c barycage-cli -n "__fish_seen_subcommand_from convert" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from info render" -l frame -x -d "Moment of an animation"

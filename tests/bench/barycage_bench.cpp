@@ -10,6 +10,7 @@
 #include "attractor/render/renderer.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
+#include "bench/addresses_bench.h"
 #include "bench/canvas_drag.h"
 #include "bench/collage_bench.h"
 #include "bench/geometry_bench.h"
@@ -540,6 +541,11 @@ void addSpace(std::vector<Metric>& metrics, bool quick) {
         metrics.push_back({ratio.name, ratio.value, ratio.target});
 }
 
+void addAddresses(std::vector<Metric>& metrics, bool quick) {
+    for (const addresses::Ratio& ratio : addresses::measure(quick ? 12 : 40))
+        metrics.push_back({ratio.name, ratio.value, ratio.target});
+}
+
 void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
     std::ofstream file(path);
     file << "{\n";
@@ -565,7 +571,8 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--quick") == 0)
             quick = true;
-        else if (std::strcmp(argv[i], "--drag") == 0 || std::strcmp(argv[i], "--collage") == 0)
+        else if (std::strcmp(argv[i], "--drag") == 0 || std::strcmp(argv[i], "--collage") == 0 ||
+                 std::strcmp(argv[i], "--addresses") == 0)
             only = argv[i] + 2;
         else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
             json = argv[++i];
@@ -582,8 +589,10 @@ int main(int argc, char** argv) {
     if (benchmark::ReportUnrecognizedArguments(count, rest.data())) return 2;
     std::vector<Metric> whole;
     std::vector<Metric> metrics;
-    if (only != "collage") addDrag(whole, quick);
-    if (only != "drag") addCollage(whole, quick);
+    const auto isWanted = [&only](const char* part) { return only.empty() || only == part; };
+    if (isWanted("drag")) addDrag(whole, quick);
+    if (isWanted("collage")) addCollage(whole, quick);
+    if (isWanted("addresses")) addAddresses(whole, quick);
     if (only.empty()) {
         addGeometry(whole, quick);
         addNoise(whole);

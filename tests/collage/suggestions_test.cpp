@@ -30,19 +30,23 @@ struct Entry {
     std::vector<double> probabilities;
 };
 
-// The entries of the collection in the plane with 2 to 6 maps that are contractions.
+// The entries of the collection in the plane with 2 to 6 maps that are contractions, unlinked. Those of
+// transformations are entries of other themes once more.
 std::vector<Entry> collection() {
     std::vector<Entry> entries;
     const QDir folder(support::sourcePath(QStringLiteral("ifs_library")));
-    for (const QString& file : folder.entryList({QStringLiteral("*.ifs")}, QDir::Files, QDir::Name))
+    for (const QString& file : folder.entryList({QStringLiteral("*.ifs")}, QDir::Files, QDir::Name)) {
+        if (file == QStringLiteral("transformations.ifs")) continue;
         for (const document::Entry& entry :
              io::readCollection(io::loadFile(folder.filePath(file)).bytes, file).file.entries) {
             const document::System2* system = document::system2(*entry.fractal);
             if (system == nullptr) continue;
             const auto active = ifs::activeMaps(*system);
             if (active.maps.size() < 2 || active.maps.size() > 6 || contraction(active.maps) >= 1) continue;
+            if (active.isLinked()) continue;
             entries.push_back({entry.fractal->name, active.maps, active.probabilities});
         }
+    }
     return entries;
 }
 

@@ -3,14 +3,20 @@
 
 #include "attractor/samples/chaos_game.h"
 #include "document/animated_fractal.h"
+#include "document/edits/coupled_entries.h"
+#include "document/edits/link_expansion.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/tops/kept_theft.h"
+#include "document/tops/theft_starters.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/dimension.h"
 #include "ifs/dimension/moments.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/extent/extent.h"
 #include "ifs/facts.h"
+#include "ifs/links/linked_existence.h"
+#include "ifs/system/links.h"
 #include "io/fractint/fractint_strict.h"
 #include "support/paths.h"
 
@@ -22,6 +28,8 @@
 
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <utility>
 
 class CollectionTest : public QObject {
     Q_OBJECT
@@ -53,6 +61,10 @@ private slots:
     void solidsHaveTheirDimension_data();
     void solidsHaveTheirDimension();
     void fern3IsFractints();
+    void linkedMapsHaveTheirDimension_data();
+    void linkedMapsHaveTheirDimension();
+    void partsOfTilesHaveTheirAreas();
+    void transformationsFindTheirPartners();
 
 private:
     void entryRows(int dimension = 0); // 0: of the plane and of space
@@ -174,8 +186,10 @@ void CollectionTest::entriesLoadWithoutAProblem() {
     QVERIFY(document::dimension(*loaded.fractal) != 0);
     QVERIFY(!loaded.fractal->headerComment.isEmpty()); // its title
     const io::StrictText strict = io::writeStrict(file, {loaded.id});
+    const bool isPlain = !document::isLinked(*loaded.fractal) &&
+                         m_themes[theme].fileName != QStringLiteral("transformations.ifs");
     for (const document::Problem& problem : strict.problems) // other programs have palettes of their own
-        QVERIFY2(problem.message.endsWith(QStringLiteral("is written without its palette.")),
+        QVERIFY2(!isPlain || problem.message.endsWith(QStringLiteral("is written without its palette.")),
                  qPrintable(problem.message));
     const document::FractalFile again = io::readFractint(strict.bytes);
     QCOMPARE(again.entries.size(), 1);
@@ -285,7 +299,8 @@ void CollectionTest::geometryIsCertified() {
     const ifs::Facts<2> facts = ifs::factsOf<2>(system);
     QVERIFY(facts.box && facts.simplex && facts.hull);
     const double diagonal = (facts.box->max - facts.box->min).norm();
-    QVERIFY(facts.hull->error <= 1e-6 * diagonal);
+    const double tolerance = ifs::activeMaps(system).isLinked() ? 2e-5 : 1e-6;
+    QVERIFY2(facts.hull->error <= tolerance * diagonal, qPrintable(QString::number(facts.hull->error)));
     QVERIFY(facts.simplex->error <= 1e-11 * facts.simplex->leg);
 }
 
@@ -384,6 +399,97 @@ void CollectionTest::fern3IsFractints() {
     const ifs::Vector<3> max(1.623248571865150, 7.997725100771707, 0);
     QVERIFY((box.min - min).norm() < 1e-9);
     QVERIFY((box.max - max).norm() < 1e-9);
+}
+
+void CollectionTest::linkedMapsHaveTheirDimension_data() {
+    QTest::addColumn<double>("dimension");
+    constexpr double boundary = 1.523627086202492; // of the dragon: 2 log2 λ, λ³ = λ² + 2
+    constexpr double phi = std::numbers::phi;
+    QTest::newRow("penrose_tiles") << 2.0;
+    QTest::newRow("penrose_cracks") << 2 * std::log(phi) / std::log(phi / 0.93);
+    QTest::newRow("rauzy_parts") << 2.0;
+    QTest::newRow("dragon_boundary") << boundary;
+    QTest::newRow("twin_boundary") << boundary;
+    QTest::newRow("golden_mean") << 2 * 0.694241913630617;
+    QTest::newRow("shift_dragon") << 2 * 0.694241913630617;
+    QTest::newRow("pentagon_restless") << 2.0;
+    for (const char* name : {"square_one_way", "square_neighbours", "hexagon_steps", "pentagon_steps"})
+        QTest::newRow(name) << std::log2(3.0);
+}
+
+void CollectionTest::linkedMapsHaveTheirDimension() {
+    QFETCH(double, dimension);
+    const auto& system = *document::system2(named(QString::fromLatin1(QTest::currentDataTag())));
+    for (const ifs::LinkState state : ifs::linkStates(system))
+        QVERIFY(state == ifs::LinkState::TakesPart);
+    const auto active = ifs::activeMaps(system);
+    QVERIFY(active.isLinked());
+    QCOMPARE(active.links.size(), active.maps.size() * active.maps.size());
+    const ifs::Verdict verdict = ifs::classifyLinked<2>(active).verdict;
+    QVERIFY(verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive);
+    const std::optional<double> found = ifs::factsOf<2>(system).similarityDimension;
+    QVERIFY(found);
+    QVERIFY2(std::abs(*found - dimension) < 1e-12, qPrintable(QString::number(*found, 'g', 17)));
+}
+
+// Counted on a grid by the chaos game, without the engine.
+void CollectionTest::partsOfTilesHaveTheirAreas() {
+    constexpr double tribonacci = 1.839286755214161, side = 300; // cells to the unit
+    const auto areas = [&](const QString& name) {
+        const auto& system = *document::system2(named(name));
+        const std::vector<double> matrix = ifs::linkMatrix(system);
+        const std::size_t n = system.maps.size();
+        std::mt19937_64 random(1);
+        std::vector<std::discrete_distribution<std::size_t>> next;
+        for (std::size_t i = 0; i < n; ++i) {
+            std::vector<double> weights;
+            for (std::size_t j = 0; j < n; ++j)
+                weights.push_back(*system.maps[j].weight * matrix[i * n + j]);
+            next.emplace_back(weights.begin(), weights.end());
+        }
+        std::vector<QSet<std::pair<int, int>>> cells(n);
+        ifs::Vector<2> x(0, 0);
+        std::size_t at = 0;
+        for (int k = 0; k < 3'000'000; ++k) {
+            at = next[at](random);
+            x = system.maps[at].map(x);
+            if (k > 100) cells[at].insert({int(std::floor(x.x() * side)), int(std::floor(x.y() * side))});
+        }
+        std::vector<double> counts;
+        for (const auto& part : cells)
+            counts.push_back(double(part.size()));
+        return counts;
+    };
+    const std::vector<double> rauzy = areas(QStringLiteral("rauzy_parts"));
+    QVERIFY2(std::abs(rauzy[0] / rauzy[1] - tribonacci) < 0.03,
+             qPrintable(QString::number(rauzy[0] / rauzy[1])));
+    QVERIFY2(std::abs(rauzy[1] / rauzy[2] - tribonacci) < 0.03,
+             qPrintable(QString::number(rauzy[1] / rauzy[2])));
+    const std::vector<double> penrose = areas(QStringLiteral("penrose_tiles")); // the kite, then the dart
+    const double kite = std::reduce(penrose.begin(), penrose.begin() + 16, 0.0);
+    const double dart = std::reduce(penrose.begin() + 16, penrose.end(), 0.0);
+    QVERIFY2(std::abs(kite / dart - std::numbers::phi) < 0.03, qPrintable(QString::number(kite / dart)));
+}
+
+// Both entries of each, which together open as a picture.
+void CollectionTest::transformationsFindTheirPartners() {
+    int transformations = 0;
+    QSet<int> patterns;
+    for (const golden::Theme& theme : m_themes)
+        for (const document::Entry& entry : theme.file.entries) {
+            const auto kept = document::keptTheft(*entry.fractal);
+            if (!kept) continue;
+            const char* said = qPrintable(entry.fractal->name);
+            ++transformations;
+            patterns.insert(int(kept->pattern));
+            QVERIFY2(kept->picture.isEmpty(), said); // no path that might break
+            const document::EntryId id = document::entryNamed(theme.file, kept->partner);
+            QVERIFY2(id != document::EntryId::None, said);
+            const document::Fractal& partner = *theme.file.entries[document::indexOf(theme.file, id)].fractal;
+            QVERIFY2(document::coupled(*entry.fractal, partner, kept->order).entries, said);
+        }
+    QCOMPARE(transformations, 12);
+    QVERIFY(patterns.size() >= 6);
 }
 
 void CollectionTest::samplesHaveTheExactMoments() {

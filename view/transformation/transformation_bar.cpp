@@ -104,11 +104,15 @@ void TransformationBar::addPictures() {
     QMenu* menu = m_picture->menu();
     menu->addAction(tr("Choose Picture…"), this, &TransformationBar::pictureWanted);
     menu->addSeparator();
-    const std::array<std::pair<attractor::Pattern, QString>, 4> patterns{{
+    const std::array<std::pair<attractor::Pattern, QString>, 8> patterns{{
         {attractor::Pattern::Wheel, tr("Colour Wheel")},
         {attractor::Pattern::Grid, tr("Grid")},
         {attractor::Pattern::Rings, tr("Rings")},
         {attractor::Pattern::Sunset, tr("Sunset")},
+        {attractor::Pattern::Glass, tr("Stained Glass")},
+        {attractor::Pattern::Marble, tr("Marble")},
+        {attractor::Pattern::Tartan, tr("Tartan")},
+        {attractor::Pattern::Waves, tr("Waves")},
     }};
     for (const auto& [pattern, name] : patterns)
         menu->addAction(name, this, [this, pattern = pattern] { emit patternChosen(pattern); });

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace attractor {
@@ -73,6 +74,76 @@ Colour sunset(double x, double y) {
     return sky;
 }
 
+// A number from 0 to 1 that looks random, the same on every machine.
+double chance(unsigned x, unsigned y, unsigned which) {
+    unsigned bits = x * 0x9E3779B1U ^ y * 0x85EBCA77U ^ which * 0xC2B2AE3DU;
+    bits = (bits ^ bits >> 15) * 0x2C1B3C6DU;
+    bits = (bits ^ bits >> 12) * 0x297A2D39U;
+    return double((bits ^ bits >> 15) >> 8) / double(1U << 24);
+}
+
+// Every point belongs to the nearest of the centres, one in each cell of a square grid.
+Colour glass(double x, double y) {
+    constexpr double cells = 7, lead = 0.045;
+    const int column = int(x * cells), row = int(y * cells);
+    double nearest = 9, second = 9, tint = 0, shade = 0;
+    for (int i = column - 2; i <= column + 2; ++i)
+        for (int j = row - 2; j <= row + 2; ++j) {
+            const unsigned u = unsigned(i + 8), v = unsigned(j + 8);
+            const double far = std::hypot(x * cells - (i + 0.15 + 0.7 * chance(u, v, 1)),
+                                          y * cells - (j + 0.15 + 0.7 * chance(u, v, 2)));
+            if (far >= nearest) {
+                second = std::min(second, far);
+                continue;
+            }
+            second = std::exchange(nearest, far);
+            tint = chance(u, v, 3);
+            shade = chance(u, v, 4);
+        }
+    if (second - nearest < lead) return {0.07, 0.07, 0.09};
+    const Colour pane = mixed(hue(tint), {0.10, 0.16, 0.42}, 0.15 + 0.4 * shade);
+    return mixed(pane, {1, 1, 1}, 0.28 * std::clamp(1 - nearest, 0.0, 1.0));
+}
+
+Colour marble(double x, double y) {
+    const double u = x + 0.11 * std::sin(5 * y + 2) + 0.05 * std::sin(13 * y + 4 * x);
+    const double v = y + 0.11 * std::sin(6 * x + 1) + 0.05 * std::sin(11 * x - 5 * y);
+    const double vein = 1 - std::abs(std::sin(7 * u + 4 * v + 1.3 * std::sin(9 * v)));
+    const double fine = 1 - std::abs(std::sin(23 * u - 17 * v + 2 * std::sin(8 * u)));
+    const Colour stone = mixed({0.93, 0.55, 0.25}, {0.72, 0.20, 0.16}, v);
+    const Colour veined = mixed(stone, {0.99, 0.86, 0.52}, std::pow(vein, 5));
+    return mixed(veined, {0.28, 0.10, 0.14}, 0.7 * std::pow(fine, 9));
+}
+
+// What threads a stripe of the cloth has, from 0 to 1 across.
+Colour thread(double at) {
+    const double part = at * 4 - std::floor(at * 4);
+    if (part < 0.06 || (part > 0.44 && part < 0.50)) return {0.95, 0.83, 0.42};
+    if (part < 0.22) return {0.60, 0.10, 0.14};
+    if (part < 0.44) return {0.08, 0.22, 0.36};
+    if (part < 0.72) return {0.10, 0.36, 0.27};
+    return part < 0.78 ? Colour{0.94, 0.93, 0.88} : Colour{0.60, 0.10, 0.14};
+}
+
+Colour tartan(double x, double y) {
+    const int twill = (int(x * 256) + int(y * 256)) & 3;
+    return mixed(thread(x), thread(y), twill < 2 ? 0.38 : 0.62);
+}
+
+Colour waves(double x, double y) {
+    Colour seen = mixed({0.98, 0.91, 0.76}, {0.55, 0.74, 0.83}, (y - 0.75) * 4);
+    constexpr int count = 9;
+    for (int k = 0; k < count; ++k) { // the nearest last
+        const double nearness = (k + 1.0) / count, length = 4 + 14 * (1 - nearness);
+        const double crest = 0.80 - 0.78 * nearness + 0.035 * std::sin(length * x * 2 + 2.3 * k) +
+                             0.05 * nearness * std::abs(std::sin(length * x + 1.7 * k));
+        if (y > crest) continue;
+        seen = mixed({0.35, 0.66, 0.72}, {0.03, 0.16, 0.34}, nearness);
+        seen = mixed({0.97, 0.99, 0.98}, seen, (crest - y) / (0.012 + 0.012 * nearness));
+    }
+    return seen;
+}
+
 Colour colourOf(Pattern pattern, double x, double y) {
     switch (pattern) {
     case Pattern::Grid:
@@ -82,12 +153,21 @@ Colour colourOf(Pattern pattern, double x, double y) {
     case Pattern::Rings:
         return rings(x, y);
     case Pattern::Sunset:
+        return sunset(x, y);
+    case Pattern::Glass:
+        return glass(x, y);
+    case Pattern::Marble:
+        return marble(x, y);
+    case Pattern::Tartan:
+        return tartan(x, y);
+    case Pattern::Waves:
         break;
     }
-    return sunset(x, y);
+    return waves(x, y);
 }
 
-constexpr std::array<std::string_view, 4> names{"grid", "wheel", "rings", "sunset"};
+constexpr std::array<std::string_view, 8> names{"grid",  "wheel",  "rings",  "sunset",
+                                                "glass", "marble", "tartan", "waves"};
 
 } // namespace
 

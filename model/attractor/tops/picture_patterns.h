@@ -15,8 +15,13 @@ enum class Pattern {
     Wheel,  // all hues about the middle
     Rings,  // even rings about the middle
     Sunset, // a sky with a sun over hills
+    Glass,  // panes of coloured glass between lead
+    Marble, // veins in a warm stone
+    Tartan, // woven stripes
+    Waves,  // a rough sea under a pale sky
 };
-inline constexpr Pattern patterns[] = {Pattern::Grid, Pattern::Wheel, Pattern::Rings, Pattern::Sunset};
+inline constexpr Pattern patterns[] = {Pattern::Grid,  Pattern::Wheel,  Pattern::Rings,  Pattern::Sunset,
+                                       Pattern::Glass, Pattern::Marble, Pattern::Tartan, Pattern::Waves};
 
 std::string_view nameOf(Pattern pattern); // as files store it
 std::optional<Pattern> patternNamed(std::string_view name);

@@ -82,7 +82,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
                 true,
                 colours.holdsMapColours,
                 flameHoldsSymmetry(fractal),
-                true};
+                true,
+                false};
     }
     return lossBeside(kept, fractal);
 }

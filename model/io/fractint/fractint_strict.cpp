@@ -2,6 +2,7 @@
 #include "io/fractint/fractint_strict.h"
 
 #include "document/edits/symmetry_edits.h"
+#include "document/tops/kept_theft.h"
 #include "document/unique_names.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/fractint/fractint_rows.h"
@@ -63,7 +64,8 @@ public:
 
 private:
     void append(const Entry& entry) {
-        const document::Fractal fractal = document::expanded(*entry.fractal);
+        const document::Fractal fractal =
+            document::withTheft(document::expanded(*entry.fractal), std::nullopt);
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
             return m_text.problems.append({Problem::Severity::Error, fractal.name, 0, 0,

@@ -4,6 +4,7 @@
 #include "document/edits/cage_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/tops/kept_theft.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -22,9 +23,18 @@ struct Held {
     bool linked = false;
 };
 
+// Whether they make a difference: between the maps that take part, or in which these are.
+template <int Dim> bool linksMatter(const ifs::IteratedFunctionSystem<Dim>& system) {
+    if (system.links.empty()) return false;
+    auto unlinked = system;
+    unlinked.links.clear();
+    const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
+    return active.isLinked() || active.maps.size() != ifs::countActive(unlinked);
+}
+
 Held heldBy(const document::Fractal& fractal) {
     const auto of = [](const auto& shape) {
-        return Held{shape.cage.has_value(), !shape.moved.empty(), ifs::activeMaps(shape.system).isLinked()};
+        return Held{shape.cage.has_value(), !shape.moved.empty(), linksMatter(shape.system)};
     };
     if (const auto* plane = document::plane(fractal)) return of(*plane);
     if (const auto* space = document::space(fractal)) return of(*space);
@@ -43,6 +53,7 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     if (held.cage) lost << Text::tr("its cage");
     if (held.moved) lost << Text::tr("its moved branches");
     const bool losesLinks = held.linked && !kept.links;
+    if (document::keptTheft(fractal) && !kept.transformation) lost << Text::tr("its fractal transformation");
     if (losesLinks) lost << Text::tr("the links of its maps");
     if (!kept.palette && !(rest.palette == usual.palette)) lost << Text::tr("its palette");
     if (!kept.background && !(rest.background == usual.background)) lost << Text::tr("its background");

@@ -20,6 +20,10 @@ private slots:
     void drawsThem();
     void convertsThem();
     void expandsNothingElse();
+    void expandsWhatIsPlain();
+    void refusesWhatIsNot();
+    void expandsSymmetryAndLinks();
+    void saysThatTransformationsAreLost();
 };
 
 void CliLinksTest::init() {
@@ -85,6 +89,8 @@ void CliLinksTest::convertsThem() {
     QVERIFY(read("back.ifs").contains("; barycage: links 2 1 0"));
     const auto table = run("convert golden.ifs golden.csv");
     QVERIFY(table.err.contains("links"));
+    // Even where the maps that take part are as good as unlinked.
+    QVERIFY(run("convert ends.ifs ends.csv").err.contains("the links of its maps"));
     const auto strict = run("convert --strict golden.ifs strict.ifs");
     QVERIFY(strict.err.contains("links") && !read("strict.ifs").contains("links"));
 }
@@ -97,6 +103,73 @@ void CliLinksTest::expandsNothingElse() {
         const auto result = run(command);
         QVERIFY2(result.status != 0 && result.err.contains("linked"), result.err);
     }
+}
+
+// The golden mean shift is the attractor of w1 and w2 w1.
+void CliLinksTest::expandsWhatIsPlain() {
+    const auto result = run("convert --expand golden.ifs plain.ifs");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("other densities"), result.err);
+    QVERIFY(!read("plain.ifs").contains("links"));
+    const QJsonObject entry = run("info --json plain.ifs").entry();
+    QVERIFY(entry["links"_L1].isNull());
+    QCOMPARE(entry["maps"_L1].toArray().size(), 2);
+    compare(entry["similarity_dimension"_L1].toDouble(), 0.694241913630617, 1e-14);
+    compare(entry["bounding_box"_L1].toObject()["max"_L1].toArray().at(0).toDouble(), 2 / 3.0, 1e-13);
+    QCOMPARE(run("render plain.ifs -o plain.svg").status, 0); // which linked maps cannot have
+    // Maps that take no part are switched off.
+    QCOMPARE(run("convert --expand ends.ifs --to csv -").status, 0);
+    const auto off = run("convert --expand ends.ifs off.ifs");
+    QCOMPARE(off.status, 0);
+    QVERIFY(!off.err.contains("densities") && !read("off.ifs").contains("links"));
+    const QJsonArray maps = run("info --json off.ifs").entry()["maps"_L1].toArray();
+    QCOMPARE(maps.at(0).toObject()["weight"_L1].toDouble(), 1.0);
+    QCOMPARE(maps.at(1).toObject()["weight"_L1].toDouble(), 0.0);
+    QCOMPARE(maps.at(2).toObject()["weight"_L1].toDouble(), 0.0);
+}
+
+void CliLinksTest::refusesWhatIsNot() {
+    write("line.ifs",
+          "line {\n; barycage: links 1 0 1 0\n; barycage: links 2 0 0 1\n; barycage: links 3 1 0 1\n"
+          " .3 0 0 .3 0 0 1\n .3 0 0 .3 .3 0 1\n .3 0 0 .3 .6 0 1\n}\n");
+    for (const char* output : {"line.csv", "plain.ifs", "line.flame"}) {
+        const auto result = run(QByteArray("convert --expand line.ifs ") + output);
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.err.contains("cannot be written as plain maps"), result.err);
+    }
+    write("void.ifs", "void {\n; barycage: links 1 0 1\n; barycage: links 2 0 0\n"
+                      " .3 0 0 .3 0 0 1\n .3 0 0 .3 .3 0 1\n}\n");
+    const auto result = run("convert --expand void.ifs plain.ifs");
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.err.contains("come to an end"), result.err);
+}
+
+void CliLinksTest::expandsSymmetryAndLinks() {
+    QCOMPARE(run("convert --symmetry c3 golden.ifs round.ifs").status, 0);
+    QCOMPARE(run("convert --expand round.ifs plain.ifs").status, 0);
+    const QJsonObject entry = run("info --json plain.ifs").entry();
+    QVERIFY(entry["links"_L1].isNull() && entry["symmetry"_L1].isNull());
+    // γw1, and γw2 γ'w1
+    QCOMPARE(entry["maps"_L1].toArray().size(), 3 + 9);
+    const auto width = [&](const char* file) {
+        const QJsonObject box = run(QByteArray("info --json ") + file).entry()["bounding_box"_L1].toObject();
+        return box["max"_L1].toArray().at(0).toDouble() - box["min"_L1].toArray().at(0).toDouble();
+    };
+    compare(width("plain.ifs"), width("round.ifs"), 1e-9);
+}
+
+void CliLinksTest::saysThatTransformationsAreLost() {
+    write("pair.ifs", "f {\n; barycage: partner g\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
+                      "g {\n .3 0 0 .3 0 0 .5\n .3 0 0 .3 .7 0 .5\n}\n");
+    for (const char* output : {"f.csv", "f.flame", "f.aifs"}) {
+        const auto result = run(QByteArray("convert pair.ifs --entry f ") + output);
+        QCOMPARE(result.status, 0);
+        QVERIFY2(result.err.contains("fractal transformation"), output);
+    }
+    const auto strict = run("convert --strict pair.ifs strict.ifs");
+    QVERIFY(strict.err.contains("fractal transformation"));
+    QVERIFY(!read("strict.ifs").contains("partner"));
+    QVERIFY(run("convert pair.ifs same.ifs").err.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(CliLinksTest)

@@ -2,7 +2,10 @@
 #include "canvas/canvas_view.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/theft_starters.h"
+#include "io/collection_source.h"
 #include "io/fractint/fractint_reader.h"
+#include "panels/collection/collection_panel.h"
+#include "panels/entries/entries_panel.h"
 #include "stage.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
@@ -10,6 +13,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDragEnterEvent>
+#include <QListView>
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
@@ -37,6 +41,8 @@ private slots:
     void theOrderIsKept();
     void exportsThePicture();
     void everyModeIsKept();
+    void theCollectionShowsItWithItsPartner();
+    void aRenamedPartnerStays();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -286,6 +292,38 @@ void TransformationWindowTest::everyModeIsKept() {
         QTest::qWait(300);
         before = canvas()->picture();
     }
+}
+
+// One double click there.
+void TransformationWindowTest::theCollectionShowsItWithItsPartner() {
+    auto* panel = m_window->findChild<view::CollectionPanel*>();
+    const io::CollectionTheme theme = io::readTheme(QStringLiteral(":/ifs_library/transformations.ifs"));
+    const document::Fractal triangle = *theme.entries[0].fractal, moved = *theme.entries[1].fractal;
+    emit panel->chosen({triangle, moved});
+    QVERIFY(view()->isTransformationShown());
+    QCOMPARE(document().file().entries.size(), 2);
+    QCOMPARE(document().fractal().name, QStringLiteral("sunset_triangle"));
+    QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 30000);
+    QVERIFY2(view()->bar()->problem().isEmpty(), qPrintable(view()->bar()->problem()));
+    // A second time, as entries of this file: the copies are partners of one another.
+    emit panel->addRequested({triangle, moved});
+    QCOMPARE(steps(), 1);
+    QCOMPARE(document().file().entries.size(), 4);
+    QCOMPARE(kept().partner, document().file().entries[3].fractal->name);
+    QVERIFY(kept().partner != moved.name);
+}
+
+void TransformationWindowTest::aRenamedPartnerStays() {
+    openFamily();
+    auto* entries = m_window->findChild<view::EntriesPanel*>()->findChild<QListView*>();
+    const int before = steps();
+    QAbstractItemModel* model = entries->model();
+    QVERIFY(model->setData(model->index(model->rowCount() - 1, 0), QStringLiteral("new-name")));
+    QCOMPARE(steps(), before + 1);
+    QCOMPARE(kept().partner, QStringLiteral("new-name"));
+    QVERIFY(view()->bar()->problem().isEmpty());
+    document().undoStack()->undo();
+    QCOMPARE(kept().partner, QStringLiteral("triangle-moved"));
 }
 
 QTEST_MAIN(TransformationWindowTest)

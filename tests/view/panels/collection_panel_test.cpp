@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/clipboard.h"
 #include "desktop/settings.h"
+#include "document/tops/kept_theft.h"
 #include "io/picture/thumbnail_cache.h"
 #include "panels/collection/collection_filter.h"
 #include "panels/collection/collection_model.h"
@@ -22,6 +23,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+
+#include <memory>
 
 using namespace Qt::StringLiterals;
 using view::CollectionModel;
@@ -75,6 +78,7 @@ private slots:
     void readingCanBeStopped();
     void dragsAsText();
     void favouritesAreKept();
+    void partnersComeAlong();
 };
 
 void CollectionPanelTest::initTestCase() {
@@ -151,9 +155,9 @@ void CollectionPanelTest::opensAndAdds() {
     QStringList opened;
     QStringList added;
     connect(&panel, &CollectionPanel::chosen, this,
-            [&opened](const document::Fractal& fractal) { opened.append(fractal.name); });
+            [&opened](const QList<document::Fractal>& chosen) { opened.append(chosen.first().name); });
     connect(&panel, &CollectionPanel::addRequested, this,
-            [&added](const document::Fractal& fractal) { added.append(fractal.name); });
+            [&added](const QList<document::Fractal>& chosen) { added.append(chosen.first().name); });
     QTRY_VERIFY(grid->model()->rowCount() > 3);
     for (const QAction* action : grid->actions())
         QVERIFY(!action->statusTip().isEmpty());
@@ -317,6 +321,32 @@ void CollectionPanelTest::favouritesAreKept() {
     action(again, u"Fa&vourites Only"_s)->setChecked(false);
     again.findChild<QLineEdit*>()->clear();
     QTRY_VERIFY(!why->isVisible());
+}
+
+// Of the same theme, with the picture by its full path where the folder is the user's own.
+void CollectionPanelTest::partnersComeAlong() {
+    view::Thumbnails thumbnails;
+    CollectionModel model(&thumbnails);
+    io::CollectionTheme pair = theme(u"Pairs"_s, {u"f"_s, u"g"_s, u"alone"_s});
+    const auto keep = [&](qsizetype index, const QString& partner) {
+        document::KeptTheft theft;
+        theft.partner = partner;
+        theft.picture = u"a.png"_s;
+        pair.entries[index].fractal = std::make_shared<const document::Fractal>(
+            document::withTheft(*pair.entries[index].fractal, theft));
+    };
+    keep(0, u"G"_s);
+    keep(2, u"missing"_s);
+    model.append(pair, u"/home/me"_s);
+    const QList<document::Fractal> both = model.withPartnerAt(model.index(1));
+    QCOMPARE(both.size(), 2);
+    QCOMPARE(both[1].name, u"g"_s);
+    QCOMPARE(document::keptTheft(both[0])->picture, u"/home/me/a.png"_s);
+    QCOMPARE(model.withPartnerAt(model.index(2)).size(), 1);
+    QCOMPARE(model.withPartnerAt(model.index(3)).size(), 1);
+    QVERIFY(model.withPartnerAt(model.index(0)).isEmpty()); // a title
+    const std::unique_ptr<QMimeData> dragged(model.mimeData({model.index(1)}));
+    QVERIFY(dragged->text().contains(u"f {"_s) && dragged->text().contains(u"g {"_s));
 }
 
 QTEST_MAIN(CollectionPanelTest)

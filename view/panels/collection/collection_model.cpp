@@ -2,12 +2,16 @@
 #include "panels/collection/collection_model.h"
 
 #include "desktop/clipboard.h"
+#include "document/tops/kept_theft.h"
+#include "document/tops/partner_names.h"
 #include "io/file/background.h"
 #include "widgets/tooltip_text.h"
 
 #include <QMimeData>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace view {
 namespace {
@@ -74,6 +78,21 @@ void CollectionModel::removeFolder(const QString& folder) {
 
 std::shared_ptr<const document::Fractal> CollectionModel::fractalAt(const QModelIndex& index) const {
     return index.isValid() ? m_rows[index.row()].entry.fractal : nullptr;
+}
+
+QList<document::Fractal> CollectionModel::withPartnerAt(const QModelIndex& index) const {
+    const auto chosen = fractalAt(index);
+    if (!chosen) return {};
+    const Row& row = m_rows[index.row()];
+    QList<document::Fractal> fractals{document::withPictureFrom(*chosen, row.folder)};
+    const auto theft = document::keptTheft(*chosen);
+    if (!theft) return fractals;
+    const auto partner = std::ranges::find_if(m_rows, [&](const Row& other) {
+        return other.theme == row.theme && other.folder == row.folder && other.entry.fractal &&
+               other.entry.fractal->name.compare(theft->partner, Qt::CaseInsensitive) == 0;
+    });
+    if (partner != m_rows.end()) fractals << document::withPictureFrom(*partner->entry.fractal, row.folder);
+    return fractals;
 }
 
 int CollectionModel::rowCount(const QModelIndex& parent) const {
@@ -167,7 +186,10 @@ QStringList CollectionModel::mimeTypes() const {
 QMimeData* CollectionModel::mimeData(const QModelIndexList& indexes) const {
     QList<document::Entry> entries;
     for (const QModelIndex& index : indexes)
-        if (fractalAt(index)) entries.append(m_rows[index.row()].entry);
+        for (document::Fractal& fractal : withPartnerAt(index)) {
+            entries.append(document::Entry());
+            entries.last().fractal = std::make_shared<const document::Fractal>(std::move(fractal));
+        }
     return entriesMimeData(entries).release();
 }
 

@@ -33,6 +33,8 @@ public:
 
     // nullptr for the title of a theme.
     std::shared_ptr<const document::Fractal> fractalAt(const QModelIndex& index) const;
+    // It, and behind it the partner of its fractal transformation, with the picture by its full path.
+    QList<document::Fractal> withPartnerAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

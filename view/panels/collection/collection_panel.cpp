@@ -130,7 +130,7 @@ void CollectionPanel::createActions() {
         tr("Add the selected fractal to the open file, or open it if you have not edited anything."),
         QStringLiteral("add"), {Qt::Key_Return, Qt::Key_Enter});
     connect(m_use, &QAction::triggered, this, [this] {
-        if (const document::Fractal* fractal = current()) emit chosen(*fractal);
+        if (const auto fractals = current(); !fractals.isEmpty()) emit chosen(fractals);
     });
     m_open =
         createAction(tr("&Open as New Document"), tr("Open the selected fractal as a separate document."),
@@ -155,10 +155,10 @@ void CollectionPanel::createActions() {
         createAction(tr("Add &Folder…"), tr("Add the .ifs files of one of your own folders to this list."),
                      QStringLiteral("add-folder"), {});
     connect(m_open, &QAction::triggered, this, [this] {
-        if (const document::Fractal* fractal = current()) emit openRequested(*fractal);
+        if (const auto fractals = current(); !fractals.isEmpty()) emit openRequested(fractals);
     });
     connect(m_add, &QAction::triggered, this, [this] {
-        if (const document::Fractal* fractal = current()) emit addRequested(*fractal);
+        if (const auto fractals = current(); !fractals.isEmpty()) emit addRequested(fractals);
     });
     connect(m_addFolder, &QAction::triggered, this, &CollectionPanel::chooseFolder);
     new FocusShortcuts(m_grid);
@@ -273,15 +273,14 @@ void CollectionPanel::saveFolders() const {
 }
 
 void CollectionPanel::updateActions() {
-    m_use->setEnabled(current());
-    m_open->setEnabled(current());
-    m_add->setEnabled(current());
-    m_favourite->setEnabled(current());
+    const bool isFractal = !current().isEmpty();
+    for (QAction* action : {m_use, m_open, m_add, m_favourite})
+        action->setEnabled(isFractal);
     m_favourite->setChecked(m_grid->currentIndex().data(CollectionModel::FavouriteRole).toBool());
 }
 
-const document::Fractal* CollectionPanel::current() const {
-    return m_model->fractalAt(m_filtered->mapToSource(m_grid->currentIndex())).get();
+QList<document::Fractal> CollectionPanel::current() const {
+    return m_model->withPartnerAt(m_filtered->mapToSource(m_grid->currentIndex()));
 }
 
 bool CollectionPanel::event(QEvent* event) {

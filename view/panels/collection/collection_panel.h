@@ -34,9 +34,10 @@ public:
     QStringList folders() const { return m_folders; }
 
 signals:
-    void chosen(const document::Fractal& fractal);        // by a double click or Enter
-    void openRequested(const document::Fractal& fractal); // as a document of its own
-    void addRequested(const document::Fractal& fractal);  // to the open file
+    // The fractal, and behind it the partner of its fractal transformation.
+    void chosen(const QList<document::Fractal>& fractals);        // by a double click or Enter
+    void openRequested(const QList<document::Fractal>& fractals); // as a document of its own
+    void addRequested(const QList<document::Fractal>& fractals);  // to the open file
 
 protected:
     bool event(QEvent* event) override;
@@ -56,7 +57,7 @@ private:
     void updateActions();
     void chooseFound();
     void sayWhyEmpty();
-    const document::Fractal* current() const;
+    QList<document::Fractal> current() const; // nothing, one, or with its partner
 
     Thumbnails* m_thumbnails;
     CollectionModel* m_model;

@@ -2,6 +2,7 @@
 #include "panels/entries/entries_model.h"
 
 #include "document/edits/entries_edits.h"
+#include "document/tops/partner_names.h"
 #include "io/file/background.h"
 
 #include <QScopedValueRollback>
@@ -118,10 +119,8 @@ bool EntriesModel::setData(const QModelIndex& index, const QVariant& value, int 
         emit refused(*problem);
         return false;
     }
-    document::Fractal fractal = *entry.fractal;
-    fractal.name = name;
     m_document->editFile(tr("Rename “%1” to “%2”").arg(entry.fractal->name, name),
-                         replaced(m_document->file(), entry.id, std::move(fractal)));
+                         document::renamed(m_document->file(), entry.id, name));
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include "desktop/clipboard.h"
 #include "dialogs/paste_table_dialog.h"
 #include "document/edits/entries_edits.h"
+#include "document/tops/partner_names.h"
 #include "io/file/background.h"
 #include "panels/entries/entries_comment_dialog.h"
 #include "panels/entries/entries_delegate.h"
@@ -291,13 +292,13 @@ QList<EntryId> EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId 
     if (m_document->file().entries.size() + entries.size() > maxAtOnce) {
         auto inserting = io::inBackground<document::Inserted>(
             [file = m_document->file(), entries, after](QPromise<document::Inserted>& promise) {
-                promise.addResult(inserted(file, entries, after));
+                promise.addResult(insertedTogether(file, entries, after));
             });
         if (!waitFor(QFuture<void>(inserting), tr("Adding entries…"), this)) return {};
         result = inserting.takeResult();
     }
     if (result.ids.isEmpty() || m_document->revision() != before) // nothing that was edited meanwhile is lost
-        result = inserted(m_document->file(), entries, after);
+        result = insertedTogether(m_document->file(), entries, after);
     m_document->editFile(text, result.file, result.ids.front());
     const QString name = m_model->indexOf(result.ids.front()).data().toString();
     if (!name.contains(m_filter->text().trimmed(), Qt::CaseInsensitive)) m_filter->clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/links/links_model.h"
 
+#include "attractor/request/appearance.h"
 #include "document/edits/link_edits.h"
 #include "widgets/number_text.h"
 
@@ -33,7 +34,7 @@ LinksModel::LinksModel(document::Document* document, QObject* parent)
     : QAbstractTableModel(parent), m_document(document) {
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
-        if (change.parts & (Change::System | Change::Current | Change::File)) reload();
+        if (change.parts & (Change::System | Change::Appearance | Change::Current | Change::File)) reload();
     });
     reload();
 }
@@ -66,8 +67,15 @@ int LinksModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() || m_states.empty() ? 0 : int(m_states.size()) + 1;
 }
 
-double LinksModel::weight(const QModelIndex& index) const {
-    return m_matrix[std::size_t(index.row()) * m_states.size() + std::size_t(index.column())];
+QString LinksModel::reason(int map) const {
+    return stateText(state(map));
+}
+
+QColor LinksModel::colour(int map) const {
+    const document::Fractal& fractal = m_document->fractal();
+    const auto c = attractor::mapColour(
+        fractal.appearance, document::system2(fractal)->maps[std::size_t(map)].id, std::size_t(map));
+    return {c.red, c.green, c.blue};
 }
 
 QVariant LinksModel::data(const QModelIndex& index, int role) const {
@@ -116,11 +124,15 @@ bool LinksModel::setData(const QModelIndex& index, const QVariant& value, int ro
         emit refused(problem);
         return false;
     }
-    const double number = *typedNumber(text);
-    if (number == weight(index)) return true;
-    m_document->edit(tr("Link map %1 to map %2").arg(index.row() + 1).arg(index.column() + 1),
-                     document::withLink(m_document->fractal(), index.row(), index.column(), number));
+    setWeight(index.row(), index.column(), *typedNumber(text));
     return true;
+}
+
+void LinksModel::setWeight(int from, int to, double weight) {
+    if (weight == this->weight(from, to)) return;
+    const QString text = weight > 0 ? tr("Link map %1 to map %2") : tr("Unlink map %1 from map %2");
+    m_document->edit(weight > 0 ? text.arg(from + 1).arg(to + 1) : text.arg(to + 1).arg(from + 1),
+                     document::withLink(m_document->fractal(), from, to, weight));
 }
 
 QVariant LinksModel::headerData(int section, Qt::Orientation orientation, int role) const {

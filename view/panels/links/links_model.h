@@ -5,6 +5,7 @@
 #include "ifs/system/links.h"
 
 #include <QAbstractTableModel>
+#include <QColor>
 
 #include <vector>
 
@@ -26,12 +27,22 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
+    // The same by rows, for the graph.
+    const std::vector<double>& matrix() const { return m_matrix; }
+    double weight(int from, int to) const {
+        return m_matrix[std::size_t(from) * m_states.size() + std::size_t(to)];
+    }
+    void setWeight(int from, int to, double weight); // one undo step; none where it is so already
+    ifs::LinkState state(int map) const { return m_states[std::size_t(map)]; }
+    QString reason(int map) const; // what becomes of the map, or why it takes no part
+    QColor colour(int map) const;
+
 signals:
     void refused(const QString& reason); // what was typed
 
 private:
     bool isState(int column) const { return column == rowCount(); }
-    double weight(const QModelIndex& index) const;
+    double weight(const QModelIndex& index) const { return weight(index.row(), index.column()); }
     void reload();
 
     document::Document* m_document;

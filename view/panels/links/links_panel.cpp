@@ -2,11 +2,13 @@
 #include "panels/links/links_panel.h"
 
 #include "document/edits/link_edits.h"
+#include "panels/links/link_graph.h"
 #include "panels/links/links_model.h"
 
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -16,7 +18,9 @@ LinksPanel::LinksPanel(document::Document* document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_model(new LinksModel(document, this)),
+      m_graph(new LinkGraph(m_model, this)),
       m_table(new QTableView(this)),
+      m_views(new QSplitter(Qt::Vertical, this)),
       m_notice(new QLabel(this)),
       m_remove(new QPushButton(tr("Remove All Links"), this)) {
     setAccessibleName(tr("Links"));
@@ -36,12 +40,23 @@ LinksPanel::LinksPanel(document::Document* document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(6);
-    layout->addWidget(m_table, 1);
+    m_views->setChildrenCollapsible(false);
+    m_views->addWidget(m_graph);
+    m_views->addWidget(m_table);
+    m_views->setStretchFactor(0, 3);
+    m_views->setStretchFactor(1, 2);
+    layout->addWidget(m_views, 1);
     layout->addWidget(m_notice);
     layout->addWidget(m_remove, 0, Qt::AlignLeft);
     connect(m_model, &LinksModel::refused, this, &LinksPanel::message);
     connect(m_model, &QAbstractItemModel::modelReset, this, &LinksPanel::showState);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &LinksPanel::showState);
+    connect(m_graph, &LinkGraph::selected, this, &LinksPanel::selectArrow);
+    connect(m_graph, &LinkGraph::editWanted, this, [this](int from, int to) {
+        m_table->setFocus();
+        m_table->edit(m_model->index(from, to));
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &LinksPanel::selectCell);
     connect(m_remove, &QPushButton::clicked, this, &LinksPanel::removeLinks);
     showState();
 }
@@ -52,13 +67,25 @@ void LinksPanel::showState() {
     const QString obstacle = document::linkObstacle(fractal);
     const bool isLinked = system != nullptr && !system->links.empty();
     QString notice = obstacle;
-    if (obstacle.isEmpty() && !isLinked) notice = tr("Any map may follow any other. Enter 0 to forbid it.");
+    if (obstacle.isEmpty() && !isLinked)
+        notice = tr("Any map may follow any other. Click an arrow and press Delete to forbid it.");
     if (isLinked && ifs::countActive(*system) == 0)
         notice = tr("Every sequence of maps comes to an end, so nothing is drawn.");
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
-    m_table->setVisible(obstacle.isEmpty());
+    m_views->setVisible(obstacle.isEmpty());
     m_remove->setEnabled(isLinked);
+}
+
+void LinksPanel::selectArrow(int from, int to) {
+    const QModelIndex current = m_table->currentIndex();
+    const int column = to >= 0 ? to : current.isValid() ? current.column() : 0;
+    m_table->setCurrentIndex(m_model->index(from, column));
+    m_graph->select(from, to);
+}
+
+void LinksPanel::selectCell(const QModelIndex& index) {
+    m_graph->select(index.row(), index.column());
 }
 
 void LinksPanel::removeLinks() {

@@ -6,14 +6,18 @@
 #include <QWidget>
 
 class QLabel;
+class QModelIndex;
 class QPushButton;
+class QSplitter;
 class QTableView;
 
 namespace view {
 
+class LinkGraph;
 class LinksModel;
 
-// Which maps may follow which in the chaos game, as a matrix; one step of the history for each cell edited.
+// Which maps may follow which in the chaos game, as a graph and as a matrix; one step of the history for each
+// arrow drawn or removed and each cell edited. What is selected in one is selected in the other.
 class LinksPanel : public QWidget {
     Q_OBJECT
 
@@ -22,18 +26,23 @@ public:
 
     QTableView* table() const { return m_table; }
     LinksModel* model() const { return m_model; }
+    LinkGraph* graph() const { return m_graph; }
 
 signals:
     void message(const QString& text); // a sentence for the status bar
 
 private:
     void showState();
+    void selectArrow(int from, int to);
+    void selectCell(const QModelIndex& index);
     void removeLinks();
 
     document::Document* m_document;
     LinksModel* m_model;
+    LinkGraph* m_graph;
     QTableView* m_table;
-    QLabel* m_notice; // why there is no matrix, or what it comes to
+    QSplitter* m_views; // both
+    QLabel* m_notice;   // why there is no matrix, or what it comes to
     QPushButton* m_remove;
 };
 

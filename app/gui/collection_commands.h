@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+class FileCommands;
+class OpenFile;
+
+namespace document {
+class Document;
+}
+namespace view {
+class CollectionPanel;
+}
+
+// What is chosen in the collection comes to the window, as a document of its own or as entries of the open
+// file. A fractal that keeps a fractal transformation is shown with its partner.
+struct CollectionTarget {
+    document::Document* document;
+    OpenFile* file;
+    FileCommands* commands; // asks before a document is given up
+    std::function<void()> showTransformation;
+};
+void connectCollection(view::CollectionPanel* collection, const CollectionTarget& target);
