@@ -248,6 +248,8 @@ QWidget* MapsPanel::makeTable() {
     connect(m_model, &QAbstractItemModel::modelReset, this, &MapsPanel::restoreSelection);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         updateActions();
+        const bool isNone = !m_table->selectionModel()->hasSelection(); // the current row stays what it was
+        m_shape->setMap(isNone ? ifs::MapId::None : m_model->idAt(m_table->currentIndex().row()));
         emit selectionChanged();
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
