@@ -78,15 +78,14 @@ void ViewMenu::addCamera() {
                                      false},
                                     [solid](bool on) { solid->showFour(on); });
     disableWhen(four, &document::spaceObstacle);
-    QAction* zUp = menu->addToggle({nullptr,
-                                    tr("&Z Up"),
-                                    {},
-                                    tr("Point the z axis up, as in CAD programs; the fractal stays as it is"),
-                                    "space/zUp",
-                                    false},
-                                   [solid](bool on) {
-                                       solid->setUpAxis(on ? attractor::UpAxis::Z : attractor::UpAxis::Y);
-                                   });
+    QAction* zUp = menu->addToggle(
+        {nullptr,
+         tr("&Z Up"),
+         {},
+         tr("Point the z axis up, as in CAD programs; the fractal stays as it is"),
+         "space/zUp",
+         false},
+        [solid](bool on) { solid->setUpAxis(on ? attractor::UpAxis::Z : attractor::UpAxis::Y); });
     disableWhen(zUp, &document::spaceObstacle);
     addStereo(*menu);
 }

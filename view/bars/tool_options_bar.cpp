@@ -17,9 +17,9 @@ ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas,
                         "Shift keeps directions  ·  double-click an edge for a new vertex"));
     m_define = addHint(
         tr("Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels"));
-    m_defineInSpace = addHint(
-        tr("Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes "
-           "it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels"));
+    m_defineInSpace = addHint(tr(
+        "Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes "
+        "it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels"));
     m_space = addHint(tr("Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
                          "scales  ·  drag anywhere else to turn the view"));
     connect(canvas, &CanvasView::toolChanged, this, &ToolOptionsBar::follow);

@@ -49,8 +49,8 @@ void SolidBridge::request(bool isLive) {
     attractor::SpaceRequest request = document::spaceRequest(fractal, m_camera);
     request.revision = m_requested;
     request.threads = attractor::hardwareThreads();
-    m_thread->submit({std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive,
-                      m_stereo});
+    m_thread->submit(
+        {std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive, m_stereo});
 }
 
 void SolidBridge::takeFrame() {

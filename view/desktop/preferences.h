@@ -15,7 +15,7 @@ struct Preferences {
     Theme theme = Theme::Desktop;
     std::uint64_t quality = 200'000'000; // samples to which a picture at rest is refined
     bool trackball = false;              // solids turn freely, not as on a turntable
-    bool reopen = false;                  // the files of the last time, at the start
+    bool reopen = false;                 // the files of the last time, at the start
 
     static Preferences stored();
     void store() const;

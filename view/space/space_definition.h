@@ -12,9 +12,9 @@
 
 namespace view {
 
-// A control tetrahedron as it is defined by four clicks: three in the plane through the target that was parallel
-// to the screen at the first one, the fourth in a plane parallel to it, as far towards the eye as makes the
-// tetrahedron about regular. The view may turn in between.
+// A control tetrahedron as it is defined by four clicks: three in the plane through the target that was
+// parallel to the screen at the first one, the fourth in a plane parallel to it, as far towards the eye as
+// makes the tetrahedron about regular. The view may turn in between.
 class SpaceDefinition {
     Q_DECLARE_TR_FUNCTIONS(SpaceDefinition)
 
@@ -24,9 +24,11 @@ public:
     bool isActive() const { return m_isActive; }
     void setActive(bool active);
 
-    // The tetrahedron once this is the fourth click; one on an earlier point, or along the plane, counts for nothing.
+    // The tetrahedron once this is the fourth click; one on an earlier point, or along the plane, counts for
+    // nothing.
     std::optional<ifs::Simplex<3>> click(const attractor::OrbitCamera& camera, const ifs::Vector<2>& pixel);
-    void follow(const attractor::OrbitCamera& camera, const ifs::Vector<2>& pixel); // what the next click gives
+    void follow(const attractor::OrbitCamera& camera,
+                const ifs::Vector<2>& pixel); // what the next click gives
     bool isLifting() const { return m_points.size() == 3; }
     void lift(double share); // farther towards the eye, in heights of the regular tetrahedron
     bool takeBack();         // the last point; false when there is none

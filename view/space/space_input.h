@@ -29,7 +29,7 @@ struct SpacePosition {
     bool onAttractor = false; // else in the plane of the target
     // With respect to the current tetrahedron; nullopt while it is flat.
     std::optional<ifs::Barycentric<3>> barycentric;
-    AxisLock lock; // of the corner that is dragged
+    AxisLock lock;                                 // of the corner that is dragged
     std::optional<attractor::Direction> direction; // of the camera, while it turns about `world`
 };
 
@@ -77,8 +77,8 @@ signals:
     void mapSelected();               // another one is held
     void stopped(const QString& why); // a drag; empty: it goes on, or has ended
     void message(const QString& sentence);
-    void defined();  // a tetrahedron, or given up
-    void prompted(); // the next click has another meaning
+    void defined();                           // a tetrahedron, or given up
+    void prompted();                          // the next click has another meaning
     void menuRequested(const QPoint& global); // by a click of the right button
 
 private:

@@ -44,11 +44,12 @@ public:
     void setStereo(attractor::Stereo stereo);
     attractor::Stereo stereo() const { return m_stereo; }
     QPointF inEye(const QPointF& position) const; // of the window, as a pixel of the camera
-    void setTrackball(bool on); // off, the view is level again
+    void setTrackball(bool on);                   // off, the view is level again
     void setUpAxis(attractor::UpAxis up);
     attractor::UpAxis upAxis() const { return m_up; }
 
-    void fixDirection(const attractor::Direction& direction); // at once; the user's views are not for this one
+    void
+    fixDirection(const attractor::Direction& direction); // at once; the user's views are not for this one
 
     // A view along an axis is orthographic until one orbits.
     bool isPerspective() const;

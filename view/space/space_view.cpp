@@ -50,15 +50,14 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_navigation(document, bridge, viewport()),
       m_maps(document, *m_mapOutlines, *m_mapItem),
       m_definition(*m_definitionLines),
-      m_input(document, m_navigation,
-              {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_ball}),
+      m_input(document, m_navigation, {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_ball}),
       m_around(cornersOfCut(document->fractal())) {
     setScene(new QGraphicsScene(this)); // owns the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
-             m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_definitionLines, m_slice, m_ball,
-             m_note, m_title})
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
+                                             m_definitionLines, m_slice, m_ball, m_note, m_title})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -236,9 +235,9 @@ void SpaceView::layOutSlice() {
 
 void SpaceView::applyStyle() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
-             m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_definitionLines, m_slice, m_ball,
-             m_note, m_title})
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
+                                             m_definitionLines, m_slice, m_ball, m_note, m_title})
         item->setStyle(style);
     m_note->setFont(font());
     m_title->setFont(font());

@@ -18,7 +18,7 @@ enum class Stereo {
 // are 0xAARRGGBB, premultiplied, or Rgba16. docs/mathematics.md, "Stereo".
 std::vector<std::uint32_t> joined(Stereo stereo, const std::vector<std::uint32_t>& left,
                                   const std::vector<std::uint32_t>& right, int width);
-std::vector<Rgba16> joined(Stereo stereo, const std::vector<Rgba16>& left,
-                                      const std::vector<Rgba16>& right, int width);
+std::vector<Rgba16> joined(Stereo stereo, const std::vector<Rgba16>& left, const std::vector<Rgba16>& right,
+                           int width);
 
 } // namespace attractor

@@ -160,9 +160,8 @@ std::optional<double> SolidThread::State::show(const Job& job, int step, const s
     frame.pixels = lit(frame.raster, job.appearance, view, *lamps);
     if (eyes.size() == 2) {
         if (!drawEye(request, eyes.back(), stop)) return std::nullopt;
-        frame.pixels =
-            joined(job.stereo, frame.pixels, lit(rendering->takeRaster(), job.appearance, view, *lamps),
-                   frame.raster.width);
+        frame.pixels = joined(job.stereo, frame.pixels,
+                              lit(rendering->takeRaster(), job.appearance, view, *lamps), frame.raster.width);
     }
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     frame.milliseconds = time.count();

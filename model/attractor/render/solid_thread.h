@@ -19,8 +19,8 @@ struct SolidFrame {
     OrbitCamera camera; // of the request: in stereo, that of each eye
     Stereo stereo = Stereo::None;
     double eyeShift = 0; // of the eye that the raster belongs to
-    int step = 1;       // pixels of the request, each way, for one of this picture; their middles coincide
-    DepthRaster raster; // what is seen where
+    int step = 1;        // pixels of the request, each way, for one of this picture; their middles coincide
+    DepthRaster raster;  // what is seen where
     // 0xAARRGGBB, premultiplied: as many as the raster has, side by side twice as many
     std::vector<std::uint32_t> pixels;
     RenderNote note = RenderNote::None;

@@ -114,9 +114,9 @@ void SolidBand::expand(const SolidScene& scene, const Open& open) {
     m_wideBudget -= std::min(m_wideBudget, scene.boxMaps.size());
     m_children.clear();
     for (std::size_t i = 0; i < scene.boxMaps.size(); ++i)
-        m_children.push_back({open.word.inside(scene.boxMaps[i]), open.colour == kernels::SolidWord::uncoloured
-                                                                ? scene.colours[i]
-                                                                : open.colour});
+        m_children.push_back(
+            {open.word.inside(scene.boxMaps[i]),
+             open.colour == kernels::SolidWord::uncoloured ? scene.colours[i] : open.colour});
     openSorted(scene);
 }
 

@@ -64,8 +64,8 @@ struct BentWord {
     ifs::Vector<3> miss = ifs::Vector<3>::Zero();
 };
 
-// A word of a walk down the address tree. Once the bend of a word is known well enough, that of the words in it
-// follows without looking at the cage again.
+// A word of a walk down the address tree. Once the bend of a word is known well enough, that of the words in
+// it follows without looking at the cage again.
 struct WalkedWord {
     ifs::AffineMap<3> word;
     std::shared_ptr<const BentWord> bent; // of a word it lies in

@@ -35,8 +35,9 @@ QString onOneLine() {
 }
 
 QString inOnePlane() {
-    return Actions::tr("The four points are in one plane, so they define no coordinates. Click the fourth point "
-                       "off the plane.");
+    return Actions::tr(
+        "The four points are in one plane, so they define no coordinates. Click the fourth point "
+        "off the plane.");
 }
 
 } // namespace

@@ -102,7 +102,9 @@ void OrbitNavigationTest::aTrackballTurnsAboutTheScreen() {
         const ifs::Vector<3> pivot = camera.target + ifs::Vector<3>(0.1, -0.2, 0.15);
         const OrbitCamera over = tumbled(camera, pivot, 0, 250); // past the pole
         QVERIFY(distance(toScreen(camera, pivot).pixel, toScreen(over, pivot).pixel) < 1e-9);
-        const auto right = [](const OrbitCamera& of) { return of.orientation.toRotationMatrix().col(0).eval(); };
+        const auto right = [](const OrbitCamera& of) {
+            return of.orientation.toRotationMatrix().col(0).eval();
+        };
         QVERIFY((right(over) - right(camera)).norm() < 1e-12); // about what is to the right
         const OrbitCamera back = tumbled(tumbled(camera, pivot, 30, 40), pivot, -30, -40);
         QVERIFY((back.target - camera.target).norm() < 1e-12);
@@ -111,10 +113,10 @@ void OrbitNavigationTest::aTrackballTurnsAboutTheScreen() {
     }
     // From a level view straight ahead it does what a turntable does.
     const OrbitCamera level = turnedTo({}, 0, 0);
-    QVERIFY(tumbled(level, level.target, 0, 35).orientation.angularDistance(
-                orbited(level, level.target, 0, 35).orientation) < 1e-7);
-    QVERIFY(tumbled(level, level.target, 35, 0).orientation.angularDistance(
-                orbited(level, level.target, 35, 0).orientation) < 1e-7);
+    QVERIFY(tumbled(level, level.target, 0, 35)
+                .orientation.angularDistance(orbited(level, level.target, 0, 35).orientation) < 1e-7);
+    QVERIFY(tumbled(level, level.target, 35, 0)
+                .orientation.angularDistance(orbited(level, level.target, 35, 0).orientation) < 1e-7);
 }
 
 void OrbitNavigationTest::directionsAreRead() {

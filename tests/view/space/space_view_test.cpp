@@ -286,7 +286,7 @@ void SpaceViewTest::aTrackballGoesOverThePole() {
     QVERIFY(window.rests());
     window.view->navigation().setTrackball(true);
     const auto eye = [&] { return window.camera().orientation.toRotationMatrix().col(2).eval(); };
-    window.drag({20, 100}, {20, 450}); // 140°
+    window.drag({20, 100}, {20, 450});                                      // 140°
     QVERIFY(window.camera().orientation.toRotationMatrix().col(1).y() < 0); // upside down
     window.drag({20, 450}, {200, 300});
     const auto before = eye();
@@ -326,7 +326,8 @@ void SpaceViewTest::bothEyesAreShown() {
     QCOMPARE(glasses.size(), alone.size());
     QVERIFY(glasses != alone);
     QVERIFY(window.view->cageItem().isVisible());
-    const auto point = window.view->navigation().pointUnder(view::toPoint(toScreen(window.camera(), face).pixel));
+    const auto point =
+        window.view->navigation().pointUnder(view::toPoint(toScreen(window.camera(), face).pixel));
     QVERIFY(point && (*point - face).norm() < 0.05);
     window.view->setStereo(attractor::Stereo::None);
     QVERIFY(window.rests());

@@ -33,8 +33,9 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     m_format = new QComboBox(this);
     m_format->addItems({tr("Picture (.png)"), tr("Picture (.jpg)"), tr("Picture (.webp)"),
-                        tr("Picture (.tiff)"), tr("Picture in linear light (.exr)"), tr("Body to print (.stl)"), tr("Body (.obj)"),
-                        tr("Body (.glb)"), tr("Body (.ply)"), tr("OpenSCAD program (.scad)")});
+                        tr("Picture (.tiff)"), tr("Picture in linear light (.exr)"),
+                        tr("Body to print (.stl)"), tr("Body (.obj)"), tr("Body (.glb)"), tr("Body (.ply)"),
+                        tr("OpenSCAD program (.scad)")});
     m_format->setWhatsThis(
         tr("A picture as the camera shows it, a watertight body that contains the attractor, or "
            "the maps as a program for OpenSCAD."));
@@ -145,7 +146,7 @@ QString SpaceExportDialog::message() const {
 
 QString SpaceExportDialog::suffix() const {
     static constexpr const char* suffixes[] = {"png", "jpg", "webp", "tiff", "exr",
-                                              "stl", "obj", "glb", "ply", "scad"};
+                                               "stl", "obj", "glb",  "ply",  "scad"};
     return QLatin1String(suffixes[m_format->currentIndex()]);
 }
 
@@ -212,12 +213,11 @@ void SpaceExportDialog::update() {
     m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
-    m_message->setText(isDepth && isPicture && file != io::PictureFile::Png
-                           ? tr("Depths are written as PNG only.")
-                       : isPicture ? QString()
-                       : isBody()
-                           ? tr("A closed surface around the attractor, without its slice, for a printer.")
-                           : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+    m_message->setText(
+        isDepth && isPicture && file != io::PictureFile::Png ? tr("Depths are written as PNG only.")
+        : isPicture                                          ? QString()
+        : isBody() ? tr("A closed surface around the attractor, without its slice, for a printer.")
+                   : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
 }
 
 void SpaceExportDialog::chooseFile() {

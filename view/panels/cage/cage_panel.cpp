@@ -550,9 +550,9 @@ void CagePanel::updateActions() {
     const document::Fractal& fractal = m_document->fractal();
     const bool isSpace = document::dimension(fractal) == 3;
     m_define->setEnabled(document::dimension(fractal) != 0);
-    m_define->setToolTip(
-        isSpace ? tr("Define the tetrahedron by four clicks on the canvas; the picture stays")
-                : tr("Define the triangle by three clicks on the canvas; the picture stays"));
+    m_define->setToolTip(isSpace
+                             ? tr("Define the tetrahedron by four clicks on the canvas; the picture stays")
+                             : tr("Define the triangle by three clicks on the canvas; the picture stays"));
     m_fit->setEnabled(document::dimension(fractal) != 0 && isCageKnown());
     m_fit->setToolTip(tr("Replace the cage by one fitted to the picture; the picture stays"));
     const QString nothingToReset = resetObstacle(fractal);
