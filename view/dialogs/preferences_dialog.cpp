@@ -31,6 +31,16 @@ void choose(QComboBox* box, const QVariant& value) {
     box->setCurrentIndex(std::max(0, box->findData(value)));
 }
 
+void offerTurning(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("Turntable"), false);
+    box->addItem(PreferencesDialog::tr("Trackball"), true);
+    box->setAccessibleName(PreferencesDialog::tr("Turning solids"));
+    box->setWhatsThis(PreferencesDialog::tr(
+        "How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely "
+        "about "
+        "the axes of the screen, over the poles as well; to make the view level again, look along an axis."));
+}
+
 } // namespace
 
 PreferencesDialog::PreferencesDialog(QWidget* parent)
@@ -60,12 +70,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_quality->setAccessibleName(tr("Idle quality"));
     m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
                                "picture and keep the processor busy for longer."));
-    m_turning->addItem(tr("Turntable"), false);
-    m_turning->addItem(tr("Trackball"), true);
-    m_turning->setAccessibleName(tr("Turning solids"));
-    m_turning->setWhatsThis(tr("How a drag turns a solid. On a turntable, what is vertical stays vertical. "
-                               "A trackball turns freely about the axes of the screen, over the poles as "
-                               "well; to make the view level again, look along an axis."));
+    offerTurning(m_turning);
     m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
                               "it, each in its own window."));
     m_restart->setForegroundRole(QPalette::PlaceholderText);
