@@ -28,7 +28,7 @@ QList<QAction*> CageMenu::addTools() {
           tr("Click a point of the attractor and drag the branch that contains it")}},
         {Tool::DefineTriangle,
          {"define", tr("De&fine Triangle"), QKeySequence(tr("D")),
-          tr("Define the control triangle by three clicks")}},
+          tr("Define the control triangle by three clicks, in space the tetrahedron by four")}},
     };
     auto* group = new QActionGroup(this);
     QList<QAction*> tools;
@@ -45,8 +45,8 @@ QAction* CageMenu::addTool(QActionGroup* group, Tool tool, const ActionSpec& spe
     group->addAction(action);
     connect(canvas, &view::CanvasView::toolChanged, action,
             [action, tool](Tool now) { action->setChecked(now == tool); });
-    if (tool == Tool::Maps) disableWhen(action, &document::cageObstacle);
-    if (tool == Tool::Branch || tool == Tool::DefineTriangle) disableWhen(action, &document::planeObstacle);
+    if (tool == Tool::Maps || tool == Tool::DefineTriangle) disableWhen(action, &document::cageObstacle);
+    if (tool == Tool::Branch) disableWhen(action, &document::planeObstacle);
     return action;
 }
 

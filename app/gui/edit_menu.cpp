@@ -145,7 +145,7 @@ void EditMenu::showPreferences() {
     connect(dialog, &view::PreferencesDialog::changed, dialog, [](const view::Preferences& preferences) {
         view::applyTheme(preferences.theme);
         for (SessionWindow* window : session::windows())
-            window->setQuality(preferences.quality);
+            window->adopt(preferences);
     });
     dialog->show();
 }

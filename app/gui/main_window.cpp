@@ -90,7 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(m_stage);
     setStatusBar(m_status);
 
-    m_bridge->setQuality(view::Preferences::stored().quality);
+    adopt(view::Preferences::stored());
     createMenus();
     createPanels();
     createTimeline();
@@ -407,8 +407,9 @@ void MainWindow::addRandom() {
     m_editMenu->addRandom();
 }
 
-void MainWindow::setQuality(std::uint64_t samples) {
-    m_bridge->setQuality(samples);
+void MainWindow::adopt(const view::Preferences& preferences) {
+    m_bridge->setQuality(preferences.quality);
+    m_stage->space()->navigation().setTrackball(preferences.trackball);
 }
 
 void MainWindow::openEach(const QStringList& paths, MainWindow* first) {

@@ -49,7 +49,7 @@ public:
 
     document::Document& document() { return m_document; }
     QString path() const override { return m_file.path(); }
-    void setQuality(std::uint64_t samples) override;
+    void adopt(const view::Preferences& preferences) override;
 
 protected:
     void closeEvent(QCloseEvent* event) override;

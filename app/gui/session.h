@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "desktop/preferences.h"
+
 #include <QList>
 #include <QMainWindow>
 #include <QStringList>
-
-#include <cstdint>
 
 // A window of the program, with a file of its own: what the others need to know of it.
 class SessionWindow : public QMainWindow {
@@ -13,8 +13,8 @@ class SessionWindow : public QMainWindow {
 
 public:
     using QMainWindow::QMainWindow;
-    virtual QString path() const = 0;                   // empty while it has no file
-    virtual void setQuality(std::uint64_t samples) = 0; // of a picture at rest
+    virtual QString path() const = 0; // empty while it has no file
+    virtual void adopt(const view::Preferences& preferences) = 0;
 };
 
 // The windows of this run, and the files that were open at its end.

@@ -17,9 +17,14 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
     connect(&m_plane->options(), &view::CanvasOptions::overlaysVisibleChanged, m_space,
             &view::FourViews::setOverlaysVisible);
     connect(m_plane, &view::CanvasView::toolChanged, m_space, [this](view::CanvasView::Tool tool) {
+        using Tool = view::CanvasView::Tool;
         using Target = view::SpaceView::Target;
-        m_space->setTarget(tool == view::CanvasView::Tool::Maps ? Target::Maps : Target::Cage);
+        m_space->setTarget(tool == Tool::Maps             ? Target::Maps
+                           : tool == Tool::DefineTriangle ? Target::Definition
+                                                          : Target::Cage);
     });
+    connect(m_space, &view::FourViews::defined, m_plane,
+            [this] { m_plane->setTool(view::CanvasView::Tool::Cage); });
     follow(*document);
 }
 

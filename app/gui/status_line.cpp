@@ -138,6 +138,9 @@ void StatusLine::showSpacePointer(const view::SpacePosition& position) {
             coordinates << fixed(coordinate, 3);
         text += tr("  barycentric (%1)").arg(coordinates.join(QStringLiteral(", ")));
     }
+    if (position.direction)
+        text += tr("  azimuth %1°  elevation %2°")
+                    .arg(fixed(position.direction->azimuth, 1), fixed(position.direction->elevation, 1));
     if (position.onAttractor) text += tr("  depth %1").arg(fixed(position.depth, decimals));
     const QString axis(QChar(u'X' + position.lock.axis));
     if (position.lock.kind == view::AxisLock::Kind::Axis) text += tr("  along %1").arg(axis);

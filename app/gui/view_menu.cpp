@@ -45,17 +45,15 @@ void ViewMenu::addCamera() {
     const struct {
         QString text;
         QString tip;
-        view::AxisBall::Direction direction;
+        attractor::Direction direction;
     } views[] = {
-        {tr("&Front"), tr("Look along the z axis (1 on the keypad)"), view::AxisBall::towards({2, true})},
-        {tr("&Back"), tr("Look along the z axis from behind (Ctrl+1 on the keypad)"),
-         view::AxisBall::towards({2, false})},
-        {tr("&Right"), tr("Look along the x axis (3 on the keypad)"), view::AxisBall::towards({0, true})},
-        {tr("&Left"), tr("Look along the x axis from behind (Ctrl+3 on the keypad)"),
-         view::AxisBall::towards({0, false})},
-        {tr("&Top"), tr("Look down (7 on the keypad)"), view::AxisBall::towards({1, true})},
-        {tr("B&ottom"), tr("Look up (Ctrl+7 on the keypad)"), view::AxisBall::towards({1, false})},
-        {tr("&Isometric"), tr("Look from a corner (Home)"), view::AxisBall::isometric},
+        {tr("&Front"), tr("Look from the front (1 on the keypad)"), view::directions::front},
+        {tr("&Back"), tr("Look from behind (Ctrl+1 on the keypad)"), view::directions::back},
+        {tr("&Right"), tr("Look from the right (3 on the keypad)"), view::directions::right},
+        {tr("&Left"), tr("Look from the left (Ctrl+3 on the keypad)"), view::directions::left},
+        {tr("&Top"), tr("Look down (7 on the keypad)"), view::directions::top},
+        {tr("B&ottom"), tr("Look up (Ctrl+7 on the keypad)"), view::directions::bottom},
+        {tr("&Isometric"), tr("Look from a corner (Home)"), view::directions::isometric},
     };
     for (const auto& view : views)
         disableWhen(menu->add({nullptr, view.text, {}, view.tip},
@@ -80,6 +78,40 @@ void ViewMenu::addCamera() {
                                      false},
                                     [solid](bool on) { solid->showFour(on); });
     disableWhen(four, &document::spaceObstacle);
+    QAction* zUp = menu->addToggle(
+        {nullptr,
+         tr("&Z Up"),
+         {},
+         tr("Point the z axis up, as in CAD programs; the fractal stays as it is"),
+         "space/zUp",
+         false},
+        [solid](bool on) { solid->setUpAxis(on ? attractor::UpAxis::Z : attractor::UpAxis::Y); });
+    disableWhen(zUp, &document::spaceObstacle);
+    addStereo(*menu);
+}
+
+// One or none of them.
+void ViewMenu::addStereo(ActionMenu& menu) {
+    using attractor::Stereo;
+    view::FourViews* views = context().stage->views();
+    const auto toggle = [views, &menu](Stereo stereo, const QString& text, const QString& tip) {
+        return menu.addToggle({nullptr, text, {}, tip}, [views, stereo](bool on) {
+            if (on || views->stereo() == stereo) views->setStereo(on ? stereo : Stereo::None);
+        });
+    };
+    menu.addSeparator();
+    QAction* sides = toggle(Stereo::SideBySide, tr("Stereo, &Side by Side"),
+                            tr("Show what each eye sees, the left one to the left"));
+    QAction* glasses = toggle(Stereo::Anaglyph, tr("Stereo, for Red and &Cyan Glasses"),
+                              tr("Show what both eyes see in one picture, in red and cyan"));
+    connect(sides, &QAction::toggled, glasses, [glasses](bool on) {
+        if (on) glasses->setChecked(false);
+    });
+    connect(glasses, &QAction::toggled, sides, [sides](bool on) {
+        if (on) sides->setChecked(false);
+    });
+    for (QAction* stereo : {sides, glasses})
+        disableWhen(stereo, &document::spaceObstacle);
 }
 
 void ViewMenu::addOverlays() {

@@ -18,6 +18,7 @@ public:
 private:
     void addZoom();
     void addCamera();
+    void addStereo(ActionMenu& menu);
     void addOverlays();
     void addSnapping();
     void addTransformation();

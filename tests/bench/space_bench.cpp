@@ -46,6 +46,23 @@ std::function<void()> solidFrame(const systems::System3& system, int divisor = 1
     };
 }
 
+// Of a sponge held by the hull, of which two corners are pulled, or by a tetrahedron pulled as far.
+std::function<void()> caged(bool byHull) {
+    SpaceRequest request = systems::spaceRequest(systems::menger(), width, height);
+    std::vector<ifs::Vector<3>> corners;
+    for (int k = 0; k < 8; ++k)
+        if (byHull || k == 0 || k == 1 || k == 2 || k == 4) corners.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+    request.cage = ifs::polygonAtRest<3>(corners);
+    request.cage->current.back() += ifs::Vector<3>(0.3, 0.2, 0.2);
+    request.cage->current[1] += ifs::Vector<3>(0.2, -0.2, 0.1);
+    request.camera = fitted(request.camera, {0, -0.2, 0}, {1.3, 1.2, 1.2});
+    return [request, rendering = std::make_shared<SolidRendering>(request), frame = 0]() mutable {
+        request.camera.orientation = orbit(30 + 0.2 * (++frame % 20), 20);
+        rendering->restart(request);
+        rendering->draw();
+    };
+}
+
 std::function<void()> cloudFrame(const systems::System3& system) {
     SpaceRequest request = systems::spaceRequest(system, width, height);
     request.exposure = Exposure{0, 5, 1};
@@ -126,7 +143,7 @@ std::vector<Ratio> measure(int repetitions) {
     constexpr auto perspective = OrbitCamera::Projection::Perspective;
     std::vector<Ratio> result;
     result.push_back({"space.memory.mb", memory(), "< 96"});
-    enum { Plane, Cloud, Drag, Menger, Tetrahedron, Fern, Bent, Works };
+    enum { Plane, Cloud, Drag, Menger, Tetrahedron, Fern, Perspective, Hull, Simplex, Works };
     std::array<std::function<void()>, Works> works{
         planeFrame(),
         cloudFrame(systems::fern3()),
@@ -135,6 +152,8 @@ std::vector<Ratio> measure(int repetitions) {
         solidFrame(systems::tetrahedron()),
         solidFrame(systems::fern3()),
         solidFrame(systems::menger(), 1, perspective),
+        caged(true),
+        caged(false),
     };
     std::array<double, Works> shortest{};
     shortest.fill(std::numeric_limits<double>::infinity());
@@ -149,7 +168,8 @@ std::vector<Ratio> measure(int repetitions) {
     add("space.exact.vs_2d.menger", Menger, Plane, "<= 8");
     add("space.exact.vs_2d.tetrahedron", Tetrahedron, Plane, "<= 1.2");
     add("space.exact.vs_2d.fern3", Fern, Plane, "<= 1.2");
-    add("space.perspective.vs_orthographic", Bent, Menger, "<= 1.3");
+    add("space.perspective.vs_orthographic", Perspective, Menger, "<= 1.3");
+    add("space.hull_cage.vs_tetrahedron", Hull, Simplex, "<= 1.5");
     result.push_back({"space.exact.threads2", threadRatio(repetitions), ">= 1.7"});
     return result;
 }

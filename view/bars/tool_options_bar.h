@@ -29,6 +29,7 @@ private:
     BranchBar* m_branches;
     QWidget* m_cage;
     QWidget* m_define;
+    QWidget* m_defineInSpace;
     QWidget* m_space;
 };
 

@@ -23,6 +23,10 @@ void SolidBridge::setCamera(const attractor::OrbitCamera& camera, bool isMoving)
     request(isMoving);
 }
 
+void SolidBridge::setStereo(attractor::Stereo stereo) {
+    if (std::exchange(m_stereo, stereo) != stereo) request(false);
+}
+
 bool SolidBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && m_frame->step == 1;
 }
@@ -45,7 +49,8 @@ void SolidBridge::request(bool isLive) {
     attractor::SpaceRequest request = document::spaceRequest(fractal, m_camera);
     request.revision = m_requested;
     request.threads = attractor::hardwareThreads();
-    m_thread->submit({std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive});
+    m_thread->submit(
+        {std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive, m_stereo});
 }
 
 void SolidBridge::takeFrame() {

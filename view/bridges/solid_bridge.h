@@ -22,6 +22,7 @@ public:
     // In device pixels; nothing is drawn before the first. `isMoving`: a hand turns it, more is to come.
     void setCamera(const attractor::OrbitCamera& camera, bool isMoving);
     const attractor::OrbitCamera& camera() const { return m_camera; }
+    void setStereo(attractor::Stereo stereo); // then the camera is that of each eye
 
     // nullptr before the first, and while the entry is not in space.
     std::shared_ptr<const attractor::SolidFrame> frame() const { return m_frame; }
@@ -37,6 +38,7 @@ private:
 
     document::Document* m_document;
     attractor::OrbitCamera m_camera;
+    attractor::Stereo m_stereo = attractor::Stereo::None;
     std::shared_ptr<const attractor::SolidFrame> m_frame;
     std::uint64_t m_requested = 0;                    // revision of the newest request
     std::unique_ptr<attractor::SolidThread> m_thread; // last: stops before the rest goes

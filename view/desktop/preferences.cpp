@@ -12,6 +12,7 @@ namespace {
 const QString languageKey = QStringLiteral("preferences/language");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString qualityKey = QStringLiteral("preferences/quality");
+const QString trackballKey = QStringLiteral("preferences/trackball");
 const QString reopenKey = QStringLiteral("preferences/reopen");
 
 } // namespace
@@ -24,6 +25,7 @@ Preferences Preferences::stored() {
     if (theme == QLatin1String("dark")) found.theme = Theme::Dark;
     found.quality = std::clamp<std::uint64_t>(view::stored(qualityKey, quint64(found.quality)).toULongLong(),
                                               1'000'000, 100'000'000'000);
+    found.trackball = view::stored(trackballKey, found.trackball).toBool();
     found.reopen = view::stored(reopenKey, found.reopen).toBool();
     return found;
 }
@@ -34,6 +36,7 @@ void Preferences::store() const {
                           : theme == Theme::Dark ? QStringLiteral("dark")
                                                  : QStringLiteral("desktop"));
     view::store(qualityKey, quint64(quality));
+    view::store(trackballKey, trackball);
     view::store(reopenKey, reopen);
 }
 

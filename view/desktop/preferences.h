@@ -14,6 +14,7 @@ struct Preferences {
     QString language; // "de", "mk"; empty: that of the desktop. In force from the next start.
     Theme theme = Theme::Desktop;
     std::uint64_t quality = 200'000'000; // samples to which a picture at rest is refined
+    bool trackball = false;              // solids turn freely, not as on a turntable
     bool reopen = false;                 // the files of the last time, at the start
 
     static Preferences stored();

@@ -31,6 +31,16 @@ void choose(QComboBox* box, const QVariant& value) {
     box->setCurrentIndex(std::max(0, box->findData(value)));
 }
 
+void offerTurning(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("Turntable"), false);
+    box->addItem(PreferencesDialog::tr("Trackball"), true);
+    box->setAccessibleName(PreferencesDialog::tr("Turning solids"));
+    box->setWhatsThis(PreferencesDialog::tr(
+        "How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely "
+        "about "
+        "the axes of the screen, over the poles as well; to make the view level again, look along an axis."));
+}
+
 } // namespace
 
 PreferencesDialog::PreferencesDialog(QWidget* parent)
@@ -40,6 +50,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
       m_restart(new QLabel(tr("Restart to change the language."), this)),
       m_theme(new QComboBox(this)),
       m_quality(new QComboBox(this)),
+      m_turning(new QComboBox(this)),
       m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)) {
     setWindowTitle(tr("Preferences"));
     m_language->addItem(tr("System default"), QString());
@@ -59,6 +70,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_quality->setAccessibleName(tr("Idle quality"));
     m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
                                "picture and keep the processor busy for longer."));
+    offerTurning(m_turning);
     m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
                               "it, each in its own window."));
     m_restart->setForegroundRole(QPalette::PlaceholderText);
@@ -71,11 +83,12 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(QString(), m_restart);
     form->addRow(tr("&Theme:"), m_theme);
     form->addRow(tr("&Idle quality:"), m_quality);
+    form->addRow(tr("Turning &solids:"), m_turning);
     form->addRow(QString(), m_reopen);
     form->addRow(buttons);
 
     fill(Preferences::stored());
-    for (QComboBox* box : {m_language, m_theme, m_quality})
+    for (QComboBox* box : {m_language, m_theme, m_quality, m_turning})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
     connect(m_reopen, &QCheckBox::toggled, this, &PreferencesDialog::take);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -93,6 +106,7 @@ void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_language, preferences.language);
     choose(m_theme, int(preferences.theme));
     choose(m_quality, quint64(preferences.quality));
+    choose(m_turning, preferences.trackball);
     const QSignalBlocker quiet(m_reopen);
     m_reopen->setChecked(preferences.reopen);
     m_restart->setVisible(preferences.language != m_spoken);
@@ -110,6 +124,7 @@ void PreferencesDialog::take() {
     chosen.language = m_language->currentData().toString();
     chosen.theme = Preferences::Theme(m_theme->currentData().toInt());
     chosen.quality = m_quality->currentData().toULongLong();
+    chosen.trackball = m_turning->currentData().toBool();
     chosen.reopen = m_reopen->isChecked();
     m_restart->setVisible(chosen.language != m_spoken);
     growToFit(*this);

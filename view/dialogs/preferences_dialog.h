@@ -34,6 +34,7 @@ private:
     QLabel* m_restart;
     QComboBox* m_theme;
     QComboBox* m_quality;
+    QComboBox* m_turning;
     QCheckBox* m_reopen;
 };
 

@@ -91,12 +91,11 @@ void AxisBall::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     }
 }
 
-const AxisBall::Direction AxisBall::isometric{45, 35.26438968275466}; // the diagonal of a cube is a point
-
-AxisBall::Direction AxisBall::towards(const End& end) {
-    if (end.axis == 1) return {0, end.isPositive ? 90.0 : -90.0};
+attractor::Direction AxisBall::towards(const End& end, attractor::UpAxis up) {
+    const bool isZUp = up == attractor::UpAxis::Z;
     if (end.axis == 0) return {end.isPositive ? 90.0 : -90.0, 0};
-    return {end.isPositive ? 0.0 : 180.0, 0};
+    if (end.axis == (isZUp ? 2 : 1)) return {0, end.isPositive ? 90.0 : -90.0};
+    return {end.isPositive != isZUp ? 0.0 : 180.0, 0}; // the front is +z, or −y
 }
 
 bool AxisBall::looksFrom(const attractor::OrbitCamera& camera, const End& end) {

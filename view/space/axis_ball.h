@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "attractor/request/orbit_camera.h"
+#include "attractor/request/orbit_navigation.h"
 #include "canvas/items/overlay_item.h"
 
 #include <QPointF>
@@ -31,13 +31,8 @@ public:
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
-    // Azimuth and elevation, in degrees, from which one looks along the axis at this end.
-    struct Direction {
-        double azimuth = 0;
-        double elevation = 0;
-    };
-    static Direction towards(const End& end);
-    static const Direction isometric;
+    // From where one looks along the axis at this end.
+    static attractor::Direction towards(const End& end, attractor::UpAxis up = attractor::UpAxis::Y);
     // Whether the camera already looks from there.
     static bool looksFrom(const attractor::OrbitCamera& camera, const End& end);
 

@@ -17,24 +17,26 @@ FourViews::FourViews(document::Document* document, SolidBridge* bridge, QWidget*
     m_grid->setSpacing(1);
     m_grid->addWidget(m_main, 0, 1);
     setFocusProxy(m_main);
+    connect(m_main, &SpaceView::defined, this, &FourViews::defined);
 }
 
 void FourViews::makeOthers() {
     const struct {
-        AxisBall::End end;
+        attractor::Direction from;
         QString title;
         int row;
         int column;
     } views[] = {
-        {{1, true}, tr("Top"), 0, 0},
-        {{2, true}, tr("Front"), 1, 0},
-        {{0, true}, tr("Right"), 1, 1},
+        {directions::top, tr("Top"), 0, 0},
+        {directions::front, tr("Front"), 1, 0},
+        {directions::right, tr("Right"), 1, 1},
     };
-    for (const auto& [end, title, row, column] : views) {
+    for (const auto& [from, title, row, column] : views) {
         auto* bridge = new SolidBridge(m_document);
         auto* view = new SpaceView(m_document, bridge, this);
         bridge->setParent(view); // they go together
-        view->fixDirection(AxisBall::towards(end), title);
+        view->navigation().setUpAxis(m_up);
+        view->fixDirection(from, title);
         view->setOverlaysVisible(m_areOverlaysVisible);
         view->setTarget(m_target);
         view->setAllowsNoAttractor(m_allowsNoAttractor);
@@ -42,6 +44,7 @@ void FourViews::makeOthers() {
         connect(view, &SpaceView::pointerMoved, m_main, &SpaceView::pointerMoved);
         connect(view, &SpaceView::pointerLeft, m_main, &SpaceView::pointerLeft);
         connect(view, &SpaceView::message, m_main, &SpaceView::message);
+        connect(view, &SpaceView::defined, this, &FourViews::defined);
         m_grid->addWidget(view, row, column);
         m_others.push_back(view);
     }
@@ -81,6 +84,12 @@ void FourViews::setOverlaysVisible(bool visible) {
         view->setOverlaysVisible(visible);
 }
 
+void FourViews::setUpAxis(attractor::UpAxis up) {
+    m_up = up;
+    for (SpaceView* view : all())
+        view->navigation().setUpAxis(up);
+}
+
 void FourViews::setTarget(SpaceView::Target target) {
     m_target = target;
     for (SpaceView* view : all())
@@ -97,6 +106,10 @@ void FourViews::showOutlines(const std::vector<document::SpaceOutline>& shapes) 
     m_outlines = shapes;
     for (SpaceView* view : all())
         view->showOutlines(shapes);
+}
+
+void FourViews::setStereo(attractor::Stereo stereo) {
+    m_main->setStereo(stereo);
 }
 
 bool FourViews::cancelGesture() {

@@ -28,13 +28,17 @@ public:
     // Of all that are shown:
     void fit();
     void setOverlaysVisible(bool visible);
+    void setUpAxis(attractor::UpAxis up);
     void setTarget(SpaceView::Target target);
     void setAllowsNoAttractor(bool allows);
     void showOutlines(const std::vector<document::SpaceOutline>& shapes);
     bool cancelGesture();
+    void setStereo(attractor::Stereo stereo); // of the one that orbits
+    attractor::Stereo stereo() const { return m_main->navigation().stereo(); }
 
 signals:
     void fourShown(bool four);
+    void defined(); // in one of the views; see SpaceView
 
 private:
     void makeOthers();
@@ -46,6 +50,7 @@ private:
     std::vector<SpaceView*> m_others;
     // What those that are made later begin with.
     bool m_areOverlaysVisible = true;
+    attractor::UpAxis m_up = attractor::UpAxis::Y;
     bool m_allowsNoAttractor = false;
     SpaceView::Target m_target = SpaceView::Target::Cage;
     std::vector<document::SpaceOutline> m_outlines;

@@ -21,6 +21,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
+    void paintEye(QPainter& painter, int eye, int eyes) const;
     QImage image() const; // shares the memory of the frame
 
     std::shared_ptr<const attractor::SolidFrame> m_frame;

@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/edits/cage_actions.h"
 #include "document/edits/maps_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
@@ -44,6 +45,7 @@ SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation
       m_cage(items.cage),
       m_maps(items.maps),
       m_map(items.map),
+      m_definition(items.definition),
       m_slice(items.slice),
       m_ball(items.ball) {}
 
@@ -61,6 +63,8 @@ void SpaceInput::press(const QMouseEvent& event) {
         beginOrbit(event, std::nullopt);
     } else if (event.button() == Qt::LeftButton && m_isEnabled && !m_isFixed && m_ball.covers(m_pointer)) {
         beginOrbit(event, m_ball.endAt(m_pointer));
+    } else if (event.button() == Qt::LeftButton && m_isEnabled && m_definition.isActive()) {
+        defineAt(m_pointer);
     } else if (event.button() == Qt::LeftButton && m_isEnabled && pressHandle(m_pointer, event)) {
         // it is held now
     } else if (event.button() == Qt::LeftButton && isOnSlice(m_pointer)) {
@@ -74,6 +78,17 @@ void SpaceInput::press(const QMouseEvent& event) {
             beginOrbit(event, std::nullopt);
     }
     emit changed();
+}
+
+void SpaceInput::defineAt(const QPointF& position) {
+    const auto vertices = m_definition.click(m_navigation.camera(), toVector(position));
+    if (!vertices) {
+        emit prompted();
+    } else if (const auto failure = document::defineTetrahedron(*m_document, *vertices)) {
+        emit message(*failure);
+    } else {
+        emit defined();
+    }
 }
 
 bool SpaceInput::pressHandle(const QPointF& position, const QMouseEvent& event) {
@@ -214,6 +229,11 @@ void SpaceInput::move(const QMouseEvent& event) {
         follow(*dragging, event);
     } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
         follow(*slicing, m_pointer);
+    } else if (m_definition.isActive()) {
+        m_hovered.reset();
+        m_face.reset();
+        m_definition.follow(m_navigation.camera(), toVector(m_pointer));
+        report(m_pointer);
     } else {
         const auto handles = m_isEnabled ? held().handlesAt(m_pointer) : std::vector<std::size_t>();
         m_hovered = handles.empty() ? std::nullopt : std::optional(handles.front());
@@ -235,9 +255,9 @@ void SpaceInput::follow(Orbiting& orbiting, const QPointF& position) {
         orbiting.before = m_navigation.camera();
         orbiting.hasMoved = true;
     }
-    m_navigation.moveTo(attractor::orbited(orbiting.before, orbiting.pivot, -degreesPerPixel * delta.x(),
-                                           degreesPerPixel * delta.y()),
-                        true);
+    m_navigation.orbit(orbiting.before, orbiting.pivot, -degreesPerPixel * delta.x(),
+                       degreesPerPixel * delta.y(), true);
+    reportDirection();
 }
 
 bool SpaceInput::isOnSlice(const QPointF& position) const {
@@ -302,7 +322,8 @@ void SpaceInput::release(const QMouseEvent& event) {
         } else if (done.end) {
             const bool isThere = AxisBall::looksFrom(m_navigation.camera(), *done.end);
             m_navigation.lookFrom(
-                AxisBall::towards({done.end->axis, isThere ? !done.end->isPositive : done.end->isPositive}));
+                AxisBall::towards({done.end->axis, isThere ? !done.end->isPositive : done.end->isPositive},
+                                  m_navigation.upAxis()));
         } else if (done.button == Qt::RightButton) {
             emit menuRequested(event.globalPosition().toPoint());
         }
@@ -312,6 +333,7 @@ void SpaceInput::release(const QMouseEvent& event) {
 }
 
 void SpaceInput::handleDoubleClick(const QMouseEvent& event) {
+    if (m_definition.isActive()) return press(event);
     const bool onHandle = m_isEnabled && !held().handlesAt(event.position()).empty();
     const auto point = m_navigation.pointUnder(event.position());
     if (event.button() == Qt::LeftButton && point && !onHandle)
@@ -326,6 +348,12 @@ void SpaceInput::wheel(const QWheelEvent& event) {
         preview(*dragging);
         return;
     }
+    if (isIdle() && m_definition.isActive() && m_definition.isLifting()) {
+        constexpr double share = 0.1;
+        m_definition.lift(-share * notches(event));
+        m_definition.follow(m_navigation.camera(), toVector(event.position()));
+        return;
+    }
     if (isIdle()) m_navigation.zoomAt(event.position(), std::pow(1.0015, event.angleDelta().y()));
 }
 
@@ -338,12 +366,19 @@ void SpaceInput::leave() {
 
 bool SpaceInput::needsKey(const QKeyEvent& event) const {
     if (!isIdle()) return isAxisKey(event) || event.key() == Qt::Key_Escape;
+    if (m_definition.isActive() && (event.key() == Qt::Key_Escape || event.key() == Qt::Key_Backspace))
+        return true;
     return event.key() == Qt::Key_Space || !arrowDirection(event.key()).isNull() ||
            (isOnKeypad(event) && event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9);
 }
 
 bool SpaceInput::keyPress(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape) return cancelGesture();
+    if (event.key() == Qt::Key_Backspace && m_definition.isActive()) {
+        m_definition.takeBack();
+        emit prompted();
+        return true;
+    }
     if (lockBy(event) || viewBy(event) || mapsKeyPress(event)) return true;
     if (event.key() == Qt::Key_Space) {
         m_isSpaceHeld = true;
@@ -359,8 +394,8 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
         m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * factor * toVector(way)));
     } else {
         const attractor::OrbitCamera& camera = m_navigation.camera();
-        m_navigation.moveTo(
-            attractor::orbited(camera, camera.target, degreesPerKey * way.x(), -degreesPerKey * way.y()));
+        m_navigation.orbit(camera, camera.target, degreesPerKey * way.x(), -degreesPerKey * way.y());
+        reportDirection();
     }
     return true;
 }
@@ -388,19 +423,19 @@ bool SpaceInput::viewBy(const QKeyEvent& event) {
     if (!isIdle() || m_isFixed) return false;
     const bool isOpposite = event.modifiers().testFlag(Qt::ControlModifier);
     if (event.key() == Qt::Key_Home) {
-        m_navigation.lookFrom(AxisBall::isometric);
+        m_navigation.lookFrom(directions::isometric);
         return true;
     }
     if (!isOnKeypad(event)) return false;
     switch (event.key()) {
     case Qt::Key_1:
-        m_navigation.lookFrom(AxisBall::towards({2, !isOpposite}));
+        m_navigation.lookFrom(isOpposite ? directions::back : directions::front);
         return true;
     case Qt::Key_3:
-        m_navigation.lookFrom(AxisBall::towards({0, !isOpposite}));
+        m_navigation.lookFrom(isOpposite ? directions::left : directions::right);
         return true;
     case Qt::Key_7:
-        m_navigation.lookFrom(AxisBall::towards({1, !isOpposite}));
+        m_navigation.lookFrom(isOpposite ? directions::bottom : directions::top);
         return true;
     case Qt::Key_5:
         m_navigation.setPerspective(!m_navigation.isPerspective());
@@ -442,6 +477,10 @@ void SpaceInput::nudge(const QPointF& pixels) {
 }
 
 bool SpaceInput::cancelGesture() {
+    if (isIdle() && m_definition.isActive()) {
+        emit defined();
+        return true;
+    }
     if (isIdle()) return false;
     if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) m_navigation.moveTo(orbiting->before);
     if (auto* panning = std::get_if<Panning>(&m_gesture)) m_navigation.moveTo(panning->before);
@@ -504,7 +543,7 @@ void SpaceInput::report(const QPointF& position) {
     const attractor::OrbitCamera& camera = m_navigation.camera();
     const auto point = m_navigation.pointUnder(position);
     at.onAttractor = point.has_value();
-    at.world = point.value_or(toWorld(camera, {toVector(position), 0}));
+    at.world = point.value_or(toWorld(camera, {toVector(m_navigation.inEye(position)), 0}));
     at.depth = toScreen(camera, at.world).depth;
     at.unitsPerPixel = 1 / pixelsPerUnit(camera);
     const auto& vertices = m_cage.vertices();
@@ -513,6 +552,14 @@ void SpaceInput::report(const QPointF& position) {
         std::ranges::copy(vertices, simplex.begin());
         if (ifs::isAffineBasis<3>(simplex)) at.barycentric = ifs::barycentric<3>(simplex, at.world);
     }
+    emit pointerMoved(at);
+}
+
+void SpaceInput::reportDirection() {
+    SpacePosition at;
+    at.world = m_navigation.camera().target;
+    at.unitsPerPixel = 1 / pixelsPerUnit(m_navigation.camera());
+    at.direction = attractor::directionOf(m_navigation.camera(), m_navigation.upAxis());
     emit pointerMoved(at);
 }
 

@@ -4,6 +4,7 @@
 #include "ifs/system/barycentric.h"
 #include "space/slice_item.h"
 #include "space/space_cage_item.h"
+#include "space/space_definition.h"
 #include "space/space_maps.h"
 #include "space/space_navigation.h"
 #include "space/spatial_drag.h"
@@ -28,7 +29,8 @@ struct SpacePosition {
     bool onAttractor = false; // else in the plane of the target
     // With respect to the current tetrahedron; nullopt while it is flat.
     std::optional<ifs::Barycentric<3>> barycentric;
-    AxisLock lock; // of the corner that is dragged
+    AxisLock lock;                                 // of the corner that is dragged
+    std::optional<attractor::Direction> direction; // of the camera, while it turns about `world`
 };
 
 // What mouse and keyboard do in the window into space: orbit, pan, and drag vertices. One gesture at a time.
@@ -41,6 +43,7 @@ public:
         SpaceCageItem& cage;
         SpaceMaps& maps;
         SpaceCageItem& map; // the one that is held
+        SpaceDefinition& definition;
         SliceItem& slice;
         AxisBall& ball;
     };
@@ -74,6 +77,8 @@ signals:
     void mapSelected();               // another one is held
     void stopped(const QString& why); // a drag; empty: it goes on, or has ended
     void message(const QString& sentence);
+    void defined();                           // a tetrahedron, or given up
+    void prompted();                          // the next click has another meaning
     void menuRequested(const QPoint& global); // by a click of the right button
 
 private:
@@ -123,15 +128,18 @@ private:
     void preview(Dragging& dragging);
     void report(const Dragging& dragging);
     void nudge(const QPointF& pixels);
+    void defineAt(const QPointF& position);
     bool lockBy(const QKeyEvent& event);
     bool viewBy(const QKeyEvent& event);
     void report(const QPointF& position);
+    void reportDirection();
 
     document::Document* m_document;
     SpaceNavigation& m_navigation;
     SpaceCageItem& m_cage;
     SpaceMaps& m_maps;
     SpaceCageItem& m_map;
+    SpaceDefinition& m_definition;
     SliceItem& m_slice;
     AxisBall& m_ball;
     std::variant<std::monostate, Orbiting, Panning, Dragging, Slicing> m_gesture;

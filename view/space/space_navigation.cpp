@@ -15,7 +15,7 @@ namespace {
 constexpr double fitMargin = 0.09;
 constexpr double unitPixels = 100; // of one unit at 100 %
 constexpr int glideTime = 200;     // milliseconds
-constexpr AxisBall::Direction fromTheSide{30, 20};
+constexpr attractor::Direction fromTheSide{30, 20};
 
 } // namespace
 
@@ -67,7 +67,7 @@ void SpaceNavigation::glideTo(const attractor::OrbitCamera& camera) {
 
 void SpaceNavigation::adoptViewport() {
     attractor::OrbitCamera adopted = m_camera;
-    adopted.size.width = m_viewport->width();
+    adopted.size.width = m_viewport->width() / (m_stereo == attractor::Stereo::SideBySide ? 2 : 1);
     adopted.size.height = m_viewport->height();
     set(adopted, false);
     if (m_isFitted) fit();
@@ -82,7 +82,7 @@ void SpaceNavigation::fit() {
 }
 
 void SpaceNavigation::zoomAt(const QPointF& position, double factor) {
-    moveTo(attractor::zoomedAt(m_camera, toVector(position), factor));
+    moveTo(attractor::zoomedAt(m_camera, toVector(inEye(position)), factor));
 }
 
 void SpaceNavigation::resetZoom() {
@@ -91,8 +91,45 @@ void SpaceNavigation::resetZoom() {
     glideTo(reset);
 }
 
-void SpaceNavigation::lookFrom(const AxisBall::Direction& direction) {
-    attractor::OrbitCamera turned = attractor::turnedTo(m_camera, direction.azimuth, direction.elevation);
+void SpaceNavigation::orbit(const attractor::OrbitCamera& before, const ifs::Vector<3>& pivot, double right,
+                            double up, bool isMoving) {
+    moveTo(m_isTrackball ? attractor::tumbled(before, pivot, right, up)
+                         : attractor::orbited(before, pivot, right, up, m_up),
+           isMoving);
+}
+
+void SpaceNavigation::setStereo(attractor::Stereo stereo) {
+    if (stereo == m_stereo) return;
+    m_glide.stop();
+    m_stereo = stereo;
+    m_bridge->setStereo(stereo);
+    adoptViewport();
+}
+
+QPointF SpaceNavigation::inEye(const QPointF& position) const {
+    const bool isRight = m_stereo == attractor::Stereo::SideBySide && position.x() >= m_camera.size.width;
+    return isRight ? position - QPointF(m_camera.size.width, 0) : position;
+}
+
+void SpaceNavigation::setTrackball(bool on) {
+    if (on == m_isTrackball) return;
+    m_isTrackball = on;
+    if (on) return;
+    const auto [azimuth, elevation] = attractor::directionOf(m_camera, m_up);
+    const attractor::OrbitCamera level = attractor::turnedTo(m_camera, azimuth, elevation, m_up);
+    if (level.orientation.angularDistance(m_camera.orientation) > 1e-9) glideTo(level);
+}
+
+void SpaceNavigation::setUpAxis(attractor::UpAxis up) {
+    if (up == m_up) return;
+    m_glide.stop();
+    set(attractor::stoodUp(m_camera, std::exchange(m_up, up), up), false);
+    if (m_isFitted) fit();
+}
+
+void SpaceNavigation::lookFrom(const attractor::Direction& direction) {
+    attractor::OrbitCamera turned =
+        attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up);
     if (isPerspective()) {
         turned.projection = attractor::OrbitCamera::Projection::Orthographic;
         m_wasPerspective = true;
@@ -101,9 +138,10 @@ void SpaceNavigation::lookFrom(const AxisBall::Direction& direction) {
     glideTo(turned);
 }
 
-void SpaceNavigation::fixDirection(const AxisBall::Direction& direction) {
+void SpaceNavigation::fixDirection(const attractor::Direction& direction) {
     m_glide.stop();
-    attractor::OrbitCamera turned = attractor::turnedTo(m_camera, direction.azimuth, direction.elevation);
+    attractor::OrbitCamera turned =
+        attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up);
     turned.projection = attractor::OrbitCamera::Projection::Orthographic;
     set(turned, false);
 }
@@ -130,7 +168,7 @@ void SpaceNavigation::setPerspective(bool on) {
 std::optional<ifs::Vector<3>> SpaceNavigation::pointUnder(const QPointF& position) const {
     const auto frame = m_bridge->frame();
     if (!frame) return std::nullopt;
-    const ifs::Vector<2> pixel = toVector(position);
+    const ifs::Vector<2> pixel = toVector(inEye(position));
     const double depth = depthAt(*frame, pixel * pixelRatio());
     if (!std::isfinite(depth)) return std::nullopt;
     return toWorld(m_camera, {pixel, depth});

@@ -10,6 +10,13 @@
 
 namespace view {
 
+// From where one looks, whichever axis is up.
+namespace directions {
+constexpr attractor::Direction front{0, 0}, back{180, 0}, right{90, 0}, left{-90, 0}, top{0, 90},
+    bottom{0, -90};
+constexpr attractor::Direction isometric{45, 35.26438968275466}; // the diagonal of a cube is a point
+} // namespace directions
+
 // Where the window into space looks.
 class SpaceNavigation : public QObject {
     Q_OBJECT
@@ -29,9 +36,20 @@ public:
     bool isFitted() const { return m_isFitted; }        // and the user has not moved the view since
     void zoomAt(const QPointF& position, double factor);
     void resetZoom(); // 100 %: one unit at the target is a hundred pixels
-    void lookFrom(const AxisBall::Direction& direction);
+    void lookFrom(const attractor::Direction& direction);
+    // By that many degrees from `before`, as the user likes to turn.
+    void orbit(const attractor::OrbitCamera& before, const ifs::Vector<3>& pivot, double right, double up,
+               bool isMoving = false);
+    // Side by side, each eye has half of the window, with a camera of its own.
+    void setStereo(attractor::Stereo stereo);
+    attractor::Stereo stereo() const { return m_stereo; }
+    QPointF inEye(const QPointF& position) const; // of the window, as a pixel of the camera
+    void setTrackball(bool on);                   // off, the view is level again
+    void setUpAxis(attractor::UpAxis up);
+    attractor::UpAxis upAxis() const { return m_up; }
 
-    void fixDirection(const AxisBall::Direction& direction); // at once; the user's views are not for this one
+    void
+    fixDirection(const attractor::Direction& direction); // at once; the user's views are not for this one
 
     // A view along an axis is orthographic until one orbits.
     bool isPerspective() const;
@@ -53,6 +71,9 @@ private:
     const QWidget* m_viewport;
     attractor::OrbitCamera m_camera;
     QVariantAnimation m_glide;
+    attractor::UpAxis m_up = attractor::UpAxis::Y;
+    attractor::Stereo m_stereo = attractor::Stereo::None;
+    bool m_isTrackball = false;
     bool m_wasPerspective = false; // before a view along an axis
     bool m_isFitted = true;        // follows the size of the window until the user moves the view
 };

@@ -42,19 +42,22 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_cageItem(new SpaceCageItem),
       m_mapOutlines(new SpaceOutlinesItem),
       m_mapItem(new SpaceCageItem),
+      m_definitionLines(new SpaceOutlinesItem),
       m_slice(new SliceItem),
       m_ball(new AxisBall),
       m_note(new NoteItem(NoteItem::Edge::Top)),
       m_title(new NoteItem(NoteItem::Edge::Bottom)),
       m_navigation(document, bridge, viewport()),
       m_maps(document, *m_mapOutlines, *m_mapItem),
-      m_input(document, m_navigation, {*m_cageItem, m_maps, *m_mapItem, *m_slice, *m_ball}),
+      m_definition(*m_definitionLines),
+      m_input(document, m_navigation, {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_ball}),
       m_around(cornersOfCut(document->fractal())) {
     setScene(new QGraphicsScene(this)); // owns the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
-             m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_slice, m_ball, m_note, m_title})
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
+                                             m_definitionLines, m_slice, m_ball, m_note, m_title})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -70,6 +73,8 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
         m_stop = why;
         showNote();
     });
+    connect(&m_input, &SpaceInput::defined, this, &SpaceView::defined);
+    connect(&m_input, &SpaceInput::prompted, this, &SpaceView::showNote);
     connect(&m_input, &SpaceInput::message, this, &SpaceView::message);
     connect(&m_input, &SpaceInput::pointerMoved, this, &SpaceView::pointerMoved);
     connect(&m_input, &SpaceInput::pointerLeft, this, &SpaceView::pointerLeft);
@@ -87,17 +92,20 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 
 void SpaceView::showNote() {
     const auto frame = m_bridge->frame();
-    m_note->setText(!m_stop.isEmpty() ? m_stop : frame ? noteInSpace(frame->note) : QString());
+    const QString said = m_definition.isActive() ? m_definition.prompt() : m_stop;
+    m_note->setText(!said.isEmpty() ? said : frame ? noteInSpace(frame->note) : QString());
 }
 
 void SpaceView::setTarget(Target target) {
     m_input.forgetFocus();
     m_maps.setActive(target == Target::Maps);
+    m_definition.setActive(target == Target::Definition);
+    showNote();
     m_cageItem->setHandlesVisible(target == Target::Cage);
     layOut();
 }
 
-void SpaceView::fixDirection(const AxisBall::Direction& direction, const QString& title) {
+void SpaceView::fixDirection(const attractor::Direction& direction, const QString& title) {
     m_isFixed = true;
     m_title->setText(title);
     setAccessibleName(tr("Canvas in space: %1").arg(title));
@@ -167,8 +175,18 @@ void SpaceView::followDocument(const document::Change& change) {
 
 void SpaceView::setOverlaysVisible(bool visible) {
     m_overlays = visible;
-    m_input.setEnabled(visible);
+    m_input.setEnabled(areOverlaysShown());
     layOut();
+}
+
+void SpaceView::setStereo(attractor::Stereo stereo) {
+    m_navigation.setStereo(stereo);
+    m_input.setEnabled(areOverlaysShown());
+    layOut();
+}
+
+bool SpaceView::areOverlaysShown() const {
+    return m_overlays && m_navigation.stereo() != attractor::Stereo::SideBySide;
 }
 
 void SpaceView::showOutlines(std::vector<document::SpaceOutline> shapes) {
@@ -182,12 +200,14 @@ QString SpaceView::note() const {
 void SpaceView::layOut() {
     const attractor::OrbitCamera& camera = m_navigation.camera();
     const double ratio = m_navigation.pixelRatio();
-    const QSizeF size(camera.size.width, camera.size.height);
+    const QSizeF size = viewport()->size();
     m_solid->setView(size, ratio);
     m_note->setView({QPointF(), size});
     m_title->setView({QPointF(), size});
-    const bool isShown = m_cage && m_overlays;
+    const bool isShown = m_cage && areOverlaysShown();
     m_outlines->setVisible(isShown);
+    m_definitionLines->setVisible(isShown);
+    m_definitionLines->layOut(camera);
     m_cageItem->setVisible(isShown);
     m_slice->setVisible(isShown);
     m_ball->setVisible(isShown && !m_isFixed);
@@ -215,8 +235,9 @@ void SpaceView::layOutSlice() {
 
 void SpaceView::applyStyle() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
-             m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_slice, m_ball, m_note, m_title})
+    for (OverlayItem* item :
+         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
+                                             m_definitionLines, m_slice, m_ball, m_note, m_title})
         item->setStyle(style);
     m_note->setFont(font());
     m_title->setFont(font());
@@ -238,13 +259,13 @@ void SpaceView::showMenu(const QPoint& global) {
     perspective->setChecked(m_navigation.isPerspective());
     connect(perspective, &QAction::toggled, &m_navigation, &SpaceNavigation::setPerspective);
     menu->addSeparator();
-    const std::pair<QString, AxisBall::End> views[] = {
-        {tr("Look from the F&ront"), {2, true}},
-        {tr("Look from the &Right"), {0, true}},
-        {tr("Look from &Above"), {1, true}},
+    const std::pair<QString, attractor::Direction> views[] = {
+        {tr("Look from the F&ront"), directions::front},
+        {tr("Look from the &Right"), directions::right},
+        {tr("Look from &Above"), directions::top},
     };
-    for (const auto& [text, end] : views)
-        menu->addAction(text, this, [this, end = end] { m_navigation.lookFrom(AxisBall::towards(end)); });
+    for (const auto& [text, from] : views)
+        menu->addAction(text, this, [this, from = from] { m_navigation.lookFrom(from); });
     menu->popup(global);
 }
 

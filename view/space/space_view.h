@@ -24,12 +24,13 @@ public:
 
     SpaceNavigation& navigation() { return m_navigation; }
     void setOverlaysVisible(bool visible);
-    // What the handles hold: the cage, or the maps.
-    enum class Target { Cage, Maps };
+    // What the pointer holds: the cage, the maps, or nothing while clicks define another tetrahedron.
+    enum class Target { Cage, Maps, Definition };
     void setTarget(Target target);
+    void setStereo(attractor::Stereo stereo); // side by side, nothing is held on the canvas
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
     // Always looks from there, under that title; a drag where nothing is held pans.
-    void fixDirection(const AxisBall::Direction& direction, const QString& title);
+    void fixDirection(const attractor::Direction& direction, const QString& title);
     const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map that is held
     bool cancelGesture() { return m_input.cancelGesture(); }    // false when none was under way
     QImage picture() const { return m_solid->picture(); }       // in device pixels; null before one
@@ -43,6 +44,7 @@ signals:
     void pointerMoved(const view::SpacePosition& position);
     void pointerLeft();
     void message(const QString& sentence); // for the status bar
+    void defined();                        // a tetrahedron, or given up
 
 protected:
     bool event(QEvent* event) override;
@@ -67,6 +69,7 @@ private:
     void followDocument(const document::Change& change);
     void layOut();
     void layOutSlice();
+    bool areOverlaysShown() const;
     void showNote();
     void setCage(const std::optional<ifs::ControlCage<3>>& cage);
     void applyStyle();
@@ -81,12 +84,14 @@ private:
     SpaceCageItem* m_cageItem;
     SpaceOutlinesItem* m_mapOutlines;
     SpaceCageItem* m_mapItem;
+    SpaceOutlinesItem* m_definitionLines;
     SliceItem* m_slice;
     AxisBall* m_ball;
     NoteItem* m_note;
     NoteItem* m_title;
     SpaceNavigation m_navigation;
     SpaceMaps m_maps;
+    SpaceDefinition m_definition;
     SpaceInput m_input;
     std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space
     SpaceCageItem::Faces m_faces;              // of the cage

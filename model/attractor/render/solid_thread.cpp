@@ -8,6 +8,7 @@
 #include "attractor/threads/workers.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -31,6 +32,12 @@ constexpr std::uint64_t minPass = 200'000;
 constexpr std::uint64_t maxPass = 10'000'000;
 constexpr int passesAtRest = 16;
 
+// How far to the right of the camera's the eyes are.
+std::vector<double> eyesOf(Stereo stereo) {
+    if (stereo == Stereo::None) return {0};
+    return {-stereoEye, stereoEye};
+}
+
 // The same view with one pixel for step × step, and enough of them to cover the picture.
 OrbitCamera coarse(OrbitCamera camera, int step) {
     const RasterSize fine = camera.size;
@@ -46,7 +53,9 @@ OrbitCamera coarse(OrbitCamera camera, int step) {
 
 } // namespace
 
-double depthAt(const SolidFrame& frame, const ifs::Vector<2>& pixel) {
+namespace {
+
+double depthInRaster(const SolidFrame& frame, const ifs::Vector<2>& pixel) {
     const DepthRaster& raster = frame.raster;
     const auto cell = [&](double position, int cells, int pixels) {
         return std::floor((position - pixels / 2.0) / frame.step + cells / 2.0);
@@ -61,6 +70,27 @@ double depthAt(const SolidFrame& frame, const ifs::Vector<2>& pixel) {
     return key == emptyKey ? nothing : depthOf(raster, key);
 }
 
+} // namespace
+
+// An eye to one side sees a point the more to the other side the farther it is behind the target.
+double depthAt(const SolidFrame& frame, const ifs::Vector<2>& pixel) {
+    double depth = depthInRaster(frame, pixel);
+    if (frame.eyeShift == 0) return depth;
+    constexpr int attempts = 8;
+    const double unit = pixelsPerUnit(frame.camera);
+    for (int k = 0; k < attempts && std::isfinite(depth); ++k) {
+        double shift = frame.eyeShift * unit * depth;
+        if (frame.camera.projection == OrbitCamera::Projection::Perspective) {
+            const double distance = eyeDistance(frame.camera);
+            shift *= distance / (distance + depth);
+        }
+        const double next = depthInRaster(frame, pixel + ifs::Vector<2>(shift, 0));
+        if (next == depth) break;
+        depth = next;
+    }
+    return depth;
+}
+
 struct SolidThread::State {
     explicit State(std::function<void()> ready) : frameReady(std::move(ready)), thread([this] { serve(); }) {}
     ~State() { mailbox.close(); }
@@ -69,6 +99,7 @@ struct SolidThread::State {
     void work(const Job& job, const std::stop_token& stop);
     std::optional<double> show(const Job& job, int step, const std::stop_token& stop); // milliseconds
     bool showCloud(const Job& job, int step, SolidFrame frame, const std::stop_token& stop);
+    bool drawEye(const SpaceRequest& request, double eyeShift, const std::stop_token& stop);
     void publish(SolidFrame frame, const std::stop_token& stop);
 
     std::function<void()> frameReady;
@@ -78,7 +109,7 @@ struct SolidThread::State {
     bool announced = false; // frameReady was called, newestFrame() was not yet
     // The worker's own:
     std::optional<SolidRendering> rendering;
-    std::optional<CloudRendering> cloud;
+    std::array<std::optional<CloudRendering>, 2> clouds; // of both eyes
     std::optional<Workers> lamps;
     int liveStep = 2;    // while the hand moves
     std::jthread thread; // last: it uses the rest
@@ -111,14 +142,13 @@ std::optional<double> SolidThread::State::show(const Job& job, int step, const s
     const SolidView view = solidView(request.camera, middle - reach, middle + reach);
     const auto threads = static_cast<std::size_t>(std::max(1, request.threads));
     if (!lamps || lamps->size() != threads) lamps.emplace(threads);
-    if (rendering)
-        rendering->restart(std::move(request));
-    else
-        rendering.emplace(std::move(request));
-    if (!rendering->draw(stop)) return std::nullopt;
+    const std::vector<double> eyes = eyesOf(job.stereo);
     SolidFrame frame;
+    if (!drawEye(request, eyes.front(), stop)) return std::nullopt;
     frame.revision = job.request.revision;
     frame.camera = job.request.camera;
+    frame.stereo = job.stereo;
+    frame.eyeShift = eyes.front();
     frame.step = step;
     frame.note = rendering->note();
     frame.raster = rendering->takeRaster();
@@ -128,10 +158,25 @@ std::optional<double> SolidThread::State::show(const Job& job, int step, const s
         return spent.count();
     }
     frame.pixels = lit(frame.raster, job.appearance, view, *lamps);
+    if (eyes.size() == 2) {
+        if (!drawEye(request, eyes.back(), stop)) return std::nullopt;
+        frame.pixels = joined(job.stereo, frame.pixels,
+                              lit(rendering->takeRaster(), job.appearance, view, *lamps), frame.raster.width);
+    }
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     frame.milliseconds = time.count();
     publish(std::move(frame), stop);
     return time.count();
+}
+
+bool SolidThread::State::drawEye(const SpaceRequest& request, double eyeShift, const std::stop_token& stop) {
+    SpaceRequest eye = request;
+    eye.eyeShift = eyeShift;
+    if (rendering)
+        rendering->restart(std::move(eye));
+    else
+        rendering.emplace(std::move(eye));
+    return rendering->draw(stop);
 }
 
 // Pass by pass, each shown, once the hand rests. The solid behind it tells what is under the pointer.
@@ -141,16 +186,24 @@ bool SolidThread::State::showCloud(const Job& job, int step, SolidFrame frame, c
     request.camera = coarse(request.camera, step);
     const std::size_t cells = frame.raster.keys.size();
     request.samples = std::clamp<std::uint64_t>(cells * samplesPerCell, minPass, maxPass);
-    if (cloud)
-        cloud->restart(std::move(request));
-    else
-        cloud.emplace(std::move(request));
+    const std::vector<double> eyes = eyesOf(job.stereo);
+    for (std::size_t k = 0; k < eyes.size(); ++k) {
+        request.eyeShift = eyes[k];
+        if (clouds[k])
+            clouds[k]->restart(request);
+        else
+            clouds[k].emplace(request);
+    }
     const int passes = step > 1 ? 1 : passesAtRest;
     for (int pass = 1; pass <= passes; ++pass) {
-        if (!cloud->refine(stop)) return false;
         SolidFrame next = frame;
-        next.pixels.resize(cells);
-        if (!cloud->tone(next.pixels, stop)) return false;
+        std::array<std::vector<std::uint32_t>, 2> seen;
+        for (std::size_t k = 0; k < eyes.size(); ++k) {
+            seen[k].resize(cells);
+            if (!clouds[k]->refine(stop) || !clouds[k]->tone(seen[k], stop)) return false;
+        }
+        next.pixels =
+            eyes.size() == 2 ? joined(job.stereo, seen[0], seen[1], frame.raster.width) : std::move(seen[0]);
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
         next.milliseconds = time.count();
         publish(std::move(next), stop);

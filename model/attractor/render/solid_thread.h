@@ -3,6 +3,7 @@
 
 #include "attractor/kernels/depth_raster.h"
 #include "attractor/light/solid_appearance.h"
+#include "attractor/light/stereo.h"
 #include "attractor/request/space_request.h"
 
 #include <cstdint>
@@ -15,10 +16,13 @@ namespace attractor {
 // A finished picture of a solid: an immutable result.
 struct SolidFrame {
     std::uint64_t revision = 0;
-    OrbitCamera camera; // of the request
-    int step = 1;       // pixels of the request, each way, for one of this picture; their middles coincide
-    DepthRaster raster; // what is seen where
-    std::vector<std::uint32_t> pixels; // 0xAARRGGBB, premultiplied, as many as the raster has
+    OrbitCamera camera; // of the request: in stereo, that of each eye
+    Stereo stereo = Stereo::None;
+    double eyeShift = 0; // of the eye that the raster belongs to
+    int step = 1;        // pixels of the request, each way, for one of this picture; their middles coincide
+    DepthRaster raster;  // what is seen where
+    // 0xAARRGGBB, premultiplied: as many as the raster has, side by side twice as many
+    std::vector<std::uint32_t> pixels;
     RenderNote note = RenderNote::None;
     double milliseconds = 0; // time it took
 };
@@ -45,6 +49,7 @@ public:
         LookInSpace look = LookInSpace::Stone;
         SolidAppearance appearance; // of a solid
         bool isLive = false;        // more of the same is to come
+        Stereo stereo = Stereo::None;
     };
     void submit(Job job); // any thread
     void cancel();        // forget the present request; the newest frame stays

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/orbit_navigation.h"
 
+#include "attractor/arithmetic/arithmetic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,24 +17,60 @@ ifs::Vector<3> towardsEye(const OrbitCamera& camera) {
     return camera.orientation.toRotationMatrix().col(2);
 }
 
-double elevationOf(const OrbitCamera& camera) {
-    return std::asin(std::clamp(towardsEye(camera).y(), -1.0, 1.0)) / degree;
+double elevationOf(const OrbitCamera& camera, UpAxis up) {
+    const ifs::Vector<3> eye = towardsEye(camera);
+    return std::asin(std::clamp(up == UpAxis::Y ? eye.y() : eye.z(), -1.0, 1.0)) / degree;
 }
 
-} // namespace
-
-OrbitCamera orbited(OrbitCamera camera, const ifs::Vector<3>& pivot, double azimuth, double elevation) {
-    const double present = elevationOf(camera);
-    const double change = std::clamp(present + elevation, -90.0, 90.0) - present;
-    const Orientation before = camera.orientation;
-    camera.orientation = (orbit(azimuth, 0) * before * orbit(0, change)).normalized();
-    const Orientation turn = camera.orientation * before.conjugate();
+// About the pivot.
+OrbitCamera withOrientation(OrbitCamera camera, const Orientation& orientation, const ifs::Vector<3>& pivot) {
+    const Orientation turn = orientation * camera.orientation.conjugate();
+    camera.orientation = orientation;
     camera.target = pivot + turn * (camera.target - pivot);
     return camera;
 }
 
-OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation) {
+} // namespace
+
+Orientation standing(UpAxis up) {
+    return up == UpAxis::Y ? Orientation(1, 0, 0, 0) : orbit(0, -90); // y to z, z to −y
+}
+
+Direction directionOf(const OrbitCamera& camera, UpAxis up) {
+    const ifs::Vector<3> eye = standing(up).conjugate() * towardsEye(camera);
+    const double across = std::hypot(eye.x(), eye.z());
+    // Over a pole, where the upper edge is tells the azimuth.
+    const ifs::Vector<3> above = standing(up).conjugate() * camera.orientation.toRotationMatrix().col(1);
+    const ifs::Vector<3> ahead = across > 1e-9 ? eye : eye.y() > 0 ? ifs::Vector<3>(-above) : above;
+    return {std::atan2(ahead.x(), ahead.z()) / degree, std::atan2(eye.y(), across) / degree};
+}
+
+OrbitCamera orbited(OrbitCamera camera, const ifs::Vector<3>& pivot, double azimuth, double elevation,
+                    UpAxis up) {
+    const double present = elevationOf(camera, up);
+    const double change = std::clamp(present + elevation, -90.0, 90.0) - present;
+    Orientation about = orbit(azimuth, 0);
+    if (up != UpAxis::Y) about = standing(up) * about * standing(up).conjugate();
+    return withOrientation(camera, (about * camera.orientation * orbit(0, change)).normalized(), pivot);
+}
+
+OrbitCamera tumbled(OrbitCamera camera, const ifs::Vector<3>& pivot, double right, double upwards) {
+    const double angle = std::hypot(right, upwards);
+    if (!(angle > 0)) return camera;
+    const ifs::Vector<3> axis = sineOfDegrees(angle / 2) / angle * ifs::Vector<3>(-upwards, right, 0);
+    const Orientation turn(cosineOfDegrees(angle / 2), axis.x(), axis.y(), axis.z());
+    return withOrientation(camera, (camera.orientation * turn).normalized(), pivot);
+}
+
+OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation, UpAxis up) {
     camera.orientation = orbit(azimuth, elevation);
+    if (up != UpAxis::Y) camera.orientation = (standing(up) * camera.orientation).normalized();
+    return camera;
+}
+
+OrbitCamera stoodUp(OrbitCamera camera, UpAxis from, UpAxis to) {
+    if (from != to)
+        camera.orientation = (standing(to) * standing(from).conjugate() * camera.orientation).normalized();
     return camera;
 }
 

@@ -5,15 +5,35 @@
 
 namespace attractor {
 
-// Ways to move a camera in space. Angles in degrees, y up.
+// Ways to move a camera in space. Angles in degrees.
+
+// The axis that is vertical while the view turns. With z up, as in CAD programs, azimuth 0 looks along y.
+enum class UpAxis { Y, Z };
+// Turns what is told with y up into what it is with this one.
+Orientation standing(UpAxis up);
+
+// From where a camera looks, whatever its roll.
+struct Direction {
+    double azimuth = 0;
+    double elevation = 0;
+};
+Direction directionOf(const OrbitCamera& camera, UpAxis up = UpAxis::Y);
 
 // Turntable: turned about the vertical axis through the pivot, then up or down about its own axis to the
 // right, the pivot staying at its pixel. A positive azimuth moves the eye to the right, a positive elevation
 // up, never past the pole.
-OrbitCamera orbited(OrbitCamera camera, const ifs::Vector<3>& pivot, double azimuth, double elevation);
+OrbitCamera orbited(OrbitCamera camera, const ifs::Vector<3>& pivot, double azimuth, double elevation,
+                    UpAxis up = UpAxis::Y);
+
+// Trackball: turned about axes of the screen, over the poles as well. The eye moves to the right and upwards
+// by that many degrees together.
+OrbitCamera tumbled(OrbitCamera camera, const ifs::Vector<3>& pivot, double right, double upwards);
 
 // Looking at the same target from there.
-OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation);
+OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation, UpAxis up = UpAxis::Y);
+
+// The same view of a world that stands otherwise.
+OrbitCamera stoodUp(OrbitCamera camera, UpAxis from, UpAxis to);
 
 // What was seen at a pixel in the plane of the target is seen at pixel + delta.
 OrbitCamera panned(OrbitCamera camera, const ifs::Vector<2>& delta);

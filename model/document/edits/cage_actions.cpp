@@ -3,7 +3,9 @@
 #include "document/fractal_geometry.h"
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/space_cage_edits.h"
 #include "document/fractal.h"
+#include "document/space_geometry.h"
 #include "ifs/cage/control_cage.h"
 
 #include <QCoreApplication>
@@ -30,6 +32,12 @@ QString tooFlat() {
 QString onOneLine() {
     return Actions::tr(
         "The three points are on one line, so they define no coordinates. Click a third point off the line.");
+}
+
+QString inOnePlane() {
+    return Actions::tr(
+        "The four points are in one plane, so they define no coordinates. Click the fourth point "
+        "off the plane.");
 }
 
 } // namespace
@@ -82,6 +90,18 @@ Failure defineTriangle(Document& document, const ifs::Simplex<2>& vertices) {
     cage = ifs::redefine<2>(effectiveCage(fractal), vertices);
     if (!cage) return tooFlat();
     document.edit(Actions::tr("Define the control triangle"), std::move(fractal));
+    return std::nullopt;
+}
+
+Failure defineTetrahedron(Document& document, const ifs::Simplex<3>& vertices) {
+    const Fractal& fractal = document.fractal();
+    if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    const auto& cage = space(fractal)->cage;
+    if (cage && ifs::bends(*cage)) return fitObstacle(fractal);
+    if (!ifs::isAffineBasis<3>(vertices)) return inOnePlane();
+    auto defined = withCageThrough(fractal, {vertices.begin(), vertices.end()});
+    if (!defined) return tooFlat();
+    document.edit(Actions::tr("Define the control tetrahedron"), *std::move(defined));
     return std::nullopt;
 }
 

@@ -25,6 +25,7 @@ std::optional<QString> bakeCage(Document& document);
 
 // These three vertices hold the picture from now on. The picture stays.
 std::optional<QString> defineTriangle(Document& document, const ifs::Simplex<2>& vertices);
+std::optional<QString> defineTetrahedron(Document& document, const ifs::Simplex<3>& vertices);
 
 // One vertex more on the edge from vertex `edge` to the next, `share` of the way; these vertices less, given
 // in increasing order; the vertices on the regular polygon nearest to them.

@@ -65,7 +65,14 @@ std::optional<Fractal> withCageBaked(const Fractal& fractal) {
     return result;
 }
 
-// The same picture held by other vertices.
+// Where the cage of an entry in space puts its code.
+ifs::AffineMap<3> placementOf(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return shape && shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>();
+}
+
+} // namespace
+
 std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<3>>& vertices) {
     const auto present = spaceCage(fractal);
     if (!present) return std::nullopt;
@@ -75,14 +82,6 @@ std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector
                           : ifs::redefine<3>(*present, vertices);
     return cage && ifs::isValid(*cage) ? std::optional(after) : std::nullopt;
 }
-
-// Where the cage of an entry in space puts its code.
-ifs::AffineMap<3> placementOf(const Fractal& fractal) {
-    const Shape<3>* shape = space(fractal);
-    return shape && shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>();
-}
-
-} // namespace
 
 Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage, CageMode mode) {
     fractal = withSpaceCageMoved(std::move(fractal), std::move(cage));

@@ -34,6 +34,9 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
 // three neighbours, whose edges span the box.
 std::optional<Fractal> withBoxFitted(const Fractal& fractal);
 
+// The same picture held by other vertices; nullopt while the placement is flat.
+std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<3>>& vertices);
+
 enum class SpacePolyhedron { Box, Octahedron, Hull };
 // The displayed picture held by eight corners of its box, by six of an octahedron, or by a polyhedron of at
 // most so many corners around it (at least 8): cages that bend it once they are moved. nullopt without an

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "attractor/light/solid_appearance.h"
+#include "attractor/light/stereo.h"
 #include "attractor/request/space_request.h"
 #include "document/fractal.h"
 #include "io/picture/png_export.h"
-#include "io/picture/stereo.h"
 
 #include <QByteArray>
 
@@ -14,6 +14,8 @@
 #include <stop_token>
 
 namespace io {
+
+using attractor::Stereo;
 
 struct SpaceExport {
     document::Fractal fractal;                                   // embedded in the picture as text

@@ -36,6 +36,9 @@ private slots:
     void thePivotStaysAtItsPixel();
     void aTurntableKeepsTheHorizon();
     void elevationEndsAtThePole();
+    void zUpStandsLikeYUp();
+    void aTrackballTurnsAboutTheScreen();
+    void directionsAreRead();
     void panningMovesThePlaneOfTheTarget();
     void zoomingKeepsWhatIsUnderThePointer();
     void aCentredPointIsInTheMiddle();
@@ -70,6 +73,60 @@ void OrbitNavigationTest::elevationEndsAtThePole() {
     QVERIFY((top.orientation.toRotationMatrix().col(2) - ifs::Vector<3>::UnitY()).norm() < 1e-7);
     const OrbitCamera below = orbited(top, ifs::Vector<3>::Zero(), 0, -500);
     QVERIFY((below.orientation.toRotationMatrix().col(2) + ifs::Vector<3>::UnitY()).norm() < 1e-7);
+}
+
+// The same turns of a world that stands on its side show the same.
+void OrbitNavigationTest::zUpStandsLikeYUp() {
+    const ifs::Vector<3> pivot(0.3, 0.2, -0.4), point(0.5, -0.7, 0.1);
+    const Orientation stand = standing(UpAxis::Z);
+    QVERIFY((stand * ifs::Vector<3>(0, 1, 0) - ifs::Vector<3>(0, 0, 1)).norm() < 1e-15);
+    OrbitCamera yUp = turnedTo({}, 30, 20), zUp = turnedTo({}, 30, 20, UpAxis::Z);
+    for (OrbitCamera* camera : {&yUp, &zUp})
+        camera->size = {640, 480};
+    for (int n = 0; n < 5; ++n) {
+        QVERIFY(distance(toScreen(yUp, point).pixel, toScreen(zUp, stand * point).pixel) < 1e-9);
+        yUp = orbited(yUp, pivot, 31, 25);
+        zUp = orbited(zUp, stand * pivot, 31, 25, UpAxis::Z);
+    }
+    const ifs::Matrix<3> front = turnedTo({}, 0, 0, UpAxis::Z).orientation.toRotationMatrix();
+    QVERIFY((front.col(2) - ifs::Vector<3>(0, -1, 0)).norm() < 1e-15); // from −y, with x to the right
+    QVERIFY((front.col(0) - ifs::Vector<3>(1, 0, 0)).norm() < 1e-15);
+    const OrbitCamera again = stoodUp(stoodUp(yUp, UpAxis::Y, UpAxis::Z), UpAxis::Z, UpAxis::Y);
+    QVERIFY(again.orientation.angularDistance(yUp.orientation) < 1e-7);
+}
+
+void OrbitNavigationTest::aTrackballTurnsAboutTheScreen() {
+    std::mt19937 random(7);
+    for (const auto projection : both) {
+        const OrbitCamera camera = cameraOf(projection, random);
+        const ifs::Vector<3> pivot = camera.target + ifs::Vector<3>(0.1, -0.2, 0.15);
+        const OrbitCamera over = tumbled(camera, pivot, 0, 250); // past the pole
+        QVERIFY(distance(toScreen(camera, pivot).pixel, toScreen(over, pivot).pixel) < 1e-9);
+        const auto right = [](const OrbitCamera& of) {
+            return of.orientation.toRotationMatrix().col(0).eval();
+        };
+        QVERIFY((right(over) - right(camera)).norm() < 1e-12); // about what is to the right
+        const OrbitCamera back = tumbled(tumbled(camera, pivot, 30, 40), pivot, -30, -40);
+        QVERIFY((back.target - camera.target).norm() < 1e-12);
+        QVERIFY(back.orientation.angularDistance(camera.orientation) < 1e-7);
+        QVERIFY(tumbled(camera, pivot, 0, 0) == camera);
+    }
+    // From a level view straight ahead it does what a turntable does.
+    const OrbitCamera level = turnedTo({}, 0, 0);
+    QVERIFY(tumbled(level, level.target, 0, 35)
+                .orientation.angularDistance(orbited(level, level.target, 0, 35).orientation) < 1e-7);
+    QVERIFY(tumbled(level, level.target, 35, 0)
+                .orientation.angularDistance(orbited(level, level.target, 35, 0).orientation) < 1e-7);
+}
+
+void OrbitNavigationTest::directionsAreRead() {
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+        for (const double elevation : {-90.0, -40.0, 0.0, 65.0, 90.0})
+            for (const double azimuth : {-170.0, -30.0, 0.0, 120.0}) {
+                const Direction read = directionOf(turnedTo({}, azimuth, elevation, up), up);
+                QVERIFY(std::abs(read.azimuth - azimuth) < 1e-6);
+                QVERIFY(std::abs(read.elevation - elevation) < 1e-6);
+            }
 }
 
 void OrbitNavigationTest::panningMovesThePlaneOfTheTarget() {

@@ -3,6 +3,7 @@
 #include "dialogs/export/space_export_dialog.h"
 #include "document/space_geometry.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
@@ -12,7 +13,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cstdlib>
 #include <memory>
+#include <tuple>
 
 using view::SpaceExportDialog;
 
@@ -46,6 +49,29 @@ private slots:
         const QImage both(path(QStringLiteral("both.png")));
         QCOMPARE(both.size(), QSize(160, 120));
         QVERIFY(both.copy(0, 0, 80, 120) != both.copy(80, 0, 80, 120));
+    }
+
+    // The same pixels in every format that loses none; formats without transparency leave it out.
+    void picturesComeInAllFormats() {
+        using Format = SpaceExportDialog::Format;
+        QVERIFY(exportedAs(Format::Png, QStringLiteral("a.png")));
+        const QImage png = QImage(path(QStringLiteral("a.png"))).convertToFormat(QImage::Format_RGB32);
+        for (auto* box : m_dialog->findChildren<QCheckBox*>())
+            if (box->text().contains(QStringLiteral("ransparent"))) box->setChecked(true);
+        QVERIFY(exportedAs(Format::Jpeg, QStringLiteral("a.jpg")));
+        const QImage jpeg = QImage(path(QStringLiteral("a.jpg"))).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(jpeg.size(), png.size());
+        for (int y = 4; y < png.height(); y += 8)
+            for (int x = 4; x < png.width(); x += 8)
+                QVERIFY(std::abs(qGreen(jpeg.pixel(x, y)) - qGreen(png.pixel(x, y))) < 48);
+        for (const auto& [format, name, magic] :
+             {std::tuple{Format::WebP, "a.webp", "RIFF"}, std::tuple{Format::Tiff, "a.tiff", "II*"},
+              std::tuple{Format::Exr, "a.exr", "\x76\x2f\x31\x01"}}) {
+            QVERIFY(exportedAs(format, QLatin1String(name)));
+            QFile file(path(QLatin1String(name)));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QVERIFY2(file.readAll().startsWith(magic), name);
+        }
     }
 
     void bodiesAreWrittenWithTheirFacts() {

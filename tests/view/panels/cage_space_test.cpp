@@ -159,8 +159,8 @@ private slots:
 
     void whatIsForThePlaneSaysSo() {
         QVERIFY(!m_panel->deformationButton(ifs::Deformation::Bend)->isVisible());
-        QVERIFY(!action(QStringLiteral("Define…"))->isEnabled());
-        QVERIFY(action(QStringLiteral("Define…"))->toolTip().contains(QStringLiteral("In space")));
+        QVERIFY(action(QStringLiteral("Define…"))->isEnabled());
+        QVERIFY(action(QStringLiteral("Define…"))->toolTip().contains(QStringLiteral("four clicks")));
     }
 
     void cagesOfSpaceAreFittedAndBaked() {

@@ -25,6 +25,11 @@ private slots:
     void theWheelZoomsAtThePointer();
     void theBallLooksAlongAnAxis();
     void theKeypadChoosesViews();
+    void zUpTurnsTheViewsAndNotTheFractal();
+    void aTrackballGoesOverThePole();
+    void bothEyesAreShown_data();
+    void bothEyesAreShown();
+    void fourClicksDefineTheTetrahedron();
     void aDoubleClickTakesThePointToTheMiddle();
     void theKeyboardMovesAVertex();
     void cursorsSayWhatCanBeHeld();
@@ -252,6 +257,120 @@ void SpaceViewTest::theKeypadChoosesViews() {
     QVERIFY(!window.view->navigation().isPerspective());
     window.drag({20, 480}, {80, 400});
     QVERIFY(window.view->navigation().isPerspective());
+}
+
+void SpaceViewTest::zUpTurnsTheViewsAndNotTheFractal() {
+    Window window;
+    QVERIFY(window.rests());
+    const document::Fractal before = window.document.fractal();
+    view::SpaceNavigation& navigation = window.view->navigation();
+    navigation.setUpAxis(attractor::UpAxis::Z);
+    const auto up = [&] { return window.camera().orientation.toRotationMatrix().col(1).eval(); };
+    QVERIFY(std::abs(window.camera().orientation.toRotationMatrix().col(0).z()) < 1e-9); // level
+    QTest::keyClick(window.view.get(), Qt::Key_1, Qt::KeypadModifier);
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {1, false})); // the front is −y
+    QVERIFY((up() - ifs::Vector<3>::UnitZ()).norm() < 1e-9);
+    QTest::keyClick(window.view.get(), Qt::Key_7, Qt::KeypadModifier);
+    QTRY_VERIFY(view::AxisBall::looksFrom(window.camera(), {2, true}));
+    std::optional<attractor::Direction> shown;
+    connect(window.view.get(), &SpaceView::pointerMoved, this,
+            [&shown](const view::SpacePosition& at) { shown = at.direction ? at.direction : shown; });
+    window.drag({20, 480}, {70, 430});
+    QVERIFY(std::abs(window.camera().orientation.toRotationMatrix().col(0).z()) < 1e-9);
+    QVERIFY(shown && std::abs(shown->azimuth + 20) < 1e-6 && std::abs(shown->elevation - 70) < 1e-6);
+    QVERIFY(window.document.fractal() == before);
+}
+
+void SpaceViewTest::aTrackballGoesOverThePole() {
+    Window window;
+    QVERIFY(window.rests());
+    window.view->navigation().setTrackball(true);
+    const auto eye = [&] { return window.camera().orientation.toRotationMatrix().col(2).eval(); };
+    window.drag({20, 100}, {20, 450});                                      // 140°
+    QVERIFY(window.camera().orientation.toRotationMatrix().col(1).y() < 0); // upside down
+    window.drag({20, 450}, {200, 300});
+    const auto before = eye();
+    window.view->navigation().setTrackball(false); // level again, seen from the same side
+    QTRY_VERIFY(std::abs(window.camera().orientation.toRotationMatrix().col(0).y()) < 1e-9);
+    QTRY_VERIFY((eye() - before).norm() < 1e-6);
+}
+
+void SpaceViewTest::bothEyesAreShown_data() {
+    QTest::addColumn<attractor::LookInSpace>("look");
+    QTest::newRow("stone") << attractor::LookInSpace::Stone;
+    QTest::newRow("cloud") << attractor::LookInSpace::Cloud;
+}
+
+void SpaceViewTest::bothEyesAreShown() {
+    QFETCH(const attractor::LookInSpace, look);
+    document::Fractal cube = cubeOfEight();
+    cube.inSpace.look = look;
+    Window window(cube);
+    QVERIFY(window.rests());
+    const QImage alone = window.view->picture();
+    window.view->setStereo(attractor::Stereo::SideBySide);
+    QVERIFY(window.rests());
+    const QImage sides = window.view->picture();
+    QCOMPARE(sides.size(), alone.size());
+    QVERIFY(sides.copy(0, 0, 300, 500) != sides.copy(300, 0, 300, 500));
+    QVERIFY(!window.view->cageItem().isVisible()); // it would be in one half only
+    const ifs::Vector<3> face(1, 0.5, 0.5);
+    const QPointF seen = view::toPoint(toScreen(window.camera(), face).pixel);
+    for (const QPointF& at : {seen, seen + QPointF(300, 0)}) { // in either half
+        const auto point = window.view->navigation().pointUnder(at);
+        QVERIFY(point && (*point - face).norm() < 0.05);
+    }
+    window.view->setStereo(attractor::Stereo::Anaglyph);
+    QVERIFY(window.rests());
+    const QImage glasses = window.view->picture();
+    QCOMPARE(glasses.size(), alone.size());
+    QVERIFY(glasses != alone);
+    QVERIFY(window.view->cageItem().isVisible());
+    const auto point =
+        window.view->navigation().pointUnder(view::toPoint(toScreen(window.camera(), face).pixel));
+    QVERIFY(point && (*point - face).norm() < 0.05);
+    window.view->setStereo(attractor::Stereo::None);
+    QVERIFY(window.rests());
+    if (look == attractor::LookInSpace::Stone) QVERIFY(window.view->picture() == alone);
+}
+
+// Three in the plane of the target, the fourth in front of it; the picture stays.
+void SpaceViewTest::fourClicksDefineTheTetrahedron() {
+    Window window;
+    QVERIFY(window.rests());
+    const QImage picture = window.view->picture();
+    const auto plane = [&](const QPoint& at) { return toWorld(window.camera(), {view::toVector(at), 0}); };
+    int finished = 0;
+    connect(window.view.get(), &SpaceView::defined, this, [&finished] { ++finished; });
+    window.view->setTarget(SpaceView::Target::Definition);
+    const QPoint corners[] = {{100, 400}, {480, 420}, {250, 80}};
+    const ifs::Vector<3> expected[] = {plane(corners[0]), plane(corners[1]), plane(corners[2])};
+    const auto click = [&](const QPoint& at) {
+        QTest::mouseClick(window.view->viewport(), Qt::LeftButton, {}, at);
+    };
+    QVERIFY(window.view->note().contains(QStringLiteral("first")));
+    click(corners[0]);
+    click(corners[0]); // a double click is one corner
+    QVERIFY(window.view->note().contains(QStringLiteral("second")));
+    click({300, 300});
+    QTest::keyClick(window.view.get(), Qt::Key_Backspace);
+    click(corners[1]);
+    click(corners[2]);
+    QVERIFY(window.view->note().contains(QStringLiteral("fourth")));
+    click({280, 300});
+    QCOMPARE(finished, 1);
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    const auto& cage = document::space(window.document.fractal())->cage;
+    QVERIFY(cage && cage->rest == cage->current && cage->rest.size() == 4);
+    for (std::size_t k = 0; k < 3; ++k)
+        QVERIFY((cage->current[k] - expected[k]).norm() < 1e-9);
+    const attractor::ScreenPoint fourth = toScreen(window.camera(), cage->current[3]);
+    QVERIFY((fourth.pixel - ifs::Vector<2>(280, 300)).norm() < 1e-6);
+    QVERIFY(fourth.depth < -0.1); // towards the eye
+    QVERIFY(window.rests());
+    QVERIFY(window.view->picture() == picture);
+    QTest::keyClick(window.view.get(), Qt::Key_Escape); // leaves it
+    QCOMPARE(finished, 2);
 }
 
 void SpaceViewTest::aDoubleClickTakesThePointToTheMiddle() {

@@ -52,14 +52,14 @@ PolygonTool* Toolbox::polygonTool() {
 
 void Toolbox::setTool(Tool tool) {
     if (tool == m_tool) return;
-    const bool isInSpace =
-        tool == Tool::Maps && document::space(m_document->fractal()); // where it has its own
+    const bool isInSpace = (tool == Tool::Maps || tool == Tool::DefineTriangle) &&
+                           document::space(m_document->fractal()); // where they have their own
     if (tool != Tool::Cage && !isInSpace && !document::system2(m_document->fractal())) {
         emit message(m_scene.notes().note());
         emit toolChanged(m_tool); // a button that was pressed goes back
         return;
     }
-    if (tool == Tool::DefineTriangle && !isPlacementInvertible(m_document->fractal())) {
+    if (tool == Tool::DefineTriangle && !isInSpace && !isPlacementInvertible(m_document->fractal())) {
         emit definingRefused();
         emit toolChanged(m_tool);
         return;

@@ -5,6 +5,7 @@
 #include "dialogs/export/start_export.h"
 #include "document/space_geometry.h"
 #include "document/unique_names.h"
+#include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/save_beside.h"
@@ -31,8 +32,10 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     : QDialog(parent), m_fractal(document->fractal()), m_camera(camera), m_form(new QFormLayout) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     m_format = new QComboBox(this);
-    m_format->addItems({tr("Picture (.png)"), tr("Body to print (.stl)"), tr("Body (.obj)"),
-                        tr("Body (.glb)"), tr("Body (.ply)"), tr("OpenSCAD program (.scad)")});
+    m_format->addItems({tr("Picture (.png)"), tr("Picture (.jpg)"), tr("Picture (.webp)"),
+                        tr("Picture (.tiff)"), tr("Picture in linear light (.exr)"),
+                        tr("Body to print (.stl)"), tr("Body (.obj)"), tr("Body (.glb)"), tr("Body (.ply)"),
+                        tr("OpenSCAD program (.scad)")});
     m_format->setWhatsThis(
         tr("A picture as the camera shows it, a watertight body that contains the attractor, or "
            "the maps as a program for OpenSCAD."));
@@ -116,6 +119,23 @@ SpaceExportDialog::Format SpaceExportDialog::format() const {
     return static_cast<Format>(m_format->currentIndex());
 }
 
+std::optional<io::PictureFile> SpaceExportDialog::pictureFile() const {
+    switch (format()) {
+    case Format::Png:
+        return io::PictureFile::Png;
+    case Format::Jpeg:
+        return io::PictureFile::Jpeg;
+    case Format::WebP:
+        return io::PictureFile::WebP;
+    case Format::Tiff:
+        return io::PictureFile::Tiff;
+    case Format::Exr:
+        return io::PictureFile::ExrHalf;
+    default:
+        return std::nullopt;
+    }
+}
+
 void SpaceExportDialog::setFormat(Format format) {
     m_format->setCurrentIndex(int(format));
 }
@@ -125,14 +145,17 @@ QString SpaceExportDialog::message() const {
 }
 
 QString SpaceExportDialog::suffix() const {
-    static constexpr const char* suffixes[] = {"png", "stl", "obj", "glb", "ply", "scad"};
+    static constexpr const char* suffixes[] = {"png", "jpg", "webp", "tiff", "exr",
+                                               "stl", "obj", "glb",  "ply",  "scad"};
     return QLatin1String(suffixes[m_format->currentIndex()]);
 }
 
 io::SpaceExport SpaceExportDialog::picture() const {
     io::SpaceExport result;
     result.fractal = m_fractal;
-    if (m_transparent->isChecked()) result.fractal.appearance.background.alpha = 0;
+    result.file = pictureFile().value_or(io::PictureFile::Png);
+    if (m_transparent->isChecked() && result.file != io::PictureFile::Jpeg)
+        result.fractal.appearance.background.alpha = 0;
     result.look = m_fractal.inSpace.look;
     result.solid = document::solidAppearance(result.fractal);
     result.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
@@ -152,7 +175,9 @@ io::SpaceExport SpaceExportDialog::picture() const {
     const auto pixels = std::uint64_t(camera.size.width) * std::uint64_t(camera.size.height);
     result.request.samples = std::max<std::uint64_t>(100 * pixels, 1'000'000);
     result.supersample = m_supersample->value();
-    if (m_depth->currentIndex() == 1) result.depth = io::PngFormat::Depth::Bits16;
+    using enum io::PngFormat::Depth;
+    result.depth = m_depth->currentIndex() == 1 ? Bits16 : Bits8;
+    if (!io::takes(result.file, result.depth)) result.depth = result.depth == Bits8 ? Bits16 : Bits8;
     result.dotsPerInch = m_size->dotsPerInch();
     return result;
 }
@@ -174,21 +199,25 @@ io::SolidExport SpaceExportDialog::body() {
 }
 
 void SpaceExportDialog::update() {
-    const bool isPicture = format() == Format::Png;
+    const auto file = pictureFile();
+    const bool isPicture = file.has_value();
+    using enum io::PngFormat::Depth;
+    const bool hasDepths = file && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
     const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
     m_form->setRowVisible(m_size, isPicture);
     m_form->setRowVisible(m_supersample,
                           isPicture && !isNumbers && !attractor::showsCloud(m_fractal.inSpace.look));
-    m_form->setRowVisible(m_depth, isPicture && !isDepth);
-    m_form->setRowVisible(m_transparent, isPicture && !isNumbers);
+    m_form->setRowVisible(m_depth, hasDepths && !isDepth);
+    m_form->setRowVisible(m_transparent, isPicture && !isNumbers && file != io::PictureFile::Jpeg);
     m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
-    m_message->setText(isPicture ? QString()
-                       : isBody()
-                           ? tr("A closed surface around the attractor, without its slice, for a printer.")
-                           : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+    m_message->setText(
+        isDepth && isPicture && file != io::PictureFile::Png ? tr("Depths are written as PNG only.")
+        : isPicture                                          ? QString()
+        : isBody() ? tr("A closed surface around the attractor, without its slice, for a printer.")
+                   : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
 }
 
 void SpaceExportDialog::chooseFile() {

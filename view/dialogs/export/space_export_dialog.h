@@ -8,6 +8,7 @@
 #include <QDialog>
 
 #include <memory>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -33,7 +34,7 @@ public:
                       QWidget* parent = nullptr);
     ~SpaceExportDialog() override;
 
-    enum class Format { Png, Stl, Obj, Glb, Ply, OpenScad };
+    enum class Format { Png, Jpeg, WebP, Tiff, Exr, Stl, Obj, Glb, Ply, OpenScad };
     void setFormat(Format format);
     void exportTo(const QString& path); // what the Export button does once a file is chosen
     QString message() const;            // what came of it
@@ -45,7 +46,8 @@ private:
     void createPicture();
     void createBody();
     Format format() const;
-    bool isBody() const { return format() != Format::Png && format() != Format::OpenScad; }
+    std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
+    bool isBody() const { return !pictureFile() && format() != Format::OpenScad; }
     QString suffix() const;
     io::SpaceExport picture() const;
     io::SolidExport body();

@@ -549,11 +549,10 @@ void CagePanel::showSimplex() {
 void CagePanel::updateActions() {
     const document::Fractal& fractal = m_document->fractal();
     const bool isSpace = document::dimension(fractal) == 3;
-    m_define->setEnabled(document::dimension(fractal) == 2);
-    m_define->setToolTip(
-        isSpace ? tr("Three clicks define a triangle in the plane. In space, show the rest cage and type the "
-                     "coordinates of its vertices.")
-                : tr("Define the triangle by three clicks on the canvas; the picture stays"));
+    m_define->setEnabled(document::dimension(fractal) != 0);
+    m_define->setToolTip(isSpace
+                             ? tr("Define the tetrahedron by four clicks on the canvas; the picture stays")
+                             : tr("Define the triangle by three clicks on the canvas; the picture stays"));
     m_fit->setEnabled(document::dimension(fractal) != 0 && isCageKnown());
     m_fit->setToolTip(tr("Replace the cage by one fitted to the picture; the picture stays"));
     const QString nothingToReset = resetObstacle(fractal);

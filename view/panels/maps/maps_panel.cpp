@@ -248,6 +248,7 @@ QWidget* MapsPanel::makeTable() {
     connect(m_model, &QAbstractItemModel::modelReset, this, &MapsPanel::restoreSelection);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         updateActions();
+        m_shape->setMap(m_model->idAt(selectedRows().empty() ? -1 : m_table->currentIndex().row()));
         emit selectionChanged();
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -262,8 +263,7 @@ QWidget* MapsPanel::makeTable() {
         menu.addActions({m_up, m_down});
         menu.addSeparator();
         menu.addActions({m_copy, m_paste, m_append});
-        QMenu* weights = menu.addMenu(tr("Weights"));
-        weights->addActions(m_weightActions);
+        menu.addMenu(tr("Weights"))->addActions(m_weightActions);
         menu.addSeparator();
         menu.addAction(m_bake);
         menu.exec(m_table->viewport()->mapToGlobal(position));

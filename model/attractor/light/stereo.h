@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace io {
+namespace attractor {
 
 enum class Stereo {
     None,
@@ -18,7 +18,7 @@ enum class Stereo {
 // are 0xAARRGGBB, premultiplied, or Rgba16. docs/mathematics.md, "Stereo".
 std::vector<std::uint32_t> joined(Stereo stereo, const std::vector<std::uint32_t>& left,
                                   const std::vector<std::uint32_t>& right, int width);
-std::vector<attractor::Rgba16> joined(Stereo stereo, const std::vector<attractor::Rgba16>& left,
-                                      const std::vector<attractor::Rgba16>& right, int width);
+std::vector<Rgba16> joined(Stereo stereo, const std::vector<Rgba16>& left, const std::vector<Rgba16>& right,
+                           int width);
 
-} // namespace io
+} // namespace attractor

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "io/picture/stereo.h"
+#include "attractor/light/stereo.h"
 
 #include <algorithm>
 #include <cstddef>
 
-namespace io {
+namespace attractor {
 
 namespace {
-
-using attractor::Rgba16;
 
 // Of code values, as colours are weighed on screens (Rec. 709).
 std::uint32_t grey(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
@@ -55,4 +53,4 @@ std::vector<Rgba16> joined(Stereo stereo, const std::vector<Rgba16>& left, const
     return both(stereo, left, right, width);
 }
 
-} // namespace io
+} // namespace attractor
