@@ -16,6 +16,7 @@
 #include "bench/noise_bench.h"
 #include "bench/plain_rivals.h"
 #include "bench/space_bench.h"
+#include "bench/time_bench.h"
 
 #include <QApplication>
 
@@ -511,6 +512,11 @@ void addSpace(std::vector<Metric>& metrics, bool quick) {
         metrics.push_back({ratio.name, ratio.value, ratio.target});
 }
 
+void addTime(std::vector<Metric>& metrics, bool quick) {
+    for (const timing::Row& row : timing::measure(quick ? 5 : 20))
+        metrics.push_back({row.name, row.value, row.target});
+}
+
 void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
     std::ofstream file(path);
     file << "{\n";
@@ -558,6 +564,7 @@ int main(int argc, char** argv) {
         addGeometry(whole, quick);
         addNoise(whole);
         addSpace(whole, quick);
+        addTime(whole, quick);
         addWholeEngine(whole, quick);
         for (Case& c : cases())
             addBenchmarks(c);
