@@ -15,6 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QMenu>
 #include <QProgressDialog>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
@@ -159,7 +160,7 @@ void TimelineTest::slowMotionsLeaveTheWindowAtHand() {
     connect(&timer, &QTimer::timeout, this, [&] {
         if (auto* progress = m_panel->findChild<QProgressDialog*>()) {
             wasShown = progress->isVisible();
-            progress->cancel();
+            progress->findChild<QPushButton*>()->click();
         }
     });
     timer.start(50);
