@@ -72,18 +72,18 @@ void AnimationMenu::addPlaying() {
 
 void AnimationMenu::addKeys() {
     view::Timeline& timeline = m_panel->timeline();
-    const auto withTracks = [this](void (view::Timeline::*set)()) {
+    const auto withTracks = [this](void (view::KeyCommands::*set)()) {
         return [this, set] {
             m_panel->showTracks();
             showDock();
-            (m_panel->timeline().*set)();
+            (m_panel->timeline().keys().*set)();
         };
     };
     add({"key", tr("Set &Key"), QKeySequence(tr("K")), tr("Key the current track at the playhead")},
-        withTracks(&view::Timeline::setKey));
+        withTracks(&view::KeyCommands::set));
     add({nullptr, tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
          tr("Key all tracks that have keys at the playhead, or all tracks if none has")},
-        withTracks(&view::Timeline::setAllKeys));
+        withTracks(&view::KeyCommands::setInAll));
     add({"remove", tr("&Delete Keys"), {}, tr("Delete the selected keys")},
-        [&timeline] { timeline.deleteSelected(); });
+        [&timeline] { timeline.keys().remove(); });
 }

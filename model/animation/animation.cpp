@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "animation/animation.h"
 
+#include "animation/contraction.h"
 #include "ifs/system/map_interpolation.h"
 
 #include <algorithm>
@@ -198,15 +199,24 @@ template <int Dim> bool isValid(const Animation<Dim>& animation) {
 template <int Dim>
 std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
                                           const ifs::IteratedFunctionSystem<Dim>& still) {
-    std::vector<ifs::AffineMap<Dim>> maps;
+    // Mostly all contract as they are, and there may be thousands of keys: they are looked at where they lie.
     const std::vector<double> probabilities = ifs::probabilities(still);
-    for (std::size_t i = 0; i < still.maps.size(); ++i) {
-        if (const auto* track = trackOf(animation, still.maps[i].id))
-            for (const auto& key : track->keys)
-                maps.push_back(key.value.map);
-        else if (probabilities[i] > 0)
-            maps.push_back(still.maps[i].map);
-    }
+    const auto allOf = [&](auto&& holds) {
+        for (std::size_t i = 0; i < still.maps.size(); ++i)
+            if (const auto* track = trackOf(animation, still.maps[i].id)) {
+                for (const auto& key : track->keys)
+                    if (!holds(key.value.map)) return false;
+            } else if (probabilities[i] > 0 && !holds(still.maps[i].map)) {
+                return false;
+            }
+        return true;
+    };
+    if (allOf(contracts<Dim>)) return CommonNorm<Dim>{};
+    std::vector<ifs::AffineMap<Dim>> maps;
+    allOf([&](const ifs::AffineMap<Dim>& map) {
+        maps.push_back(map);
+        return true;
+    });
     return commonNorm<Dim>(maps);
 }
 

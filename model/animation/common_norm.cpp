@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "animation/common_norm.h"
 
+#include "animation/contraction.h"
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/norm_descent.h"
 #include "ifs/existence/symmetric_square.h"
@@ -15,12 +16,6 @@ namespace animation {
 
 namespace {
 
-constexpr double safety = 1e-12; // by which a norm has to be below 1
-
-template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
-    return map.linear.squaredNorm() < 1 - safety || ifs::spectralNorm<Dim>(map.linear) < 1 - safety;
-}
-
 // The norm √(xᵀPx), if all maps contract there.
 template <int Dim>
 std::optional<CommonNorm<Dim>> tried(const ifs::Matrix<Dim>& form,
@@ -29,7 +24,8 @@ std::optional<CommonNorm<Dim>> tried(const ifs::Matrix<Dim>& form,
     if (!(solver.eigenvalues().minCoeff() > 1e-12 * solver.eigenvalues().maxCoeff())) return std::nullopt;
     const CommonNorm<Dim> norm{solver.operatorSqrt(), solver.operatorInverseSqrt(), false};
     const bool serves = std::ranges::all_of(maps, [&](const ifs::AffineMap<Dim>& map) {
-        return ifs::spectralNorm<Dim>(norm.root * map.linear * norm.inverse) < 1 - safety;
+        const ifs::Matrix<Dim> seen = norm.root * map.linear * norm.inverse;
+        return seen.squaredNorm() < 1 - 3 * safety || ifs::spectralNorm<Dim>(seen) < 1 - safety;
     });
     return serves ? std::optional(norm) : std::nullopt;
 }
@@ -67,7 +63,8 @@ template <int Dim> std::optional<CommonNorm<Dim>> commonNorm(std::span<const ifs
     if (!std::ranges::all_of(maps, ifs::isFinite<Dim>)) return std::nullopt;
     // Where some map alone contracts in no norm, no norm is common.
     for (const auto& map : maps)
-        if (!(ifs::spectralRadius<Dim>(map.linear) < 1)) return std::nullopt;
+        if (map.linear.squaredNorm() >= 1 - safety && !(ifs::spectralRadius<Dim>(map.linear) < 1))
+            return std::nullopt;
     if (const auto form = sumOfProducts(maps))
         if (auto norm = tried<Dim>(*form, maps)) return norm;
     for (const double emphasis : {0.0, 2.0, 8.0}) {

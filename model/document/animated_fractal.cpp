@@ -2,6 +2,7 @@
 #include "document/animated_fractal.h"
 
 #include "document/fractal_geometry.h"
+#include "document/safe_strength.h"
 #include "ifs/links/linked_existence.h"
 
 #include <algorithm>
@@ -62,9 +63,13 @@ bool isCertain(ifs::Verdict verdict) {
     return verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive;
 }
 
-std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts) {
+// None as well when stopped.
+std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts,
+                                                 const std::stop_token& stop) {
     for (const animation::Moment& moment : moments(facts, trials))
-        if (const ifs::Verdict verdict = verdictAt(fractal, moment); !isCertain(verdict))
+        if (stop.stop_requested())
+            break;
+        else if (const ifs::Verdict verdict = verdictAt(fractal, moment); !isCertain(verdict))
             return MomentWithoutAttractor{moment, verdict};
     return std::nullopt;
 }
@@ -73,6 +78,12 @@ template <int Dim> bool hasCommonNorm(const Shape<Dim>& shape) {
     return ifs::countActive(shape.system) > 0 && // of the listed maps: the group need not keep their norm
            shape.system.symmetry.group == ifs::SymmetryGroup::None &&
            animation::commonNorm(*shape.animation, shape.system).has_value();
+}
+
+// Keys with a common norm, and no motion that leaves them.
+bool isSafeByNorm(const Fractal& fractal, const AnimationFacts& facts) {
+    const auto* flat = plane(fractal);
+    return facts.motions == 0 && (flat ? hasCommonNorm(*flat) : hasCommonNorm(*space(fractal)));
 }
 
 template <int Dim> Fractal weakened(const Fractal& fractal, std::size_t motion, double share) {
@@ -105,25 +116,33 @@ std::vector<animation::Moment> moments(const AnimationFacts& facts, int count) {
 
 std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal) {
     const auto facts = animationFacts(fractal);
-    if (!facts) return std::nullopt;
-    const auto* flat = plane(fractal);
-    if (facts->motions == 0 && (flat ? hasCommonNorm(*flat) : hasCommonNorm(*space(fractal))))
-        return std::nullopt;
-    return firstTried(fractal, *facts);
+    return facts && !isSafeByNorm(fractal, *facts) ? firstTried(fractal, *facts, {}) : std::nullopt;
 }
 
-Fractal withSafeStrength(const Fractal& fractal, std::size_t motion) {
+std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token& stop) {
     const auto facts = animationFacts(fractal);
-    if (!facts || motion >= facts->motions || !firstTried(fractal, *facts)) return fractal;
+    if (!facts || isSafeByNorm(fractal, *facts)) return false;
+    const bool loses = firstTried(fractal, *facts, stop).has_value();
+    return loses || !stop.stop_requested() ? std::optional(loses) : std::nullopt;
+}
+
+std::optional<Fractal> withSafeStrength(const Fractal& fractal, std::size_t motion,
+                                        const std::stop_token& stop) {
+    const auto facts = animationFacts(fractal);
+    if (!facts || motion >= facts->motions) return fractal;
     const auto withShare = [&](double share) {
         return plane(fractal) ? weakened<2>(fractal, motion, share) : weakened<3>(fractal, motion, share);
     };
     double safe = 0, lost = 1;
-    while (lost - safe > 1e-3) {
-        const double middle = (safe + lost) / 2;
-        (firstTried(withShare(middle), *facts) ? lost : safe) = middle;
+    for (double share = 1; lost - safe > 1e-3; share = (safe + lost) / 2) {
+        (firstTried(withShare(share), *facts, stop) ? lost : safe) = share;
+        if (stop.stop_requested()) return std::nullopt;
     }
-    return withShare(safe);
+    return safe == 1 ? fractal : withShare(safe);
+}
+
+Fractal withSafeStrength(const Fractal& fractal, std::size_t motion) {
+    return *withSafeStrength(fractal, motion, {});
 }
 
 } // namespace document

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Prints the targets table of docs/performance.md as ratios of times measured in this run, and writes them as
 // one flat JSON object. barycage_bench [--quick] [--json FILE] [Google Benchmark's own options]
-#include "attractor/cells/cell_sums.h"
-#include "attractor/cells/splat.h"
-#include "attractor/cut/address_cut.h"
-#include "attractor/folds/density_fold.h"
 #include "attractor/kernels/kernels.h"
-#include "attractor/light/tone_map.h"
 #include "attractor/render/renderer.h"
-#include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
 #include "bench/addresses_bench.h"
 #include "bench/canvas_drag.h"
 #include "bench/collage_bench.h"
+#include "bench/engine_bench.h"
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
 #include "bench/noise_bench.h"
 #include "bench/plain_rivals.h"
 #include "bench/space_bench.h"
+#include "bench/time_bench.h"
 
 #include <QApplication>
 
@@ -35,282 +31,17 @@
 #include <map>
 #include <random>
 #include <sstream>
+#include <string_view>
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace attractor;
+using engine::Case;
+using engine::cases;
+using engine::dragged;
+using engine::tenMillion;
 
 namespace {
-
-constexpr std::uint64_t tenMillion = 10'000'000;
-
-struct Case {
-    std::string name;
-    RenderRequest request;
-    PreparedSystem drawable;
-    rivals::Points points;
-};
-
-ifs::IteratedFunctionSystem<2> randomSystem(int maps) {
-    std::mt19937 random(32);
-    std::uniform_real_distribution<double> u(-1, 1);
-    ifs::IteratedFunctionSystem<2> result;
-    for (int i = 0; i < maps; ++i)
-        ifs::append<2>(result, ifs::affineMap(0.3 * u(random), 0.2 * u(random), 0.2 * u(random),
-                                              0.3 * u(random), u(random), u(random)));
-    return result;
-}
-
-std::vector<Case>& cases() {
-    static std::vector<Case> all = [] {
-        std::vector<Case> result;
-        for (const auto& [name, system] :
-             {std::pair<std::string, ifs::IteratedFunctionSystem<2>>{"sierpinski", systems::sierpinski()},
-              {"fern", systems::fern()},
-              {"maple", systems::maple()},
-              {"flower", systems::flower()},
-              {"random32", randomSystem(32)}}) {
-            Case c{name, systems::request(system, tenMillion, 1920, 1080), prepared(system), {}};
-            c.request.appearance = Appearance{};
-            c.request.exposure = Exposure{0, 5, 1};
-            result.push_back(std::move(c));
-        }
-        return result;
-    }();
-    return all;
-}
-
-// A drag: every frame has another cage, so nothing but the system stays.
-RenderRequest dragged(RenderRequest request, int frame) {
-    const double shift = 1e-3 * (frame % 100);
-    request.cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1 + shift, 0}, {shift, 1}}};
-    return request;
-}
-
-// The same in a cage of eight corners around the maple, of which two are moved by 20 % of its size.
-RenderRequest bent(RenderRequest request, int frame) {
-    ifs::ControlCage<2> cage = ifs::polygonAtRest<2>({{3.264, 1.794},
-                                                      {2.045, 4.100},
-                                                      {0.992, 5.113},
-                                                      {-1.210, 5.113},
-                                                      {-3.018, 2.776},
-                                                      {-3.434, 1.320},
-                                                      {-0.116, -3.215},
-                                                      {3.428, -0.152}});
-    const double shift = 1e-3 * (frame % 100);
-    cage.current[0] += ifs::Vector<2>(1.65 + shift, 0);
-    cage.current[4] += ifs::Vector<2>(0, 1.65);
-    request.cage = cage;
-    return request;
-}
-
-// The maps of a system in box coordinates as the engine's chaos game has them.
-struct BoxMaps {
-    explicit BoxMaps(const PreparedSystem& system) : table(system.probabilities) {
-        for (auto& row : rows)
-            row.assign(table.size(), 0);
-        const ifs::Vector<2>& h = system.halfExtent;
-        for (std::size_t i = 0; i < system.maps.size(); ++i) {
-            const ifs::Matrix<2>& a = system.maps[i].linear;
-            const ifs::Vector<2> shift = system.maps[i](system.centre) - system.centre;
-            const std::array<double, 6> row{a(0, 0), a(0, 1) * h.y() / h.x(), a(1, 0) * h.x() / h.y(),
-                                            a(1, 1), shift.x() / h.x(),       shift.y() / h.y()};
-            for (std::size_t k = 0; k < row.size(); ++k)
-                rows[k][i] = static_cast<float>(row[k]);
-        }
-    }
-    kernels::ChaosTables tables() const {
-        kernels::ChaosTables result;
-        result.size = table.size();
-        result.threshold = table.thresholds().data();
-        result.alias = table.aliases().data();
-        for (std::size_t k = 0; k < rows.size(); ++k)
-            result.coefficients[k] = rows[k].data();
-        return result;
-    }
-    AliasTable table;
-    std::array<std::vector<float>, 6> rows;
-};
-
-constexpr std::size_t cells = 1920 * 1080;
-
-void add(const std::string& what, const Case& c, auto work) {
-    benchmark::RegisterBenchmark((what + "/" + c.name).c_str(),
-                                 [work](benchmark::State& state) mutable { work(state); })
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
-}
-
-void drawOnce(Rendering& rendering, const RenderRequest& request) {
-    rendering.restart(request);
-    rendering.refine();
-}
-
-// Orbits and sample sets, without a picture.
-void addChaosGame(const Case& c) {
-    add("orbit_scalar", c, [&c](benchmark::State& state) {
-        std::vector<double> xy(2 * SampleSet::size);
-        for (auto _ : state) {
-            rivals::scalarOrbit(c.drawable, xy);
-            benchmark::DoNotOptimize(xy.data());
-        }
-    });
-    add("orbit_engine", c, [&c](benchmark::State& state) {
-        const BoxMaps maps(c.drawable);
-        std::mt19937 random(1);
-        kernels::Lanes lanes;
-        for (auto& word : lanes.random)
-            for (std::uint32_t& value : word)
-                value = static_cast<std::uint32_t>(random()) | 1U;
-        std::vector<float> x(SampleSet::size);
-        std::vector<float> y(SampleSet::size);
-        for (auto _ : state) {
-            kernels::iterate(lanes, maps.tables(), kernels::Guard::Off, SampleSet::size / SampleSet::lanes,
-                             x.data(), y.data());
-            benchmark::DoNotOptimize(y.data());
-        }
-    });
-    add("sample_set", c, [&c](benchmark::State& state) {
-        SampleSet samples;
-        std::uint64_t pass = 0;
-        for (auto _ : state) {
-            drawSamples(c.drawable, 1, ++pass, samples);
-            benchmark::DoNotOptimize(samples.x.data());
-        }
-    });
-}
-
-// The plain rivals beside the engine.
-void addRivals(Case& c) {
-    add("grid_plain", c, [&c](benchmark::State& state) {
-        std::vector<std::uint32_t> counts(cells);
-        for (auto _ : state)
-            rivals::chaosIntoGrid(c.drawable, c.request.camera, tenMillion, counts);
-    });
-    add("grid_engine", c, [&c](benchmark::State& state) {
-        Rendering rendering(c.request);
-        int frame = 0;
-        for (auto _ : state)
-            drawOnce(rendering, dragged(c.request, ++frame));
-    });
-    add("redraw_scalar", c, [&c](benchmark::State& state) {
-        if (c.points.xy.empty()) c.points = rivals::storedPoints(c.drawable, tenMillion);
-        std::vector<std::uint32_t> counts(cells);
-        std::vector<std::uint32_t> pixels(cells);
-        std::vector<std::uint32_t> palette(kernels::toneIndex(tenMillion) + 1, 7);
-        for (auto _ : state) {
-            std::fill(counts.begin(), counts.end(), 0U);
-            rivals::redrawStored(c.points, c.request.camera, counts);
-            const std::uint32_t* pointer = counts.data();
-            kernels::mapTones({&pointer, 1}, cells, palette.data(), pixels.data());
-        }
-    });
-}
-
-// Whole frames, of which each one's request differs from the one before.
-void addFrames(const std::string& what, const Case& c, auto requestOf) {
-    add(what, c, [&c, requestOf](benchmark::State& state) {
-        Rendering rendering(c.request);
-        Frame shown;
-        int frame = 0;
-        for (auto _ : state) {
-            drawOnce(rendering, requestOf(c.request, ++frame));
-            shown = rendering.frame(std::move(shown));
-        }
-    });
-}
-
-RenderRequest edited(RenderRequest request, int frame) {
-    request.system.maps[0].map.translation.x() += 1e-5 * frame;
-    return request;
-}
-
-// Counts samples alone, at another zoom.
-void addSplat(const std::string& what, const Case& c, double zoom) {
-    add(what, c, [&c, zoom](benchmark::State& state) {
-        Camera camera = c.request.camera;
-        camera.pixelsPerUnit *= zoom;
-        if (zoom > 1) camera.centre = *ifs::fixedPoint(c.drawable.maps.back()); // something is there
-        const PreparedSystem& system = c.drawable;
-        const Projection view = projection(camera, {}, 1);
-        CutSettings settings;
-        settings.words = wordsFor(tenMillion);
-        if (zoom > 1) { // as many words as the engine takes for what is in view
-            settings.samples = addressCut(system, view, settings).probability * tenMillion;
-            settings.words = wordsFor(static_cast<std::uint64_t>(settings.samples));
-        }
-        const AddressCut cut = addressCut(system, view, settings);
-        SampleSet samples;
-        drawSamples(system, 1, 0, samples);
-        CellSums sums;
-        sums.reset(CellKind::Count, {1920, 0, 1080}, 1);
-        for (auto _ : state)
-            for (const Word& word : cut.words)
-                splat(word, samples, static_cast<std::uint64_t>(word.probability * tenMillion), sums.window(),
-                      sums.counts(0, reachedCells(word, samples, sums.window())));
-    });
-}
-
-// What a frame pays besides counting: tones of one picture, and clearing what the next one reaches.
-void addTone(const Case& c) {
-    add("tone", c, [&c](benchmark::State& state) {
-        const ToneMap toneMap({c.request.appearance, 1, 1e-1, 5, 1}, tenMillion);
-        SampleSet samples;
-        drawSamples(c.drawable, 1, 0, samples);
-        CutSettings settings;
-        settings.words = wordsFor(tenMillion);
-        const AddressCut cut = addressCut(c.drawable, projection(c.request.camera, {}, 1), settings);
-        CellSums sums;
-        CellSums next;
-        const CellWindow window{1920, 0, 1080};
-        sums.reset(CellKind::Count, window, 1);
-        for (const Word& word : cut.words)
-            splat(word, samples, static_cast<std::uint64_t>(word.probability * tenMillion), window,
-                  sums.counts(0, reachedCells(word, samples, window)));
-        std::vector<std::uint32_t> pixels(cells);
-        for (auto _ : state) {
-            toneMap.apply(sums, 0, 1080, pixels);
-            next.reset(CellKind::Count, window, 1);
-            for (const Word& word : cut.words)
-                benchmark::DoNotOptimize(next.counts(0, reachedCells(word, samples, window)));
-        }
-    });
-}
-
-void addBenchmarks(Case& c) {
-    addChaosGame(c);
-    addRivals(c);
-    addFrames("redraw", c, dragged);
-    if (c.name == "maple") addFrames("cage8", c, bent);
-    addFrames("edit", c, edited);
-    addSplat("splat", c, 1);
-    addSplat("splat_zoom_out", c, 12.0 / 1080);
-    addSplat("splat_zoom16", c, 16);
-    addTone(c);
-}
-
-void addRoofline() {
-    const auto add = [](const char* what, auto work) {
-        benchmark::RegisterBenchmark(what, work)->Unit(benchmark::kMillisecond)->UseRealTime();
-    };
-    add("read", [](benchmark::State& state) {
-        const std::vector<std::uint32_t> data(tenMillion, 3);
-        for (auto _ : state) {
-            std::uint32_t sum = 0;
-            for (const std::uint32_t value : data)
-                sum += value;
-            benchmark::DoNotOptimize(sum);
-        }
-    });
-    add("memcpy", [](benchmark::State& state) {
-        const std::vector<std::uint32_t> from(cells, 5);
-        std::vector<std::uint32_t> to(cells);
-        for (auto _ : state) {
-            std::memcpy(to.data(), from.data(), cells * sizeof(std::uint32_t));
-            benchmark::DoNotOptimize(to.data());
-        }
-    });
-}
 
 double milliseconds(const auto& work) {
     const auto begin = std::chrono::steady_clock::now();
@@ -546,6 +277,17 @@ void addAddresses(std::vector<Metric>& metrics, bool quick) {
         metrics.push_back({ratio.name, ratio.value, ratio.target});
 }
 
+void addTime(std::vector<Metric>& metrics, bool quick) {
+    for (const timing::Row& row : timing::measure(quick ? 5 : 20))
+        metrics.push_back({row.name, row.value, row.target});
+}
+
+// "--drag" and the like: this part alone.
+bool isPart(std::string_view argument) {
+    constexpr std::array parts{"--drag", "--collage", "--addresses", "--time", "--space"};
+    return std::ranges::find(parts, argument) != parts.end();
+}
+
 void writeJson(const std::vector<Metric>& metrics, const std::string& path) {
     std::ofstream file(path);
     file << "{\n";
@@ -571,8 +313,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--quick") == 0)
             quick = true;
-        else if (std::strcmp(argv[i], "--drag") == 0 || std::strcmp(argv[i], "--collage") == 0 ||
-                 std::strcmp(argv[i], "--addresses") == 0)
+        else if (isPart(argv[i]))
             only = argv[i] + 2;
         else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
             json = argv[++i];
@@ -593,14 +334,15 @@ int main(int argc, char** argv) {
     if (isWanted("drag")) addDrag(whole, quick);
     if (isWanted("collage")) addCollage(whole, quick);
     if (isWanted("addresses")) addAddresses(whole, quick);
+    if (isWanted("time")) addTime(whole, quick);
+    if (isWanted("space")) addSpace(whole, quick);
     if (only.empty()) {
         addGeometry(whole, quick);
         addNoise(whole);
-        addSpace(whole, quick);
         addWholeEngine(whole, quick);
         for (Case& c : cases())
-            addBenchmarks(c);
-        addRoofline();
+            engine::addBenchmarks(c);
+        engine::addRoofline();
         light::addBenchmark();
         Shortest shortest;
         benchmark::RunSpecifiedBenchmarks(&shortest);

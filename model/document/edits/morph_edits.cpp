@@ -4,6 +4,8 @@
 #include "document/fractal_geometry.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace document {
 
@@ -25,11 +27,24 @@ std::vector<animation::Pin> overActive(std::span<const animation::Pin> pins, con
                                        const ifs::ActiveMaps<Dim>& to) {
     std::vector<animation::Pin> result;
     for (const animation::Pin& pin : pins) {
-        const auto first = std::ranges::find(from.index, pin.from),
-                   last = std::ranges::find(to.index, pin.to);
-        if (first != from.index.end() && last != to.index.end())
-            result.push_back({std::size_t(first - from.index.begin()), std::size_t(last - to.index.begin())});
+        for (std::size_t i = 0; i < from.index.size(); ++i)
+            for (std::size_t k = 0; k < to.index.size(); ++k)
+                if (from.index[i] == pin.from && to.index[k] == pin.to) result.push_back({i, k});
     }
+    return result;
+}
+
+// Of listed maps, from those of their copies.
+template <int Dim>
+std::vector<animation::Shipment> overListed(const std::vector<animation::Shipment>& pairs,
+                                            const ifs::ActiveMaps<Dim>& from,
+                                            const ifs::ActiveMaps<Dim>& to) {
+    std::map<std::pair<std::size_t, std::size_t>, double> amounts;
+    for (const animation::Shipment& pair : pairs)
+        amounts[{from.index[pair.from], to.index[pair.to]}] += pair.amount;
+    std::vector<animation::Shipment> result;
+    for (const auto& [places, amount] : amounts)
+        result.push_back({places.first, places.second, amount});
     return result;
 }
 
@@ -53,7 +68,7 @@ MorphOutcome morphedIn(const Fractal& from, const Fractal& to, int length,
     fractal.name = from.name + u'-' + to.name;
     fractal.appearance = animation::withLook({}, before);
     fractal.shape = Shape<Dim>{std::move(morph.system), {}, {}, std::move(morph.animation)};
-    return {std::move(fractal)};
+    return {std::move(fractal), {}, overListed<Dim>(pairs->pairs, begin, end)};
 }
 
 } // namespace

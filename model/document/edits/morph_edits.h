@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace document {
 
@@ -20,10 +21,11 @@ enum class MorphFlaw {
 
 // An entry without a cage that shows the first fractal at frame 0 and the second at frame `length`, both as
 // their cages place them, and in between how the maps of the one become those of the other. Moved branches
-// stay behind. Pins are indices of maps.
+// stay behind. Pins are indices of maps; of maps that stand for several, all copies are pinned.
 struct MorphOutcome {
     std::optional<Fractal> fractal;
-    MorphFlaw flaw = MorphFlaw::Dimensions; // where there is none
+    MorphFlaw flaw = MorphFlaw::Dimensions;   // where there is none
+    std::vector<animation::Shipment> pairs{}; // indices of all maps, and what share of the weight they carry
 };
 MorphOutcome morphed(const Fractal& from, const Fractal& to, int length,
                      std::span<const animation::Pin> pins);

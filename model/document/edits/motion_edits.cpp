@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/motion_edits.h"
 
-#include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/safe_strength.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,7 @@ constexpr int directions = 64;     // in which a piece is looked at
 constexpr double margin = 0.98;    // of the largest view that sees nothing else
 constexpr double roundOff = 1e-9;  // of a map that only scales
 constexpr double tolerance = 1e-4; // of a support value, of the size of the attractor
+constexpr int maxNodes = 5'000;    // of its search: with more, the view only becomes a little larger
 
 template <int Dim> ifs::Vector<Dim> displayed(const Fractal& fractal, const ifs::Vector<Dim>& point) {
     if constexpr (Dim == 2)
@@ -66,8 +67,8 @@ template <class Make> std::optional<Fractal> ofItsDimension(const Fractal& entry
     return std::nullopt;
 }
 
-Fractal asStrongAsCanBe(const Fractal& entry) {
-    return withSafeStrength(entry, animationFacts(entry)->motions - 1);
+std::optional<Fractal> asStrongAsCanBe(const Fractal& entry, const std::stop_token& stop) {
+    return withSafeStrength(entry, animationFacts(entry)->motions - 1, stop);
 }
 
 // How far the piece w(A) is from a point, or less: the largest distance to a line that has it on one side.
@@ -77,7 +78,7 @@ double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap
     for (int i = 0; i < directions; ++i) {
         const double angle = 2 * std::numbers::pi * i / directions;
         const ifs::Vector<2> u(std::cos(angle), std::sin(angle));
-        const auto extent = attractor(piece.linear.transpose() * u, tolerance * attractor.radius());
+        const auto extent = attractor(piece.linear.transpose() * u, tolerance * attractor.radius(), maxNodes);
         distance = std::max(distance, u.dot(point - piece.translation) - extent.value - extent.error);
     }
     return distance;
@@ -89,7 +90,7 @@ struct SmallCopy {
     double radius = 0; // of the largest ball about the centre that, scaled, meets no other piece
 };
 
-std::optional<SmallCopy> largestCopy(const System2& shown) {
+std::optional<SmallCopy> largestCopy(const System2& shown, const std::stop_token& stop) {
     const auto active = ifs::activeMaps(shown);
     const auto attractor = ifs::SupportFunction<2>::of(active.maps);
     std::optional<SmallCopy> best;
@@ -102,8 +103,10 @@ std::optional<SmallCopy> largestCopy(const System2& shown) {
             (map.linear - ratio * ifs::Matrix<2>::Identity()).norm() > roundOff)
             continue;
         double clear = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < active.maps.size(); ++i)
+        for (std::size_t i = 0; i < active.maps.size(); ++i) {
+            if (stop.stop_requested()) return std::nullopt;
             if (i != j) clear = std::min(clear, distanceTo(*attractor, active.maps[i], *centre));
+        }
         const double radius = std::min(clear / ratio, 4 * attractor->radius());
         if (radius > (best ? best->radius : 0)) best = SmallCopy{*centre, ratio, radius};
     }
@@ -112,25 +115,29 @@ std::optional<SmallCopy> largestCopy(const System2& shown) {
 
 } // namespace
 
-std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset) {
+std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
+                                const std::stop_token& stop) {
     return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
         return asStrongAsCanBe(
-            withMotion<Dim>(entry, animation::swayOf<Dim>(preset, {}, root<Dim>(entry, shape))));
+            withMotion<Dim>(entry, animation::swayOf<Dim>(preset, {}, root<Dim>(entry, shape))), stop);
     });
 }
 
-std::optional<Fractal> withTurn(const Fractal& entry) {
+std::optional<Fractal> withTurn(const Fractal& entry, const std::stop_token& stop) {
     return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) -> std::optional<Fractal> {
         const auto turned = [&](animation::MapIds maps) {
             return withMotion<Dim>(entry, animation::Turn<Dim>{std::move(maps), 1, middle<Dim>(shape)});
         };
-        if (Fractal all = turned({}); !firstWithoutAttractor(all)) return all;
+        const auto isSafe = [&](const Fractal& fractal) { return losesAttractor(fractal, stop) == false; };
+        if (Fractal all = turned({}); isSafe(all)) return all;
         animation::MapIds able;
-        for (const auto& map : shape.system.maps)
-            if (!firstWithoutAttractor(turned({map.id}))) able.push_back(map.id);
-        while (!able.empty() && firstWithoutAttractor(turned(able)))
+        for (const auto& map : shape.system.maps) {
+            if (stop.stop_requested()) return std::nullopt;
+            if (isSafe(turned({map.id}))) able.push_back(map.id);
+        }
+        while (!able.empty() && !stop.stop_requested() && !isSafe(turned(able)))
             able.pop_back();
-        return able.empty() ? std::nullopt : std::optional(turned(able));
+        return able.empty() || stop.stop_requested() ? std::nullopt : std::optional(turned(able));
     });
 }
 
@@ -146,10 +153,10 @@ std::optional<Fractal> withOrbit(const Fractal& entry) {
     });
 }
 
-std::optional<Fractal> withBreathing(const Fractal& entry) {
+std::optional<Fractal> withBreathing(const Fractal& entry, const std::stop_token& stop) {
     return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
         return asStrongAsCanBe(
-            withMotion<Dim>(entry, animation::Breathe<Dim>{{}, swell, 1, middle<Dim>(shape)}));
+            withMotion<Dim>(entry, animation::Breathe<Dim>{{}, swell, 1, middle<Dim>(shape)}), stop);
     });
 }
 
@@ -158,9 +165,10 @@ std::optional<Fractal> withPaletteCycle(const Fractal& entry) {
         entry, [&]<int Dim>(const Shape<Dim>&) { return withMotion<Dim>(entry, animation::PaletteCycle{}); });
 }
 
-std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis) {
+std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis,
+                                       const std::stop_token& stop) {
     const auto system = plane(entry) && plane(entry)->moved.empty() ? effectiveSystem(entry) : std::nullopt;
-    const auto copy = system ? largestCopy(*system) : std::nullopt;
+    const auto copy = system ? largestCopy(*system, stop) : std::nullopt;
     if (!copy) return std::nullopt;
     const double height = margin * 2 * copy->radius / std::hypot(1, aspect);
     const attractor::View from{copy->centre, height, yAxis};

@@ -6,6 +6,10 @@
 
 #include <QtTest>
 
+#include <chrono>
+#include <stop_token>
+#include <thread>
+
 using namespace document;
 
 namespace {
@@ -34,6 +38,7 @@ private slots:
     void windSwaysAboutTheLowestPoint();
     void endlessZoomsEndWhereTheyBegan();
     void zoomsNeedACopyThatStandsClear();
+    void whatTakesLongCanBeStopped();
 };
 
 void MotionEditsTest::loopsKeepTheirAttractorAndClose() {
@@ -107,6 +112,27 @@ void MotionEditsTest::zoomsNeedACopyThatStandsClear() {
     ifs::append(shape.system, ifs::affineMap(0.75, 0, 0, 0.75, 0, 0), 0.5);
     interval.shape = shape;
     QVERIFY(!withEndlessZoom(interval, 1, attractor::YAxis::Up)); // both hold the same point
+}
+
+// Each of 1600 copies must be clear of all others: minutes, if nobody ends it.
+void MotionEditsTest::whatTakesLongCanBeStopped() {
+    Fractal grid;
+    Shape<2> shape;
+    for (int i = 0; i < 1600; ++i)
+        ifs::append(shape.system, ifs::affineMap(0.02, 0, 0, 0.02, i % 40 / 40.0, i / 40 / 40.0), 1);
+    grid.shape = std::move(shape);
+    std::stop_source stop;
+    std::jthread impatient([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        stop.request_stop();
+    });
+    QElapsedTimer timer;
+    timer.start();
+    QVERIFY(!withEndlessZoom(grid, 1, attractor::YAxis::Up, stop.get_token()));
+    QVERIFY(stop.stop_requested());
+    QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY(!withWind(grid, animation::swayPresets()[2], stop.get_token()));
+    QVERIFY(!withTurn(grid, stop.get_token()) && !withBreathing(grid, stop.get_token()));
 }
 
 QTEST_APPLESS_MAIN(MotionEditsTest)

@@ -14,9 +14,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMenu>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
 
@@ -36,6 +39,7 @@ private slots:
 
     void motionsAreOfferedFirst();
     void oneClickMakesALoop();
+    void slowMotionsLeaveTheWindowAtHand();
     void motionsAreShownMoving();
     void morphsAreEntriesOfTheirOwn();
     void diamondsMakeAndDeleteKeys();
@@ -100,7 +104,7 @@ void TimelineTest::keyCageAt(const std::vector<int>& frames) {
     timeline().setRow(0);
     for (const int frame : frames) {
         timeline().setFrame(frame);
-        timeline().setKey();
+        timeline().keys().set();
     }
 }
 
@@ -143,6 +147,31 @@ void TimelineTest::oneClickMakesALoop() {
     QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Delete the motion “Wind”"));
 }
 
+// A search that would take minutes runs beside the window, which says so and can end it.
+void TimelineTest::slowMotionsLeaveTheWindowAtHand() {
+    document::Fractal grid;
+    document::Shape<2> shape;
+    for (int i = 0; i < 1600; ++i)
+        ifs::append(shape.system, ifs::affineMap(0.02, 0, 0, 0.02, i % 40 / 40.0, i / 40 / 40.0), 1);
+    grid.shape = std::move(shape);
+    m_document->setFile(document::fileOf(grid));
+    bool wasShown = false;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&] {
+        if (auto* progress = m_panel->findChild<QProgressDialog*>()) {
+            wasShown = progress->isVisible();
+            progress->findChild<QPushButton*>()->click();
+        }
+    });
+    timer.start(50);
+    for (QAction* action : m_panel->motions())
+        if (action->text() == QStringLiteral("Zoom In Endlessly")) action->trigger();
+    QVERIFY(wasShown);
+    QCOMPARE(steps(), 0);
+    QVERIFY(!timeline().playback().isPlaying());
+    QVERIFY(m_panel->isVisible());
+}
+
 // Small pictures of the fractal as it would move, which differ from one moment to the next.
 void TimelineTest::motionsAreShownMoving() {
     const auto* page = m_panel->findChild<view::MotionPage*>();
@@ -170,7 +199,7 @@ void TimelineTest::morphsAreEntriesOfTheirOwn() {
     const document::Fractal before = m_document->fractal();
     QMenu* entries = m_panel->motions().back()->menu();
     emit entries->aboutToShow();
-    QCOMPARE(entries->actions().size(), 1);
+    QCOMPARE(entries->actions().size(), 3); // then a line, and the dialog
     QCOMPARE(entries->actions().front()->text(), QStringLiteral("other"));
     entries->actions().front()->trigger();
     timeline().playback().setPlaying(false);
@@ -195,7 +224,7 @@ void TimelineTest::diamondsMakeAndDeleteKeys() {
     QTest::keyClick(&tracks(), Qt::Key_Return); // the same by keys, in the next row
     QCOMPARE(framesOf(1), (std::vector<int>{0, 12}));
     timeline().setFrame(6);
-    timeline().setAllKeys();
+    timeline().keys().setInAll();
     QCOMPARE(framesOf(0), (std::vector<int>{0, 6}));
     QCOMPARE(framesOf(1), (std::vector<int>{0, 6, 12}));
     QVERIFY(framesOf(2).empty());
@@ -273,7 +302,7 @@ void TimelineTest::bandsSelectAndKeysAreCopied() {
     QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(framesOf(0), (std::vector<int>{0, 10, 20, 30, 40}));
     QCOMPARE(timeline().selected().size(), std::size_t(2));
-    timeline().setEase({animation::Ease::Kind::Hold});
+    timeline().keys().setEase({animation::Ease::Kind::Hold});
     QVERIFY(timeline().tracks()[0].keys[3].ease.kind == animation::Ease::Kind::Hold);
     QVERIFY(timeline().tracks()[0].keys[0].ease.kind == animation::Ease::Kind::Both);
     QTest::keyClick(&tracks(), Qt::Key_Delete);
@@ -287,7 +316,7 @@ void TimelineTest::bandsSelectAndKeysAreCopied() {
 void TimelineTest::aCustomEaseIsDrawn() {
     keyCageAt({0, 24});
     timeline().select({{timeline().tracks()[0].track, 0}});
-    view::EaseDialog dialog(timeline().ease());
+    view::EaseDialog dialog(timeline().keys().ease());
     dialog.show();
     QVERIFY(QTest::qWaitForWindowExposed(&dialog));
     view::EaseCurve* curve = dialog.curve();
@@ -301,8 +330,8 @@ void TimelineTest::aCustomEaseIsDrawn() {
     for (auto* number : dialog.findChildren<QDoubleSpinBox*>())
         if (number->accessibleName() == QStringLiteral("Time of the first handle"))
             QVERIFY(std::abs(number->value() - drawn.x1) < 1e-3);
-    timeline().setEase(drawn);
-    QVERIFY(timeline().ease() == drawn);
+    timeline().keys().setEase(drawn);
+    QVERIFY(timeline().keys().ease() == drawn);
     QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys"));
 }
 
@@ -389,10 +418,10 @@ void TimelineTest::unreadableEntriesHaveNoRows() {
     QCOMPARE(timeline().rowCount(), 0);
     QVERIFY(!m_panel->transport()->isEnabled());
     const auto before = m_document->file();
-    timeline().setKey();
-    timeline().setAllKeys();
-    timeline().paste();
-    timeline().deleteSelected();
+    timeline().keys().set();
+    timeline().keys().setInAll();
+    timeline().keys().paste();
+    timeline().keys().remove();
     timeline().stepToKey(1);
     QTest::keyClick(&tracks(), Qt::Key_Return);
     click({5, 60});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/edits/animation_edits.h"
+#include "panels/timeline/key_commands.h"
 #include "panels/timeline/playback.h"
 
 #include <QColor>
@@ -52,16 +52,7 @@ public:
     void select(std::vector<document::KeyAt> keys);
     void selectAll();
 
-    void setKey();     // of the current track at the playhead
-    void setAllKeys(); // of all tracks that have keys; where none has, of all
-    void toggleKey(int row);
-    void deleteSelected(); // or the current motion
-    void moveSelected(int by, document::KeyMove how);
-    void setEase(const animation::Ease& ease);
-    animation::Ease ease() const; // of the first selected key
-    void copy();
-    bool canPaste() const;
-    void paste();
+    KeyCommands& keys() { return m_keys; }
 
 signals:
     void changed();          // rows, keys, timing
@@ -83,7 +74,7 @@ private:
     document::Timing m_timing;
     int m_row = 0;
     std::vector<document::KeyAt> m_selected;
-    std::vector<document::CopiedKey> m_copied;
+    KeyCommands m_keys{this};
 };
 
 } // namespace view

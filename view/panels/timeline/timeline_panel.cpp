@@ -4,12 +4,15 @@
 #include "document/edits/entries_edits.h"
 #include "document/edits/morph_edits.h"
 #include "document/edits/motion_edits.h"
+#include "io/file/background.h"
+#include "panels/timeline/morph_dialog.h"
 #include "panels/timeline/motion_page.h"
 #include "panels/timeline/motion_preview.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
+#include "widgets/wait_for.h"
 
 #include <QAction>
 #include <QMenu>
@@ -38,6 +41,12 @@ constexpr const char* windNames[] = {
 
 constexpr std::size_t usualWind = 1; // Gusts
 
+auto windOf(std::size_t preset) {
+    return [preset](const document::Fractal& entry, const std::stop_token& stop) {
+        return document::withWind(entry, animation::swayPresets()[preset], stop);
+    };
+}
+
 // In a narrow window, and with large letters.
 QScrollArea* scrolling(QWidget* page) {
     auto* area = new QScrollArea;
@@ -46,22 +55,6 @@ QScrollArea* scrolling(QWidget* page) {
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidget(page);
     return area;
-}
-
-QString morphObstacle(document::MorphFlaw flaw) {
-    switch (flaw) {
-    case document::MorphFlaw::Dimensions:
-        return TimelinePanel::tr("A fractal of the plane cannot become one in space.");
-    case document::MorphFlaw::TooMany:
-        return TimelinePanel::tr("One of the two fractals has more than 256 maps.");
-    case document::MorphFlaw::Linked:
-        return TimelinePanel::tr("The maps of one of the two fractals are linked.");
-    case document::MorphFlaw::BentCage:
-        return TimelinePanel::tr("A bent cage has no code to start from. Reset or bake it first.");
-    case document::MorphFlaw::Measure:
-        break;
-    }
-    return TimelinePanel::tr("One of the two fractals has no attractor.");
 }
 
 } // namespace
@@ -87,7 +80,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     for (const Make& make : m_makes)
         motions.push_back([this, make]() -> std::optional<document::Fractal> {
             const document::Fractal& entry = m_document->entryFractal();
-            return make && isPreviewed(entry) ? make(entry) : std::nullopt;
+            return make && isPreviewed(entry) ? make(entry, {}) : std::nullopt;
         });
     m_page->setMotions(std::move(motions));
     m_pages = new QStackedWidget;
@@ -152,35 +145,32 @@ void TimelinePanel::createMotions() {
     QAction* wind = addMotion("wind", tr("Wind"), tr("All branches sway about their roots."));
     wind->setMenu(m_winds);
     addWinds();
-    apply(
-        wind, tr("Wind: %1").arg(tr(windNames[usualWind])),
-        [](const document::Fractal& entry) {
-            return document::withWind(entry, animation::swayPresets()[usualWind]);
-        },
-        noMaps);
+    apply(wind, tr("Wind: %1").arg(tr(windNames[usualWind])), windOf(usualWind), noMaps);
     apply(addMotion("turn", tr("Turn"), tr("Each map turns once in its place.")), tr("Turn the maps"),
           &document::withTurn, tr("No map can turn without losing the attractor."));
-    apply(addMotion("orbit", tr("Orbit"), tr("The whole picture turns once.")), tr("Orbit"),
-          &document::withOrbit, noMaps);
+    apply(
+        addMotion("orbit", tr("Orbit"), tr("The whole picture turns once.")), tr("Orbit"),
+        [](const document::Fractal& entry, const std::stop_token&) { return document::withOrbit(entry); },
+        noMaps);
     apply(addMotion("breathe", tr("Breathe"), tr("The maps swell and shrink.")), tr("Breathe"),
           &document::withBreathing, noMaps);
-    apply(addMotion("palette", tr("Palette Cycle"), tr("The colours run through the palette and back.")),
-          tr("Cycle the palette"), &document::withPaletteCycle, noMaps);
     apply(
-        addMotion("zoom-in", tr("Zoom In Endlessly"),
-                  tr("The view moves into a small copy of the whole; the last frame matches the first.")),
-        tr("Zoom in endlessly"),
-        [this](const document::Fractal& entry) {
-            const auto view = m_timeline.view();
-            return document::withEndlessZoom(entry, usualAspect, view ? view->yAxis : attractor::YAxis::Up);
+        addMotion("palette", tr("Palette Cycle"), tr("The colours run through the palette and back.")),
+        tr("Cycle the palette"),
+        [](const document::Fractal& entry, const std::stop_token&) {
+            return document::withPaletteCycle(entry);
         },
-        tr("No map makes a scaled copy of the fractal that is clear of the others."));
-    m_makes.back() = nullptr; // to find the copy may take too long for a picture
+        noMaps);
+    QAction* zoom =
+        addMotion("zoom-in", tr("Zoom In Endlessly"),
+                  tr("The view moves into a small copy of the whole; the last frame matches the first."));
+    m_makes.push_back(nullptr); // to find the copy may take too long for a picture
+    connect(zoom, &QAction::triggered, this, &TimelinePanel::zoomEndlessly);
     QAction* morph = addMotion("morph", tr("Morph To"),
                                tr("The fractal becomes another entry of this file, and returns."));
     morph->setMenu(m_entries);
     morph->setProperty("isChoice", true);
-    m_makes.push_back([this](const document::Fractal&) { return morphToNext(); });
+    m_makes.push_back([this](const document::Fractal&, const std::stop_token&) { return morphToNext(); });
     connect(m_entries, &QMenu::aboutToShow, this, &TimelinePanel::listEntries);
     m_winds->setAccessibleName(tr("Wind"));
     m_entries->setAccessibleName(tr("Morph To"));
@@ -191,19 +181,37 @@ void TimelinePanel::addWinds() {
     for (std::size_t i = 0; i < presets.size(); ++i) {
         const QString name = tr(windNames[i]);
         QAction* action = m_winds->addAction(name, this, [this, name, i] {
-            apply(
-                tr("Wind: %1").arg(name),
-                [i](const document::Fractal& entry) {
-                    return document::withWind(entry, animation::swayPresets()[i]);
-                },
-                tr("There are no maps to move."));
+            apply(tr("Wind: %1").arg(name), windOf(i), tr("There are no maps to move."));
         });
         action->setWhatsThis(tr("All branches sway about their roots."));
     }
 }
 
+void TimelinePanel::zoomEndlessly() {
+    const auto view = m_timeline.view();
+    const attractor::YAxis yAxis = view ? view->yAxis : attractor::YAxis::Up;
+    apply(
+        tr("Zoom in endlessly"),
+        [yAxis](const document::Fractal& entry, const std::stop_token& stop) {
+            return document::withEndlessZoom(entry, usualAspect, yAxis, stop);
+        },
+        tr("No map makes a scaled copy of the fractal that is clear of the others."));
+}
+
+// Many maps take their time. What is begun for an entry is not written into another one.
 void TimelinePanel::apply(const QString& text, const Make& make, const QString& failure) {
-    auto after = make(m_document->entryFractal());
+    const auto entry = m_document->currentEntry().fractal;
+    std::stop_source stop;
+    const auto work = io::inBackground<std::optional<document::Fractal>>(
+        [entry, make, token = stop.get_token()](QPromise<std::optional<document::Fractal>>& promise) {
+            promise.addResult(make(*entry, token));
+        });
+    if (!waitFor(QFuture<void>(work), tr("Trying the motion…"), window())) {
+        stop.request_stop();
+        return; // perhaps the window has gone
+    }
+    if (m_document->currentEntry().fractal != entry) return;
+    auto after = work.result();
     if (!after) return emit message(failure);
     m_document->editEntry(text, std::move(*after));
     m_timeline.playback().seek(0);
@@ -242,24 +250,50 @@ void TimelinePanel::listEntries() {
         m_entries->addAction(name.replace(u'&', QStringLiteral("&&")), this,
                              [this, id = entry.id] { morphTo(id); });
     }
-    if (m_entries->isEmpty())
+    if (m_entries->isEmpty()) {
         m_entries->addAction(tr("This file has no other fractal of this dimension"))->setEnabled(false);
+        return;
+    }
+    m_entries->addSeparator();
+    QAction* choose = m_entries->addAction(tr("Choose &Pairs…"), this, &TimelinePanel::choosePairs);
+    choose->setWhatsThis(tr("Shows which map becomes which, and lets you pin pairs."));
 }
 
-// The morph is an entry of its own, behind the one that it begins with.
 void TimelinePanel::morphTo(document::EntryId id) {
     const document::FractalFile& file = m_document->file();
     const qsizetype index = document::indexOf(file, id);
     if (index < 0) return;
-    const document::Timing timing = m_timeline.timing();
-    auto outcome =
-        document::morphed(m_document->fractal(), *file.entries.at(index).fractal, timing.length, {});
-    if (!outcome.fractal) return emit message(morphObstacle(outcome.flaw));
-    document::Entry entry;
-    entry.fractal = std::make_shared<const document::Fractal>(document::withTiming(
-        std::move(*outcome.fractal), {timing.rate, timing.length, animation::Loop::ThereAndBack}));
+    const auto entry = m_document->currentEntry().fractal;
+    const auto work = io::inBackground<document::MorphOutcome>(
+        [from = m_document->sharedFractal(), to = file.entries.at(index).fractal,
+         length = m_timeline.timing().length](QPromise<document::MorphOutcome>& promise) {
+            promise.addResult(document::morphed(*from, *to, length, {}));
+        });
     const QString name = file.entries.at(index).fractal->name;
-    document::Inserted added = document::inserted(file, {entry}, m_document->currentId());
+    if (!waitFor(QFuture<void>(work), tr("Pairing the maps…"), window())) return;
+    if (m_document->currentEntry().fractal != entry) return;
+    auto outcome = work.result();
+    if (!outcome.fractal) return emit message(morphObstacle(outcome.flaw));
+    addMorph(std::move(*outcome.fractal), name);
+}
+
+void TimelinePanel::choosePairs() {
+    auto* dialog = new MorphDialog(*m_document, m_timeline.timing().length, window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        if (dialog->isSolved()) addMorph(dialog->morph(), dialog->targetName());
+    });
+    dialog->open();
+}
+
+// The morph is an entry of its own, behind the one that it begins with.
+void TimelinePanel::addMorph(document::Fractal morph, const QString& name) {
+    const document::Timing timing = m_timeline.timing();
+    const int length = document::timingOf(morph).length;
+    document::Entry entry;
+    entry.fractal = std::make_shared<const document::Fractal>(
+        document::withTiming(std::move(morph), {timing.rate, length, animation::Loop::ThereAndBack}));
+    document::Inserted added = document::inserted(m_document->file(), {entry}, m_document->currentId());
     m_document->editFile(tr("Morph to %1").arg(name), std::move(added.file), added.ids.front());
     m_timeline.playback().setPlaying(true);
 }

@@ -5,6 +5,9 @@
 
 #include <QWidget>
 
+#include <functional>
+#include <stop_token>
+
 class QMenu;
 class QStackedWidget;
 
@@ -34,7 +37,8 @@ signals:
     void message(const QString& sentence);
 
 private:
-    using Make = std::function<std::optional<document::Fractal>(const document::Fractal&)>;
+    using Make =
+        std::function<std::optional<document::Fractal>(const document::Fractal&, const std::stop_token&)>;
 
     void createMotions();
     QAction* addMotion(const char* icon, const QString& name, const QString& tip);
@@ -42,7 +46,10 @@ private:
     void listEntries();
     std::optional<document::Fractal> morphToNext() const;
     void apply(const QString& text, const Make& make, const QString& failure);
+    void zoomEndlessly();
     void morphTo(document::EntryId id);
+    void choosePairs();
+    void addMorph(document::Fractal morph, const QString& name);
     void follow();
 
     document::Document* m_document;

@@ -39,10 +39,10 @@ bool isEaseOfAll(const Timeline& timeline, Kind kind) {
 }
 
 void askForEase(Timeline& timeline, QWidget* parent) {
-    auto* dialog = new EaseDialog(timeline.ease(), parent);
+    auto* dialog = new EaseDialog(timeline.keys().ease(), parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &QDialog::accepted, &timeline,
-                     [&timeline, dialog] { timeline.setEase(dialog->ease()); });
+                     [&timeline, dialog] { timeline.keys().setEase(dialog->ease()); });
     dialog->open();
 }
 
@@ -55,8 +55,9 @@ void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
     if (any) {
         menu->addSection(Timeline::tr("Ease to the Next Key"));
         for (const EaseName& ease : eases) {
-            QAction* action = menu->addAction(Timeline::tr(ease.name), &timeline,
-                                              [&timeline, kind = ease.kind] { timeline.setEase({kind}); });
+            QAction* action =
+                menu->addAction(Timeline::tr(ease.name), &timeline,
+                                [&timeline, kind = ease.kind] { timeline.keys().setEase({kind}); });
             action->setCheckable(true);
             action->setChecked(isEaseOfAll(timeline, ease.kind));
         }
@@ -65,15 +66,19 @@ void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
         custom->setCheckable(true);
         custom->setChecked(isEaseOfAll(timeline, Kind::Cubic));
         menu->addSeparator();
-        menu->addAction(Timeline::tr("Copy Keys"), &timeline, &Timeline::copy);
+        menu->addAction(Timeline::tr("Copy Keys"), &timeline, [&timeline] { timeline.keys().copy(); });
     }
-    QAction* paste = menu->addAction(Timeline::tr("Paste Keys at the Playhead"), &timeline, &Timeline::paste);
-    paste->setEnabled(timeline.canPaste());
-    if (any) menu->addAction(Timeline::tr("Delete Keys"), &timeline, &Timeline::deleteSelected);
+    QAction* paste = menu->addAction(Timeline::tr("Paste Keys at the Playhead"), &timeline,
+                                     [&timeline] { timeline.keys().paste(); });
+    paste->setEnabled(timeline.keys().canPaste());
+    if (any)
+        menu->addAction(Timeline::tr("Delete Keys"), &timeline, [&timeline] { timeline.keys().remove(); });
     if (timeline.isTrack(timeline.row()))
-        menu->addAction(Timeline::tr("Key at the Playhead"), &timeline, &Timeline::setKey);
+        menu->addAction(Timeline::tr("Key at the Playhead"), &timeline,
+                        [&timeline] { timeline.keys().set(); });
     else if (!any && timeline.rowCount() > 0)
-        menu->addAction(Timeline::tr("Delete the Motion"), &timeline, &Timeline::deleteSelected);
+        menu->addAction(Timeline::tr("Delete the Motion"), &timeline,
+                        [&timeline] { timeline.keys().remove(); });
     menu->popup(global);
 }
 

@@ -234,7 +234,7 @@ void TrackView::mousePressEvent(QMouseEvent* event) {
     }
     if (row < m_timeline->rowCount()) m_timeline->setRow(row);
     if (m_pressed.x() < rowHeight() + 4 && m_timeline->isTrack(row)) {
-        m_timeline->toggleKey(row);
+        m_timeline->keys().toggle(row);
     } else if (const auto key = keyAt(m_pressed)) {
         m_drag = Drag::Keys;
         pressKey(*key);
@@ -311,7 +311,7 @@ void TrackView::mouseReleaseEvent(QMouseEvent* event) {
         std::vector<KeyAt> others = m_timeline->selected();
         std::erase(others, m_held);
         if (m_hasMoved)
-            m_timeline->moveSelected(by, moveKind());
+            m_timeline->keys().move(by, moveKind());
         else if (!toggles)
             m_timeline->select({m_held});
         else if (m_wasSelected)
@@ -375,8 +375,8 @@ bool TrackView::walk(const QKeyEvent& event) {
 }
 
 bool TrackView::edit(const QKeyEvent& event) {
-    if (event.matches(QKeySequence::Copy)) return m_timeline->copy(), true;
-    if (event.matches(QKeySequence::Paste)) return m_timeline->paste(), true;
+    if (event.matches(QKeySequence::Copy)) return m_timeline->keys().copy(), true;
+    if (event.matches(QKeySequence::Paste)) return m_timeline->keys().paste(), true;
     if (event.matches(QKeySequence::SelectAll)) return m_timeline->selectAll(), true;
     switch (event.key()) {
     case Qt::Key_Space:
@@ -384,11 +384,11 @@ bool TrackView::edit(const QKeyEvent& event) {
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        m_timeline->toggleKey(m_timeline->row());
+        m_timeline->keys().toggle(m_timeline->row());
         return true;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-        m_timeline->deleteSelected();
+        m_timeline->keys().remove();
         return true;
     case Qt::Key_Escape:
         if (m_drag == Drag::None && m_timeline->selected().empty()) return false;

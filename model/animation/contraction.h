@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+namespace animation {
+
+constexpr double safety = 1e-12; // by which a norm has to be below 1
+
+// Whether a map makes all distances smaller as it is.
+template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
+    return map.linear.squaredNorm() < 1 - safety || ifs::spectralNorm<Dim>(map.linear) < 1 - safety;
+}
+
+} // namespace animation
