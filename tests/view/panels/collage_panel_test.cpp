@@ -485,7 +485,7 @@ private slots:
         const auto& traced = *m_panel->target()->traced();
         QCOMPARE(traced.outlines.size(), std::size_t{1});
         const auto& outline = traced.outlines.front();
-        QVERIFY2(outline.size() > 8 && outline.size() < 80, qPrintable(QString::number(outline.size())));
+        QVERIFY2(outline.size() > 8 && outline.size() < 120, qPrintable(QString::number(outline.size())));
         double area = 0; // twice, positive: the shape is on the left
         for (std::size_t k = 0; k < outline.size(); ++k) {
             const auto& a = outline[k];
