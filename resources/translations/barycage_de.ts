@@ -657,6 +657,22 @@
         <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
         <translation>Fraktale, die sich bewegen: Wind, Falten, Wachsen, Verwandlungen, endlose Zooms und Flüge im Raum.</translation>
     </message>
+    <message>
+        <source>Linked maps</source>
+        <translation>Verknüpfte Abbildungen</translation>
+    </message>
+    <message>
+        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <translation>Abbildungen, die nur auf manche folgen dürfen: Penrose-Kacheln, Ränder und Chaosspiele mit Regeln.</translation>
+    </message>
+    <message>
+        <source>Fractal transformations</source>
+        <translation>Fraktale Transformationen</translation>
+    </message>
+    <message>
+        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <translation>Fraktale in den Farben eines Bildes auf einem anderen; ein Doppelklick öffnet beide nebeneinander.</translation>
+    </message>
 </context>
 <context>
     <name>DimensionEdits</name>
@@ -1119,10 +1135,6 @@
         <translation>D</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks</source>
-        <translation>Das Kontrolldreieck mit drei Klicks festlegen</translation>
-    </message>
-    <message>
         <source>Fit &amp;Minimal Canonical Simplex</source>
         <translation>&amp;Minimales kanonisches Simplex anpassen</translation>
     </message>
@@ -1519,32 +1531,16 @@
         <translation>&amp;Vorne</translation>
     </message>
     <message>
-        <source>Look along the z axis (1 on the keypad)</source>
-        <translation>Entlang der z-Achse sehen (1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
         <source>&amp;Back</source>
         <translation>&amp;Zurück</translation>
-    </message>
-    <message>
-        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
-        <translation>Von hinten entlang der z-Achse sehen (Strg+1 auf dem Ziffernblock)</translation>
     </message>
     <message>
         <source>&amp;Right</source>
         <translation>&amp;Rechts</translation>
     </message>
     <message>
-        <source>Look along the x axis (3 on the keypad)</source>
-        <translation>Entlang der x-Achse sehen (3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
         <source>&amp;Left</source>
         <translation>&amp;Links</translation>
-    </message>
-    <message>
-        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
-        <translation>Von hinten entlang der x-Achse sehen (Strg+3 auf dem Ziffernblock)</translation>
     </message>
     <message>
         <source>&amp;Top</source>
@@ -1907,10 +1903,6 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a matrix.</source>
-        <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Matrix.</translation>
-    </message>
-    <message>
         <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
         <translation>Ein Fraktal zu einem Bild: das Ziel, wie gut das Fraktal mit ihm übereinstimmt, und Anpassungen.</translation>
     </message>
@@ -1921,6 +1913,54 @@
     <message>
         <source>Show the solid from the top, the front and the right as well</source>
         <translation>Den Körper auch von oben, von vorne und von rechts zeigen</translation>
+    </message>
+    <message>
+        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <translation>Legt das Kontrolldreieck mit drei Klicks fest, im Raum das Tetraeder mit vier</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Graph und als Matrix.</translation>
+    </message>
+    <message>
+        <source>Look from the front (1 on the keypad)</source>
+        <translation>Von vorn blicken (1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Look from behind (Ctrl+1 on the keypad)</source>
+        <translation>Von hinten blicken (Strg+1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Look from the right (3 on the keypad)</source>
+        <translation>Von rechts blicken (3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Look from the left (Ctrl+3 on the keypad)</source>
+        <translation>Von links blicken (Strg+3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>&amp;Z Up</source>
+        <translation>&amp;Z nach oben</translation>
+    </message>
+    <message>
+        <source>Point the z axis up, as in CAD programs; the fractal stays as it is</source>
+        <translation>Die z-Achse zeigt nach oben wie in CAD-Programmen; das Fraktal bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Stereo, &amp;nebeneinander</translation>
+    </message>
+    <message>
+        <source>Show what each eye sees, the left one to the left</source>
+        <translation>Zeigt, was jedes Auge sieht, das linke links</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Stereo, für Rot-&amp;Cyan-Brillen</translation>
+    </message>
+    <message>
+        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
     </message>
 </context>
 <context>
@@ -2038,6 +2078,146 @@
     <message>
         <source>Cyanotype</source>
         <translation>Cyanotypie</translation>
+    </message>
+    <message>
+        <source>%1 Glow</source>
+        <translation>Glühen in %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 nach %2</translation>
+    </message>
+    <message>
+        <source>%1 into %2</source>
+        <translation>%1 gegen %2</translation>
+    </message>
+    <message>
+        <source>%1 Spectrum</source>
+        <translation>Spektrum ab %1</translation>
+    </message>
+    <message>
+        <source>%1 Pastel</source>
+        <translation>Pastell %1</translation>
+    </message>
+    <message>
+        <source>%1 Metal</source>
+        <translation>Metall %1</translation>
+    </message>
+    <message>
+        <source>%1 Bands</source>
+        <translation>Bänder in %1</translation>
+    </message>
+    <message>
+        <source>%1 Ink</source>
+        <translation>Tinte %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 Twilight</source>
+        <translation>Dämmerung %1</translation>
+    </message>
+    <message>
+        <source>%1 Wheel</source>
+        <translation>Farbkreis ab %1</translation>
+    </message>
+    <message>
+        <source>Rose</source>
+        <translation>Rose</translation>
+    </message>
+    <message>
+        <source>Crimson</source>
+        <translation>Karmesin</translation>
+    </message>
+    <message>
+        <source>Scarlet</source>
+        <translation>Scharlach</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Amber</source>
+        <translation>Bernstein</translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation>Gold</translation>
+    </message>
+    <message>
+        <source>Lemon</source>
+        <translation>Zitrone</translation>
+    </message>
+    <message>
+        <source>Lime</source>
+        <translation>Limette</translation>
+    </message>
+    <message>
+        <source>Grass</source>
+        <translation>Gras</translation>
+    </message>
+    <message>
+        <source>Emerald</source>
+        <translation>Smaragd</translation>
+    </message>
+    <message>
+        <source>Jade</source>
+        <translation>Jade</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>Petrol</translation>
+    </message>
+    <message>
+        <source>Sea</source>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>Cyan</source>
+        <translation>Cyan</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Azure</source>
+        <translation>Azur</translation>
+    </message>
+    <message>
+        <source>Cobalt</source>
+        <translation>Kobalt</translation>
+    </message>
+    <message>
+        <source>Sapphire</source>
+        <translation>Saphir</translation>
+    </message>
+    <message>
+        <source>Indigo</source>
+        <translation>Indigo</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>Purpur</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Fuchsia</source>
+        <translation>Fuchsie</translation>
     </message>
 </context>
 <context>
@@ -2199,6 +2379,25 @@
     </message>
 </context>
 <context>
+    <name>SpaceDefinition</name>
+    <message>
+        <source>Click the first of the four corners. The picture stays where it is; Esc cancels.</source>
+        <translation>Klicken Sie die erste der vier Ecken. Das Bild bleibt, wo es ist; Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click the second corner. Backspace removes the last point.</source>
+        <translation>Klicken Sie die zweite Ecke. Rücktaste entfernt den letzten Punkt.</translation>
+    </message>
+    <message>
+        <source>Click the third corner. Backspace removes the last point.</source>
+        <translation>Klicken Sie die dritte Ecke. Rücktaste entfernt den letzten Punkt.</translation>
+    </message>
+    <message>
+        <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
+        <translation>Klicken Sie die vierte Ecke, vor den anderen drei. Das Rad schiebt sie weg, und die rechte Taste dreht die Ansicht.</translation>
+    </message>
+</context>
+<context>
     <name>StatusLine</name>
     <message>
         <source>%1 G points</source>
@@ -2319,6 +2518,10 @@
     <message>
         <source>  along the normal</source>
         <translation>  entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>  azimuth %1°  elevation %2°</source>
+        <translation>  Azimut %1°  Höhe %2°</translation>
     </message>
 </context>
 <context>
@@ -2716,10 +2919,6 @@
     <message>
         <source>The file is not a text file, so it is not a palette.</source>
         <translation>Die Datei ist kein Text, also keine Palette.</translation>
-    </message>
-    <message>
-        <source>This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files.</source>
-        <translation>Dies ist ein GIMP-Farbverlauf; Paletten werden aus .gpl-, .ugr- und .map-Dateien gelesen.</translation>
     </message>
     <message>
         <source>The file has more than %1 palettes; the rest are ignored.</source>
@@ -3656,6 +3855,18 @@
         <source>The maps of “%1” are linked, so not every address is one of its points.</source>
         <translation>Die Abbildungen von „%1“ sind verknüpft; deshalb ist nicht jede Adresse einer seiner Punkte.</translation>
     </message>
+    <message>
+        <source>A GIMP gradient states its number of segments here, from 1 to %1.</source>
+        <translation>Hier steht in einem GIMP-Farbverlauf die Zahl seiner Segmente, von 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>This is not a segment of a GIMP gradient that continues the one before.</source>
+        <translation>Dies ist kein Segment eines GIMP-Farbverlaufs, das das vorige fortsetzt.</translation>
+    </message>
+    <message>
+        <source>its fractal transformation</source>
+        <translation>seine fraktale Transformation</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3955,6 +4166,14 @@
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Ecke %1 nach (%2, %3) verschieben</translation>
     </message>
+    <message>
+        <source>The four points are in one plane, so they define no coordinates. Click the fourth point off the plane.</source>
+        <translation>Die vier Punkte liegen in einer Ebene und legen daher keine Koordinaten fest. Klicken Sie den vierten Punkt außerhalb der Ebene.</translation>
+    </message>
+    <message>
+        <source>Define the control tetrahedron</source>
+        <translation>Kontrolltetraeder festlegen</translation>
+    </message>
 </context>
 <context>
     <name>document::CollageEdits</name>
@@ -3965,6 +4184,14 @@
     <message>
         <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
         <translation>Der Käfig verbiegt das Bild oder ist flach. Setzen Sie ihn zurück, um die Abbildungen zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Die Abbildungen sind verknüpft. Nur Abbildungen, die alle aufeinander folgen dürfen, lassen sich mit einem Bild vergleichen.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Eine Symmetrie wiederholt die Abbildungen. Schreiben Sie sie aus, um die Abbildungen mit einem Bild zu vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4242,18 @@
     <message>
         <source>More than %1 maps cannot be linked.</source>
         <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <translation>Die Verknüpfungen von „%1“ lassen jede Folge von Abbildungen enden, also gibt es nichts, was einfache Abbildungen zeichnen könnten.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Einige Abbildungen folgen endlos aufeinander, und keine von ihnen darf auf jede Abbildung folgen. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Einfache Abbildungen von „%1“ wären Wörter seiner Abbildungen, die an seiner Animation oder seinen bewegten Ästen nicht teilnehmen können. Entfernen Sie diese zuerst.</translation>
     </message>
 </context>
 <context>
@@ -4697,6 +4936,14 @@
         <source>Supersampling: %1</source>
         <translation>Überabtastung: %1</translation>
     </message>
+    <message>
+        <source>More Palettes…</source>
+        <translation>Weitere Paletten…</translation>
+    </message>
+    <message>
+        <source>Browse hundreds of palettes, turn and shift them</source>
+        <translation>Hunderte Paletten durchsehen, drehen und verschieben</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
@@ -5175,10 +5422,6 @@
         <translation>Ecke %1 bei (%2, %3, %4) festlegen</translation>
     </message>
     <message>
-        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
-        <translation>Drei Klicks legen ein Dreieck in der Ebene fest. Zeigen Sie im Raum den ruhenden Käfig und tippen Sie die Koordinaten seiner Ecken.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Flach: Der Körper ist auf eine Ebene oder Gerade gedrückt. Öffnen Sie den Käfig, und er kommt zurück.</translation>
     </message>
@@ -5225,6 +5468,14 @@
     <message>
         <source>Octahedron</source>
         <translation>Oktaeder</translation>
+    </message>
+    <message>
+        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <translation>Legt das Tetraeder mit vier Klicks auf der Zeichenfläche fest; das Bild bleibt</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Kleinstes Rechteck</translation>
     </message>
 </context>
 <context>
@@ -5805,16 +6056,16 @@
         <translation>Garantie</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
-        <translation>Kein Punkt des Ziels ist weiter vom Attraktor entfernt als so, und umgekehrt</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
     <message>
         <source>none: a map stretches by %1</source>
         <translation>keine: eine Abbildung streckt um %1</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <translation>Kein Punkt des Ziels ist weiter vom Attraktor entfernt als so, und umgekehrt. Während Sie ziehen, ist sie größer, weil ein gröberes Bild gemessen wird</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +6148,10 @@
     <message>
         <source>Nothing was found that agrees better.</source>
         <translation>Es wurde nichts gefunden, das besser übereinstimmt.</translation>
+    </message>
+    <message>
+        <source>The target has changed, so the fit was cancelled.</source>
+        <translation>Das Ziel hat sich geändert, deshalb wurde die Anpassung abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6974,10 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Dieses Format kann nur Systeme der Ebene speichern.</translation>
     </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Formeln und eine Zeichnung für LaTeX (.tex)</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
@@ -7425,16 +7684,16 @@
         <translation>„%1“ wird gelesen …</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
-        <translation>Palette aus einer .gpl-, .ugr- oder .map-Datei laden oder aus einem Bild nehmen</translation>
-    </message>
-    <message>
-        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Paletten und Bilder (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Take the palette from a picture</source>
         <translation>Palette aus einem Bild nehmen</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ggr, .ugr or .map file, or take it from a picture</source>
+        <translation>Eine Palette aus einer Datei .gpl, .ggr, .ugr oder .map laden oder aus einem Bild nehmen</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Paletten und Bilder (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -7543,6 +7802,33 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::LinkGraph</name>
+    <message>
+        <source>Graph of links</source>
+        <translation>Graph der Verknüpfungen</translation>
+    </message>
+    <message>
+        <source>Drag from one map to another to link them; click an arrow and press Delete to remove it.</source>
+        <translation>Ziehen Sie von einer Abbildung zu einer anderen, um sie zu verknüpfen; klicken Sie auf einen Pfeil und drücken Sie Entf, um ihn zu entfernen.</translation>
+    </message>
+    <message>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <translation>Jeder Kreis ist eine Abbildung, und ein Pfeil führt zu jeder Abbildung, die im Chaosspiel auf sie folgen darf; dickere Pfeile haben mehr Gewicht. Ziehen Sie von einer Abbildung zu einer anderen, um sie zu verknüpfen, oder aus einer Abbildung heraus und zurück, um sie mit sich selbst zu verknüpfen. Klicken Sie auf einen Pfeil und drücken Sie Entf, um ihn zu entfernen, oder doppelklicken Sie, um sein Gewicht einzugeben. Mit der Tastatur: Links und Rechts gehen durch die Abbildungen, Auf und Ab durch die Pfeile einer Abbildung; die Leertaste beginnt einen neuen Pfeil, Links und Rechts wählen sein Ende, die Eingabetaste fügt ihn hinzu. Abbildungen mit gestricheltem Ring nehmen nicht teil; der Grund steht daneben.</translation>
+    </message>
+    <message>
+        <source>No map is selected.</source>
+        <translation>Keine Abbildung ist ausgewählt.</translation>
+    </message>
+    <message>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <translation>Neuer Pfeil von Abbildung %1 zu Abbildung %2. Die Eingabetaste fügt ihn hinzu, Esc nicht.</translation>
+    </message>
+    <message>
+        <source>Map %1: %2</source>
+        <translation>Abbildung %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LinksModel</name>
     <message>
         <source>Switched off</source>
@@ -7596,6 +7882,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>From map %1</source>
         <translation>Von Abbildung %1</translation>
     </message>
+    <message>
+        <source>Unlink map %1 from map %2</source>
+        <translation>Abbildung %1 von Abbildung %2 lösen</translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7620,16 +7910,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Jede Abbildung darf wieder auf jede folgen</translation>
     </message>
     <message>
-        <source>Any map may follow any other. Enter 0 to forbid it.</source>
-        <translation>Jede Abbildung darf auf jede folgen. Geben Sie 0 ein, um es zu verbieten.</translation>
-    </message>
-    <message>
         <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
         <translation>Jede Folge von Abbildungen endet; daher wird nichts gezeichnet.</translation>
     </message>
     <message>
         <source>Remove all links</source>
         <translation>Alle Verknüpfungen entfernen</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
+        <translation>Jede Abbildung darf auf jede folgen. Klicken Sie auf einen Pfeil und drücken Sie Entf, um es zu verbieten.</translation>
     </message>
 </context>
 <context>
@@ -8290,6 +8580,100 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::MorphDialog</name>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Ein Fraktal der Ebene kann nicht zu einem im Raum werden.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>Eines der beiden Fraktale hat mehr als 256 Abbildungen.</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Die Abbildungen eines der beiden Fraktale sind verknüpft.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Zu einem gebogenen Käfig gehört kein Code, von dem auszugehen wäre. Setzen Sie ihn zuerst zurück oder rechnen Sie ihn ein.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>Eines der beiden Fraktale hat keinen Attraktor.</translation>
+    </message>
+    <message>
+        <source>Morph “%1”</source>
+        <translation>„%1“ verwandeln</translation>
+    </message>
+    <message>
+        <source>The entry of this file that the fractal becomes.</source>
+        <translation>Der Eintrag dieser Datei, zu dem das Fraktal wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Becomes:</source>
+        <translation>&amp;Wird zu:</translation>
+    </message>
+    <message>
+        <source>&amp;Add Morph</source>
+        <translation>Verwandlung &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the morph to the file as an entry of its own, in one step that you can undo.</source>
+        <translation>Fügt die Verwandlung der Datei als eigenen Eintrag hinzu, in einem Schritt, den Sie rückgängig machen können.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>Paare &amp;lösen</translation>
+    </message>
+    <message>
+        <source>Lets all maps go where the way is shortest.</source>
+        <translation>Lässt alle Abbildungen den kürzesten Weg gehen.</translation>
+    </message>
+    <message>
+        <source>The morph at %1 %</source>
+        <translation>Die Verwandlung bei %1 %</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Diese Datei hat kein anderes Fraktal dieser Dimension.</translation>
+    </message>
+</context>
+<context>
+    <name>view::MorphLines</name>
+    <message>
+        <source>Pairs of maps</source>
+        <translation>Paare von Abbildungen</translation>
+    </message>
+    <message>
+        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <translation>Links die Abbildungen dieses Fraktals, rechts die des anderen. Eine Linie zeigt, was aus einer Abbildung wird, und ihre Dicke, wie viel des Gewichts diesen Weg geht. Ziehen Sie von einer Abbildung zu einer in der anderen Spalte, um das Paar festzuhalten, und noch einmal, um es zu lösen. Mit der Tastatur: Wählen Sie eine Abbildung mit den Pfeiltasten, drücken Sie die Leertaste, gehen Sie zur anderen Abbildung und drücken Sie sie noch einmal. Entf löst alle Paare einer Abbildung.</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %, pinned)</source>
+        <translation>%1 (%2 %, festgehalten)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>Map %1 takes no part.</source>
+        <translation>Abbildung %1 nimmt nicht teil.</translation>
+    </message>
+    <message>
+        <source>Map %1 becomes map %2.</source>
+        <translation>Aus Abbildung %1 wird Abbildung %2.</translation>
+    </message>
+    <message>
+        <source>Map %1 comes from map %2.</source>
+        <translation>Abbildung %1 entsteht aus Abbildung %2.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -8396,6 +8780,77 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Eine Zahl mit Dezimalpunkt oder Komma oder ein Ausdruck wie 1/2, sqrt(3)/6, cos(36°) oder pi. Die Pfeiltasten und das Mausrad ändern sie: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc stellt die vorherige Zahl wieder her.</translation>
+    </message>
+</context>
+<context>
+    <name>view::PaletteBrowser</name>
+    <message>
+        <source>Palettes</source>
+        <translation>Paletten</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Palette</source>
+        <translation>Diese Palette &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Search palettes</source>
+        <translation>Paletten suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Favourites Only</source>
+        <translation>Nur &amp;Favoriten</translation>
+    </message>
+    <message>
+        <source>Shows only the palettes that you marked with the star.</source>
+        <translation>Zeigt nur die Paletten, die Sie mit dem Stern markiert haben.</translation>
+    </message>
+    <message>
+        <source>Palettes made in Oklab, whose steps look equally large. Select one to see it on the fractal; double-click it to keep it.</source>
+        <translation>Paletten aus Oklab, deren Schritte gleich groß aussehen. Wählen Sie eine aus, um sie am Fraktal zu sehen; ein Doppelklick behält sie.</translation>
+    </message>
+    <message>
+        <source>The palette as it will be used</source>
+        <translation>Die Palette, wie sie verwendet wird</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorit</translation>
+    </message>
+    <message>
+        <source>Mark the selected palette as a favourite (Ctrl+D)</source>
+        <translation>Die ausgewählte Palette als Favorit markieren (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Turn all hues by so many degrees; lightness stays</source>
+        <translation>Alle Farbtöne um so viele Grad drehen; die Helligkeit bleibt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Begin the palette farther along, and append what was before</source>
+        <translation>Die Palette weiter hinten beginnen und das Frühere anhängen</translation>
+    </message>
+    <message>
+        <source>&amp;Reversed</source>
+        <translation>&amp;Umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1, a favourite</source>
+        <translation>%1, ein Favorit</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a palette and press Ctrl+D.</source>
+        <translation>Noch keine Favoriten. Wählen Sie eine Palette aus und drücken Sie Strg+D.</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
     </message>
 </context>
 <context>
@@ -8606,6 +9061,26 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Not saved yet: %1.</source>
         <translation>Noch nicht gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Turning solids</source>
+        <translation>Körper drehen</translation>
+    </message>
+    <message>
+        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <translation>Wie Ziehen einen Körper dreht. Auf einem Drehteller bleibt Senkrechtes senkrecht. Ein Trackball dreht frei um die Achsen des Bildschirms, auch über die Pole; um die Ansicht wieder auszurichten, blicken Sie entlang einer Achse.</translation>
+    </message>
+    <message>
+        <source>Turning &amp;solids:</source>
+        <translation>&amp;Körper drehen:</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9771,26 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Bild (.jpg)</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Bild (.webp)</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Bild (.tiff)</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Bild in linearem Licht (.exr)</translation>
+    </message>
+    <message>
+        <source>Depths are written as PNG only.</source>
+        <translation>Tiefen werden nur als PNG geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -10023,22 +10518,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Weben</translation>
     </message>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
-        <translation>Ein Fraktal der Ebene kann nicht zu einem im Raum werden.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has more than 256 maps.</source>
-        <translation>Eines der beiden Fraktale hat mehr als 256 Abbildungen.</translation>
-    </message>
-    <message>
-        <source>A bent cage has no code to start from. Reset or bake it first.</source>
-        <translation>Zu einem gebogenen Käfig gehört kein Code, von dem auszugehen wäre. Setzen Sie ihn zuerst zurück oder rechnen Sie ihn ein.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has no attractor.</source>
-        <translation>Eines der beiden Fraktale hat keinen Attraktor.</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Bewegung hinzufügen</translation>
     </message>
@@ -10147,8 +10626,20 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Verwandeln in %1</translation>
     </message>
     <message>
-        <source>The maps of one of the two fractals are linked.</source>
-        <translation>Die Abbildungen eines der beiden Fraktale sind verknüpft.</translation>
+        <source>Trying the motion…</source>
+        <translation>Die Bewegung wird erprobt…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Pairs…</source>
+        <translation>&amp;Paare wählen…</translation>
+    </message>
+    <message>
+        <source>Shows which map becomes which, and lets you pin pairs.</source>
+        <translation>Zeigt, welche Abbildung zu welcher wird, und lässt Sie Paare festhalten.</translation>
+    </message>
+    <message>
+        <source>Pairing the maps…</source>
+        <translation>Die Abbildungen werden gepaart…</translation>
     </message>
 </context>
 <context>
@@ -10168,6 +10659,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Eine Ecke des Tetraeders ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Klicken Sie die vier Ecken des neuen Tetraeders, die vierte vor den anderen.  Das Rad schiebt sie weg  ·  Ziehen mit rechts dreht die Ansicht  ·  Rücktaste entfernt den letzten Punkt  ·  Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -10497,6 +10992,22 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Divide maps of both entries into words until they have equally many</source>
         <translation>Abbildungen beider Einträge in Wörter teilen, bis es gleich viele sind</translation>
+    </message>
+    <message>
+        <source>Stained Glass</source>
+        <translation>Buntglas</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Marmor</translation>
+    </message>
+    <message>
+        <source>Tartan</source>
+        <translation>Schottenkaro</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Wellen</translation>
     </message>
 </context>
 <context>

@@ -657,6 +657,22 @@
         <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
         <translation>Fractales que se mueven: viento, plegado, crecimiento, metamorfosis, acercamientos sin fin y vuelos en el espacio.</translation>
     </message>
+    <message>
+        <source>Linked maps</source>
+        <translation>Aplicaciones enlazadas</translation>
+    </message>
+    <message>
+        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <translation>Aplicaciones que solo pueden seguir a algunas: teselas de Penrose, fronteras y juegos del caos con reglas.</translation>
+    </message>
+    <message>
+        <source>Fractal transformations</source>
+        <translation>Transformaciones fractales</translation>
+    </message>
+    <message>
+        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <translation>Fractales con los colores de una imagen sobre otro; un doble clic abre los dos lado a lado.</translation>
+    </message>
 </context>
 <context>
     <name>DimensionEdits</name>
@@ -1119,10 +1135,6 @@
         <translation>D</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks</source>
-        <translation>Definir el triángulo de control con tres clics</translation>
-    </message>
-    <message>
         <source>Fit &amp;Minimal Canonical Simplex</source>
         <translation>Ajustar el símplex canónico &amp;mínimo</translation>
     </message>
@@ -1519,32 +1531,16 @@
         <translation>&amp;Frente</translation>
     </message>
     <message>
-        <source>Look along the z axis (1 on the keypad)</source>
-        <translation>Mirar a lo largo del eje z (1 en el teclado numérico)</translation>
-    </message>
-    <message>
         <source>&amp;Back</source>
         <translation>At&amp;rás</translation>
-    </message>
-    <message>
-        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
-        <translation>Mirar a lo largo del eje z desde atrás (Ctrl+1 en el teclado numérico)</translation>
     </message>
     <message>
         <source>&amp;Right</source>
         <translation>&amp;Derecha</translation>
     </message>
     <message>
-        <source>Look along the x axis (3 on the keypad)</source>
-        <translation>Mirar a lo largo del eje x (3 en el teclado numérico)</translation>
-    </message>
-    <message>
         <source>&amp;Left</source>
         <translation>I&amp;zquierda</translation>
-    </message>
-    <message>
-        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
-        <translation>Mirar a lo largo del eje x desde atrás (Ctrl+3 en el teclado numérico)</translation>
     </message>
     <message>
         <source>&amp;Top</source>
@@ -1907,10 +1903,6 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a matrix.</source>
-        <translation>Qué aplicaciones puede usar el juego del caos después de cuáles, como matriz.</translation>
-    </message>
-    <message>
         <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
         <translation>Un fractal para una imagen: el objetivo, cuánto concuerda con él el fractal, y ajustes.</translation>
     </message>
@@ -1921,6 +1913,54 @@
     <message>
         <source>Show the solid from the top, the front and the right as well</source>
         <translation>Mostrar el sólido también desde arriba, de frente y desde la derecha</translation>
+    </message>
+    <message>
+        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <translation>Define el triángulo de control con tres clics; en el espacio, el tetraedro con cuatro</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <translation>Qué aplicaciones puede aplicar el juego del caos después de cuáles, como grafo y como matriz.</translation>
+    </message>
+    <message>
+        <source>Look from the front (1 on the keypad)</source>
+        <translation>Mirar desde delante (1 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>Look from behind (Ctrl+1 on the keypad)</source>
+        <translation>Mirar desde detrás (Ctrl+1 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>Look from the right (3 on the keypad)</source>
+        <translation>Mirar desde la derecha (3 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>Look from the left (Ctrl+3 on the keypad)</source>
+        <translation>Mirar desde la izquierda (Ctrl+3 en el teclado numérico)</translation>
+    </message>
+    <message>
+        <source>&amp;Z Up</source>
+        <translation>&amp;Z hacia arriba</translation>
+    </message>
+    <message>
+        <source>Point the z axis up, as in CAD programs; the fractal stays as it is</source>
+        <translation>El eje z apunta hacia arriba, como en los programas de CAD; el fractal no cambia</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Estéreo, &amp;lado a lado</translation>
+    </message>
+    <message>
+        <source>Show what each eye sees, the left one to the left</source>
+        <translation>Muestra lo que ve cada ojo, el izquierdo a la izquierda</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Estéreo, para gafas rojo y &amp;cian</translation>
+    </message>
+    <message>
+        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
     </message>
 </context>
 <context>
@@ -2038,6 +2078,146 @@
     <message>
         <source>Cyanotype</source>
         <translation>Cianotipo</translation>
+    </message>
+    <message>
+        <source>%1 Glow</source>
+        <translation>Resplandor %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>De %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 into %2</source>
+        <translation>%1 contra %2</translation>
+    </message>
+    <message>
+        <source>%1 Spectrum</source>
+        <translation>Espectro desde %1</translation>
+    </message>
+    <message>
+        <source>%1 Pastel</source>
+        <translation>Pastel %1</translation>
+    </message>
+    <message>
+        <source>%1 Metal</source>
+        <translation>Metal %1</translation>
+    </message>
+    <message>
+        <source>%1 Bands</source>
+        <translation>Bandas %1</translation>
+    </message>
+    <message>
+        <source>%1 Ink</source>
+        <translation>Tinta %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 Twilight</source>
+        <translation>Crepúsculo %1</translation>
+    </message>
+    <message>
+        <source>%1 Wheel</source>
+        <translation>Rueda desde %1</translation>
+    </message>
+    <message>
+        <source>Rose</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Crimson</source>
+        <translation>Carmesí</translation>
+    </message>
+    <message>
+        <source>Scarlet</source>
+        <translation>Escarlata</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Bermellón</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Amber</source>
+        <translation>Ámbar</translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation>Oro</translation>
+    </message>
+    <message>
+        <source>Lemon</source>
+        <translation>Limón</translation>
+    </message>
+    <message>
+        <source>Lime</source>
+        <translation>Lima</translation>
+    </message>
+    <message>
+        <source>Grass</source>
+        <translation>Hierba</translation>
+    </message>
+    <message>
+        <source>Emerald</source>
+        <translation>Esmeralda</translation>
+    </message>
+    <message>
+        <source>Jade</source>
+        <translation>Jade</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>Verde azulado</translation>
+    </message>
+    <message>
+        <source>Sea</source>
+        <translation>Mar</translation>
+    </message>
+    <message>
+        <source>Cyan</source>
+        <translation>Cian</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Cielo</translation>
+    </message>
+    <message>
+        <source>Azure</source>
+        <translation>Azur</translation>
+    </message>
+    <message>
+        <source>Cobalt</source>
+        <translation>Cobalto</translation>
+    </message>
+    <message>
+        <source>Sapphire</source>
+        <translation>Zafiro</translation>
+    </message>
+    <message>
+        <source>Indigo</source>
+        <translation>Índigo</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violeta</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>Púrpura</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Fuchsia</source>
+        <translation>Fucsia</translation>
     </message>
 </context>
 <context>
@@ -2199,6 +2379,25 @@
     </message>
 </context>
 <context>
+    <name>SpaceDefinition</name>
+    <message>
+        <source>Click the first of the four corners. The picture stays where it is; Esc cancels.</source>
+        <translation>Haga clic en el primero de los cuatro vértices. La imagen no se mueve; Esc cancela.</translation>
+    </message>
+    <message>
+        <source>Click the second corner. Backspace removes the last point.</source>
+        <translation>Haga clic en el segundo vértice. Retroceso quita el último punto.</translation>
+    </message>
+    <message>
+        <source>Click the third corner. Backspace removes the last point.</source>
+        <translation>Haga clic en el tercer vértice. Retroceso quita el último punto.</translation>
+    </message>
+    <message>
+        <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
+        <translation>Haga clic en el cuarto vértice, delante de los otros tres. La rueda lo aleja y el botón derecho gira la vista.</translation>
+    </message>
+</context>
+<context>
     <name>StatusLine</name>
     <message>
         <source>%1 G points</source>
@@ -2319,6 +2518,10 @@
     <message>
         <source>  along the normal</source>
         <translation>  a lo largo de la normal</translation>
+    </message>
+    <message>
+        <source>  azimuth %1°  elevation %2°</source>
+        <translation>  acimut %1°  elevación %2°</translation>
     </message>
 </context>
 <context>
@@ -2716,10 +2919,6 @@
     <message>
         <source>The file is not a text file, so it is not a palette.</source>
         <translation>El archivo no es texto, así que no es una paleta.</translation>
-    </message>
-    <message>
-        <source>This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files.</source>
-        <translation>Esto es un degradado de GIMP; las paletas se leen de archivos .gpl, .ugr y .map.</translation>
     </message>
     <message>
         <source>The file has more than %1 palettes; the rest are ignored.</source>
@@ -3656,6 +3855,18 @@
         <source>The maps of “%1” are linked, so not every address is one of its points.</source>
         <translation>Las aplicaciones de «%1» están enlazadas, así que no toda dirección es uno de sus puntos.</translation>
     </message>
+    <message>
+        <source>A GIMP gradient states its number of segments here, from 1 to %1.</source>
+        <translation>Un degradado de GIMP indica aquí su número de segmentos, de 1 a %1.</translation>
+    </message>
+    <message>
+        <source>This is not a segment of a GIMP gradient that continues the one before.</source>
+        <translation>Esto no es un segmento de un degradado de GIMP que continúe el anterior.</translation>
+    </message>
+    <message>
+        <source>its fractal transformation</source>
+        <translation>su transformación fractal</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3955,6 +4166,14 @@
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Mover el vértice %1 a (%2, %3)</translation>
     </message>
+    <message>
+        <source>The four points are in one plane, so they define no coordinates. Click the fourth point off the plane.</source>
+        <translation>Los cuatro puntos están en un plano, así que no definen coordenadas. Haga clic en el cuarto punto fuera del plano.</translation>
+    </message>
+    <message>
+        <source>Define the control tetrahedron</source>
+        <translation>Definir el tetraedro de control</translation>
+    </message>
 </context>
 <context>
     <name>document::CollageEdits</name>
@@ -3965,6 +4184,14 @@
     <message>
         <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
         <translation>La jaula dobla la imagen o es plana. Restablezca la jaula para comparar las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Las aplicaciones están enlazadas. Solo se pueden comparar con una imagen aplicaciones que puedan seguirse todas entre sí.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Una simetría repite las aplicaciones. Despliéguela para comparar las aplicaciones con una imagen.</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4242,18 @@
     <message>
         <source>More than %1 maps cannot be linked.</source>
         <translation>No se pueden enlazar más de %1 aplicaciones.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <translation>Los enlaces de «%1» hacen que toda sucesión de aplicaciones termine, así que no hay nada que aplicaciones simples pudieran dibujar.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: algunas aplicaciones se siguen sin fin, y ninguna de ellas puede seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Las aplicaciones simples de «%1» serían palabras de sus aplicaciones, que no pueden participar en su animación ni en sus ramas movidas. Quite estas primero.</translation>
     </message>
 </context>
 <context>
@@ -4697,6 +4936,14 @@
         <source>Supersampling: %1</source>
         <translation>Sobremuestreo: %1</translation>
     </message>
+    <message>
+        <source>More Palettes…</source>
+        <translation>Más paletas…</translation>
+    </message>
+    <message>
+        <source>Browse hundreds of palettes, turn and shift them</source>
+        <translation>Explorar cientos de paletas, girarlas y desplazarlas</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
@@ -5175,10 +5422,6 @@
         <translation>Definir el vértice %1 en (%2, %3, %4)</translation>
     </message>
     <message>
-        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
-        <translation>Tres clics definen un triángulo en el plano. En el espacio, muestre la jaula de reposo y escriba las coordenadas de sus vértices.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Aplastada: el sólido está en un plano o en una recta. Abra la jaula y volverá.</translation>
     </message>
@@ -5225,6 +5468,14 @@
     <message>
         <source>Octahedron</source>
         <translation>Octaedro</translation>
+    </message>
+    <message>
+        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <translation>Define el tetraedro con cuatro clics en el lienzo; la imagen no cambia</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Rectángulo mínimo</translation>
     </message>
 </context>
 <context>
@@ -5805,16 +6056,16 @@
         <translation>Garantía</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
-        <translation>Ningún punto del objetivo está más lejos del atractor que esto, ni al revés</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
     <message>
         <source>none: a map stretches by %1</source>
         <translation>ninguna: una aplicación estira por %1</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <translation>Ningún punto del objetivo está más lejos del atractor que esto, ni al revés. Es mayor mientras se arrastra, porque se mide una imagen más gruesa</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +6148,10 @@
     <message>
         <source>Nothing was found that agrees better.</source>
         <translation>No se encontró nada que concuerde mejor.</translation>
+    </message>
+    <message>
+        <source>The target has changed, so the fit was cancelled.</source>
+        <translation>El objetivo ha cambiado, así que se canceló el ajuste.</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6974,10 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Este formato solo puede guardar sistemas del plano.</translation>
     </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Fórmulas y una figura para LaTeX (.tex)</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
@@ -7425,16 +7684,16 @@
         <translation>Leyendo «%1»…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
-        <translation>Cargar una paleta de un archivo .gpl, .ugr o .map, o tomarla de una imagen</translation>
-    </message>
-    <message>
-        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Paletas e imágenes (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Take the palette from a picture</source>
         <translation>Tomar la paleta de una imagen</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ggr, .ugr or .map file, or take it from a picture</source>
+        <translation>Cargar una paleta de un archivo .gpl, .ggr, .ugr o .map, o tomarla de una imagen</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Paletas e imágenes (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -7543,6 +7802,33 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::LinkGraph</name>
+    <message>
+        <source>Graph of links</source>
+        <translation>Grafo de los enlaces</translation>
+    </message>
+    <message>
+        <source>Drag from one map to another to link them; click an arrow and press Delete to remove it.</source>
+        <translation>Arrastre de una aplicación a otra para enlazarlas; haga clic en una flecha y pulse Supr para quitarla.</translation>
+    </message>
+    <message>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <translation>Cada círculo es una aplicación, y una flecha lleva a cada aplicación que puede seguirla en el juego del caos; las flechas más gruesas tienen más peso. Arrastre de una aplicación a otra para enlazarlas, o fuera de una aplicación y de vuelta para enlazarla consigo misma. Haga clic en una flecha y pulse Supr para quitarla, o haga doble clic para introducir su peso. Con el teclado: Izquierda y Derecha recorren las aplicaciones, Arriba y Abajo las flechas de una aplicación; Espacio empieza una flecha nueva, Izquierda y Derecha eligen su final, Intro la añade. Las aplicaciones con anillo discontinuo no participan, por el motivo que se indica al lado.</translation>
+    </message>
+    <message>
+        <source>No map is selected.</source>
+        <translation>No hay ninguna aplicación seleccionada.</translation>
+    </message>
+    <message>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <translation>Flecha nueva de la aplicación %1 a la aplicación %2. Intro la añade, Esc no.</translation>
+    </message>
+    <message>
+        <source>Map %1: %2</source>
+        <translation>Aplicación %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LinksModel</name>
     <message>
         <source>Switched off</source>
@@ -7596,6 +7882,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>From map %1</source>
         <translation>De la aplicación %1</translation>
     </message>
+    <message>
+        <source>Unlink map %1 from map %2</source>
+        <translation>Desenlazar la aplicación %1 de la aplicación %2</translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7620,16 +7910,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Cualquier aplicación puede seguir de nuevo a cualquier otra</translation>
     </message>
     <message>
-        <source>Any map may follow any other. Enter 0 to forbid it.</source>
-        <translation>Cualquier aplicación puede seguir a cualquier otra. Escriba 0 para prohibirlo.</translation>
-    </message>
-    <message>
         <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
         <translation>Toda sucesión de aplicaciones termina, así que no se dibuja nada.</translation>
     </message>
     <message>
         <source>Remove all links</source>
         <translation>Quitar todos los enlaces</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
+        <translation>Cualquier aplicación puede seguir a cualquier otra. Haga clic en una flecha y pulse Supr para prohibirlo.</translation>
     </message>
 </context>
 <context>
@@ -8290,6 +8580,100 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::MorphDialog</name>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Un fractal del plano no puede convertirse en uno del espacio.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>Uno de los dos fractales tiene más de 256 aplicaciones.</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Las aplicaciones de uno de los dos fractales están enlazadas.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Una jaula doblada no tiene código del que partir. Antes restablézcala o incorpórela.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>Uno de los dos fractales no tiene atractor.</translation>
+    </message>
+    <message>
+        <source>Morph “%1”</source>
+        <translation>Transformar «%1»</translation>
+    </message>
+    <message>
+        <source>The entry of this file that the fractal becomes.</source>
+        <translation>La entrada de este archivo en que se convierte el fractal.</translation>
+    </message>
+    <message>
+        <source>&amp;Becomes:</source>
+        <translation>&amp;Se convierte en:</translation>
+    </message>
+    <message>
+        <source>&amp;Add Morph</source>
+        <translation>&amp;Añadir transformación</translation>
+    </message>
+    <message>
+        <source>Adds the morph to the file as an entry of its own, in one step that you can undo.</source>
+        <translation>Añade la transformación al archivo como entrada propia, en un solo paso que puede deshacer.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>So&amp;ltar las parejas</translation>
+    </message>
+    <message>
+        <source>Lets all maps go where the way is shortest.</source>
+        <translation>Deja que todas las aplicaciones sigan el camino más corto.</translation>
+    </message>
+    <message>
+        <source>The morph at %1 %</source>
+        <translation>La transformación al %1 %</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Este archivo no tiene otro fractal de esta dimensión.</translation>
+    </message>
+</context>
+<context>
+    <name>view::MorphLines</name>
+    <message>
+        <source>Pairs of maps</source>
+        <translation>Parejas de aplicaciones</translation>
+    </message>
+    <message>
+        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <translation>A la izquierda, las aplicaciones de este fractal; a la derecha, las del otro. Una línea muestra en qué se convierte una aplicación, y su grosor, qué parte del peso sigue ese camino. Arrastre de una aplicación a otra de la otra columna para fijar la pareja, y otra vez para soltarla. Con el teclado: elija una aplicación con las flechas, pulse Espacio, vaya a la otra y pulse Espacio de nuevo. Supr suelta todas las parejas fijadas de una aplicación.</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %, pinned)</source>
+        <translation>%1 (%2 %, fijada)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>Map %1 takes no part.</source>
+        <translation>La aplicación %1 no participa.</translation>
+    </message>
+    <message>
+        <source>Map %1 becomes map %2.</source>
+        <translation>La aplicación %1 se convierte en la %2.</translation>
+    </message>
+    <message>
+        <source>Map %1 comes from map %2.</source>
+        <translation>La aplicación %1 procede de la %2.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -8396,6 +8780,77 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un número, con punto o coma decimal, o una expresión como 1/2, sqrt(3)/6, cos(36°) o pi. Las teclas de flecha y la rueda lo cambian: diez veces más rápido con Mayús, diez veces más lento con Alt. Esc restaura el número anterior.</translation>
+    </message>
+</context>
+<context>
+    <name>view::PaletteBrowser</name>
+    <message>
+        <source>Palettes</source>
+        <translation>Paletas</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Palette</source>
+        <translation>&amp;Usar esta paleta</translation>
+    </message>
+    <message>
+        <source>Search palettes</source>
+        <translation>Buscar paletas</translation>
+    </message>
+    <message>
+        <source>&amp;Favourites Only</source>
+        <translation>Solo &amp;favoritas</translation>
+    </message>
+    <message>
+        <source>Shows only the palettes that you marked with the star.</source>
+        <translation>Muestra solo las paletas que ha marcado con la estrella.</translation>
+    </message>
+    <message>
+        <source>Palettes made in Oklab, whose steps look equally large. Select one to see it on the fractal; double-click it to keep it.</source>
+        <translation>Paletas creadas en Oklab, cuyos pasos se ven iguales. Seleccione una para verla en el fractal; haga doble clic para conservarla.</translation>
+    </message>
+    <message>
+        <source>The palette as it will be used</source>
+        <translation>La paleta tal como se usará</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorita</translation>
+    </message>
+    <message>
+        <source>Mark the selected palette as a favourite (Ctrl+D)</source>
+        <translation>Marcar la paleta seleccionada como favorita (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Tono</translation>
+    </message>
+    <message>
+        <source>Turn all hues by so many degrees; lightness stays</source>
+        <translation>Girar todos los tonos estos grados; la claridad se conserva</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Begin the palette farther along, and append what was before</source>
+        <translation>Empezar la paleta más adelante y añadir al final lo anterior</translation>
+    </message>
+    <message>
+        <source>&amp;Reversed</source>
+        <translation>&amp;Invertida</translation>
+    </message>
+    <message>
+        <source>%1, a favourite</source>
+        <translation>%1, favorita</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a palette and press Ctrl+D.</source>
+        <translation>Aún no hay favoritas. Seleccione una paleta y pulse Ctrl+D.</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Sin coincidencias</translation>
     </message>
 </context>
 <context>
@@ -8606,6 +9061,26 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Not saved yet: %1.</source>
         <translation>Sin guardar: %1.</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Plato giratorio</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Turning solids</source>
+        <translation>Giro de sólidos</translation>
+    </message>
+    <message>
+        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <translation>Cómo gira un sólido al arrastrar. En un plato giratorio, lo vertical sigue vertical. Un trackball gira libremente sobre los ejes de la pantalla, también por encima de los polos; para nivelar la vista de nuevo, mire a lo largo de un eje.</translation>
+    </message>
+    <message>
+        <source>Turning &amp;solids:</source>
+        <translation>Giro de &amp;sólidos:</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9771,26 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Written to %1.</source>
         <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Imagen (.jpg)</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Imagen (.webp)</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Imagen (.tiff)</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Imagen en luz lineal (.exr)</translation>
+    </message>
+    <message>
+        <source>Depths are written as PNG only.</source>
+        <translation>Las profundidades solo se escriben como PNG.</translation>
     </message>
 </context>
 <context>
@@ -10023,22 +10518,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Tejido</translation>
     </message>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
-        <translation>Un fractal del plano no puede convertirse en uno del espacio.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has more than 256 maps.</source>
-        <translation>Uno de los dos fractales tiene más de 256 aplicaciones.</translation>
-    </message>
-    <message>
-        <source>A bent cage has no code to start from. Reset or bake it first.</source>
-        <translation>Una jaula doblada no tiene código del que partir. Antes restablézcala o incorpórela.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has no attractor.</source>
-        <translation>Uno de los dos fractales no tiene atractor.</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Añadir movimiento</translation>
     </message>
@@ -10147,8 +10626,20 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Transformar en %1</translation>
     </message>
     <message>
-        <source>The maps of one of the two fractals are linked.</source>
-        <translation>Las aplicaciones de uno de los dos fractales están enlazadas.</translation>
+        <source>Trying the motion…</source>
+        <translation>Probando el movimiento…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Pairs…</source>
+        <translation>Elegir &amp;parejas…</translation>
+    </message>
+    <message>
+        <source>Shows which map becomes which, and lets you pin pairs.</source>
+        <translation>Muestra qué aplicación se convierte en cuál y permite fijar parejas.</translation>
+    </message>
+    <message>
+        <source>Pairing the maps…</source>
+        <translation>Emparejando las aplicaciones…</translation>
     </message>
 </context>
 <context>
@@ -10168,6 +10659,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Arrastre un vértice del tetraedro.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
+    </message>
+    <message>
+        <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Haga clic en los cuatro vértices del nuevo tetraedro, el cuarto delante de los demás.  La rueda lo aleja  ·  arrastrar con el botón derecho gira la vista  ·  Retroceso quita el último punto  ·  Esc cancela</translation>
     </message>
 </context>
 <context>
@@ -10497,6 +10992,22 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Divide maps of both entries into words until they have equally many</source>
         <translation>Dividir aplicaciones de ambas entradas en palabras hasta que tengan las mismas</translation>
+    </message>
+    <message>
+        <source>Stained Glass</source>
+        <translation>Vidriera</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Mármol</translation>
+    </message>
+    <message>
+        <source>Tartan</source>
+        <translation>Tartán</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Olas</translation>
     </message>
 </context>
 <context>

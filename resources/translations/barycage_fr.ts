@@ -657,6 +657,22 @@
         <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
         <translation>Des fractales qui bougent : vent, pliage, croissance, métamorphoses, zooms sans fin et vols dans l’espace.</translation>
     </message>
+    <message>
+        <source>Linked maps</source>
+        <translation>Applications liées</translation>
+    </message>
+    <message>
+        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <translation>Des applications qui ne peuvent en suivre que certaines : pavés de Penrose, frontières et jeux du chaos avec des règles.</translation>
+    </message>
+    <message>
+        <source>Fractal transformations</source>
+        <translation>Transformations fractales</translation>
+    </message>
+    <message>
+        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <translation>Des fractales aux couleurs d’une image posée sur une autre ; un double clic ouvre les deux côte à côte.</translation>
+    </message>
 </context>
 <context>
     <name>DimensionEdits</name>
@@ -1119,10 +1135,6 @@
         <translation>D</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks</source>
-        <translation>Définir le triangle de contrôle en trois clics</translation>
-    </message>
-    <message>
         <source>Fit &amp;Minimal Canonical Simplex</source>
         <translation>Ajuster le simplexe canonique &amp;minimal</translation>
     </message>
@@ -1519,32 +1531,16 @@
         <translation>&amp;Avant</translation>
     </message>
     <message>
-        <source>Look along the z axis (1 on the keypad)</source>
-        <translation>Regarder le long de l’axe z (1 sur le pavé numérique)</translation>
-    </message>
-    <message>
         <source>&amp;Back</source>
         <translation>&amp;Précédent</translation>
-    </message>
-    <message>
-        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
-        <translation>Regarder le long de l’axe z par l’arrière (Ctrl+1 sur le pavé numérique)</translation>
     </message>
     <message>
         <source>&amp;Right</source>
         <translation>&amp;Droite</translation>
     </message>
     <message>
-        <source>Look along the x axis (3 on the keypad)</source>
-        <translation>Regarder le long de l’axe x (3 sur le pavé numérique)</translation>
-    </message>
-    <message>
         <source>&amp;Left</source>
         <translation>&amp;Gauche</translation>
-    </message>
-    <message>
-        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
-        <translation>Regarder le long de l’axe x par l’arrière (Ctrl+3 sur le pavé numérique)</translation>
     </message>
     <message>
         <source>&amp;Top</source>
@@ -1907,10 +1903,6 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a matrix.</source>
-        <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de matrice.</translation>
-    </message>
-    <message>
         <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
         <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
     </message>
@@ -1921,6 +1913,54 @@
     <message>
         <source>Show the solid from the top, the front and the right as well</source>
         <translation>Montrer aussi le solide de dessus, de face et de droite</translation>
+    </message>
+    <message>
+        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <translation>Définit le triangle de contrôle par trois clics, dans l’espace le tétraèdre par quatre</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de graphe et de matrice.</translation>
+    </message>
+    <message>
+        <source>Look from the front (1 on the keypad)</source>
+        <translation>Regarder de devant (1 du pavé numérique)</translation>
+    </message>
+    <message>
+        <source>Look from behind (Ctrl+1 on the keypad)</source>
+        <translation>Regarder de derrière (Ctrl+1 du pavé numérique)</translation>
+    </message>
+    <message>
+        <source>Look from the right (3 on the keypad)</source>
+        <translation>Regarder de droite (3 du pavé numérique)</translation>
+    </message>
+    <message>
+        <source>Look from the left (Ctrl+3 on the keypad)</source>
+        <translation>Regarder de gauche (Ctrl+3 du pavé numérique)</translation>
+    </message>
+    <message>
+        <source>&amp;Z Up</source>
+        <translation>&amp;Z vers le haut</translation>
+    </message>
+    <message>
+        <source>Point the z axis up, as in CAD programs; the fractal stays as it is</source>
+        <translation>L’axe z pointe vers le haut, comme dans les logiciels de CAO ; la fractale reste telle quelle</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Stéréo, &amp;côte à côte</translation>
+    </message>
+    <message>
+        <source>Show what each eye sees, the left one to the left</source>
+        <translation>Montre ce que voit chaque œil, le gauche à gauche</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Stéréo, pour lunettes rouge et c&amp;yan</translation>
+    </message>
+    <message>
+        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
     </message>
 </context>
 <context>
@@ -2038,6 +2078,146 @@
     <message>
         <source>Cyanotype</source>
         <translation>Cyanotype</translation>
+    </message>
+    <message>
+        <source>%1 Glow</source>
+        <translation>Lueur %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>De %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 into %2</source>
+        <translation>%1 contre %2</translation>
+    </message>
+    <message>
+        <source>%1 Spectrum</source>
+        <translation>Spectre depuis %1</translation>
+    </message>
+    <message>
+        <source>%1 Pastel</source>
+        <translation>Pastel %1</translation>
+    </message>
+    <message>
+        <source>%1 Metal</source>
+        <translation>Métal %1</translation>
+    </message>
+    <message>
+        <source>%1 Bands</source>
+        <translation>Bandes %1</translation>
+    </message>
+    <message>
+        <source>%1 Ink</source>
+        <translation>Encre %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 Twilight</source>
+        <translation>Crépuscule %1</translation>
+    </message>
+    <message>
+        <source>%1 Wheel</source>
+        <translation>Roue depuis %1</translation>
+    </message>
+    <message>
+        <source>Rose</source>
+        <translation>Rose</translation>
+    </message>
+    <message>
+        <source>Crimson</source>
+        <translation>Cramoisi</translation>
+    </message>
+    <message>
+        <source>Scarlet</source>
+        <translation>Écarlate</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Vermillon</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Amber</source>
+        <translation>Ambre</translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation>Or</translation>
+    </message>
+    <message>
+        <source>Lemon</source>
+        <translation>Citron</translation>
+    </message>
+    <message>
+        <source>Lime</source>
+        <translation>Citron vert</translation>
+    </message>
+    <message>
+        <source>Grass</source>
+        <translation>Herbe</translation>
+    </message>
+    <message>
+        <source>Emerald</source>
+        <translation>Émeraude</translation>
+    </message>
+    <message>
+        <source>Jade</source>
+        <translation>Jade</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>Sarcelle</translation>
+    </message>
+    <message>
+        <source>Sea</source>
+        <translation>Mer</translation>
+    </message>
+    <message>
+        <source>Cyan</source>
+        <translation>Cyan</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Ciel</translation>
+    </message>
+    <message>
+        <source>Azure</source>
+        <translation>Azur</translation>
+    </message>
+    <message>
+        <source>Cobalt</source>
+        <translation>Cobalt</translation>
+    </message>
+    <message>
+        <source>Sapphire</source>
+        <translation>Saphir</translation>
+    </message>
+    <message>
+        <source>Indigo</source>
+        <translation>Indigo</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violet</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>Pourpre</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Fuchsia</source>
+        <translation>Fuchsia</translation>
     </message>
 </context>
 <context>
@@ -2199,6 +2379,25 @@
     </message>
 </context>
 <context>
+    <name>SpaceDefinition</name>
+    <message>
+        <source>Click the first of the four corners. The picture stays where it is; Esc cancels.</source>
+        <translation>Cliquez le premier des quatre sommets. L’image ne bouge pas ; Échap annule.</translation>
+    </message>
+    <message>
+        <source>Click the second corner. Backspace removes the last point.</source>
+        <translation>Cliquez le deuxième sommet. Retour arrière supprime le dernier point.</translation>
+    </message>
+    <message>
+        <source>Click the third corner. Backspace removes the last point.</source>
+        <translation>Cliquez le troisième sommet. Retour arrière supprime le dernier point.</translation>
+    </message>
+    <message>
+        <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
+        <translation>Cliquez le quatrième sommet, devant les trois autres. La molette l’éloigne et le bouton droit tourne la vue.</translation>
+    </message>
+</context>
+<context>
     <name>StatusLine</name>
     <message>
         <source>%1 G points</source>
@@ -2319,6 +2518,10 @@
     <message>
         <source>  along the normal</source>
         <translation>  le long de la normale</translation>
+    </message>
+    <message>
+        <source>  azimuth %1°  elevation %2°</source>
+        <translation>  azimut %1°  élévation %2°</translation>
     </message>
 </context>
 <context>
@@ -2716,10 +2919,6 @@
     <message>
         <source>The file is not a text file, so it is not a palette.</source>
         <translation>Le fichier n’est pas un texte, ce n’est donc pas une palette.</translation>
-    </message>
-    <message>
-        <source>This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files.</source>
-        <translation>C’est un dégradé GIMP&#x202f;; les palettes sont lues dans des fichiers .gpl, .ugr et .map.</translation>
     </message>
     <message>
         <source>The file has more than %1 palettes; the rest are ignored.</source>
@@ -3656,6 +3855,18 @@
         <source>The maps of “%1” are linked, so not every address is one of its points.</source>
         <translation>Les applications de « %1 » sont liées, donc toute adresse n’est pas l’un de ses points.</translation>
     </message>
+    <message>
+        <source>A GIMP gradient states its number of segments here, from 1 to %1.</source>
+        <translation>Un dégradé GIMP indique ici son nombre de segments, de 1 à %1.</translation>
+    </message>
+    <message>
+        <source>This is not a segment of a GIMP gradient that continues the one before.</source>
+        <translation>Ce n’est pas un segment de dégradé GIMP qui prolonge le précédent.</translation>
+    </message>
+    <message>
+        <source>its fractal transformation</source>
+        <translation>sa transformation fractale</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3955,6 +4166,14 @@
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Déplacer le sommet %1 en (%2, %3)</translation>
     </message>
+    <message>
+        <source>The four points are in one plane, so they define no coordinates. Click the fourth point off the plane.</source>
+        <translation>Les quatre points sont dans un même plan et ne définissent donc pas de coordonnées. Cliquez le quatrième point hors du plan.</translation>
+    </message>
+    <message>
+        <source>Define the control tetrahedron</source>
+        <translation>Définir le tétraèdre de contrôle</translation>
+    </message>
 </context>
 <context>
     <name>document::CollageEdits</name>
@@ -3965,6 +4184,14 @@
     <message>
         <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
         <translation>La cage déforme l’image ou est plate. Réinitialisez-la pour comparer les applications.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Les applications sont liées. Seules des applications qui peuvent toutes se suivre peuvent être comparées à une image.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Une symétrie répète les applications. Développez-la pour comparer les applications à une image.</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4242,18 @@
     <message>
         <source>More than %1 maps cannot be linked.</source>
         <translation>On ne peut pas lier plus de %1 applications.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <translation>Les liens de « %1 » font finir toute suite d’applications : il n’y a rien que des applications simples pourraient dessiner.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : certaines applications se suivent sans fin, et aucune d’elles ne peut suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Les applications simples de « %1 » seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
     </message>
 </context>
 <context>
@@ -4697,6 +4936,14 @@
         <source>Supersampling: %1</source>
         <translation>Suréchantillonnage : %1</translation>
     </message>
+    <message>
+        <source>More Palettes…</source>
+        <translation>Plus de palettes…</translation>
+    </message>
+    <message>
+        <source>Browse hundreds of palettes, turn and shift them</source>
+        <translation>Parcourir des centaines de palettes, les tourner et les décaler</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
@@ -5175,10 +5422,6 @@
         <translation>Définir le sommet %1 en (%2, %3, %4)</translation>
     </message>
     <message>
-        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
-        <translation>Trois clics définissent un triangle dans le plan. Dans l’espace, affichez la cage au repos et tapez les coordonnées de ses sommets.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Aplatie&#x202f;: le solide est écrasé sur un plan ou une droite. Ouvrez la cage et il revient.</translation>
     </message>
@@ -5225,6 +5468,14 @@
     <message>
         <source>Octahedron</source>
         <translation>Octaèdre</translation>
+    </message>
+    <message>
+        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <translation>Définit le tétraèdre par quatre clics sur le canevas ; l’image reste</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Plus petit rectangle</translation>
     </message>
 </context>
 <context>
@@ -5805,16 +6056,16 @@
         <translation>Garantie</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
-        <translation>Aucun point de la cible n’est plus loin de l’attracteur que cela, ni l’inverse</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
     <message>
         <source>none: a map stretches by %1</source>
         <translation>aucune : une application étire de %1</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <translation>Aucun point de la cible n’est plus loin de l’attracteur que cela, ni l’inverse. Elle est plus grande pendant que vous faites glisser, car une image plus grossière est mesurée</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +6148,10 @@
     <message>
         <source>Nothing was found that agrees better.</source>
         <translation>Rien de plus concordant n’a été trouvé.</translation>
+    </message>
+    <message>
+        <source>The target has changed, so the fit was cancelled.</source>
+        <translation>La cible a changé, l’ajustement a donc été annulé.</translation>
     </message>
 </context>
 <context>
@@ -6719,6 +6974,10 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Ce format ne peut enregistrer que des systèmes du plan.</translation>
     </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Formules et figure pour LaTeX (.tex)</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
@@ -7425,16 +7684,16 @@
         <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
-        <translation>Charger une palette d’un fichier .gpl, .ugr ou .map, ou la prendre d’une image</translation>
-    </message>
-    <message>
-        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Palettes et images (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Take the palette from a picture</source>
         <translation>Prendre la palette d’une image</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ggr, .ugr or .map file, or take it from a picture</source>
+        <translation>Charger une palette d’un fichier .gpl, .ggr, .ugr ou .map, ou la prendre d’une image</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Palettes et images (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -7543,6 +7802,33 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::LinkGraph</name>
+    <message>
+        <source>Graph of links</source>
+        <translation>Graphe des liens</translation>
+    </message>
+    <message>
+        <source>Drag from one map to another to link them; click an arrow and press Delete to remove it.</source>
+        <translation>Faites glisser d’une application à une autre pour les lier ; cliquez sur une flèche et appuyez sur Suppr pour la retirer.</translation>
+    </message>
+    <message>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <translation>Chaque cercle est une application, et une flèche mène à chaque application qui peut la suivre dans le jeu du chaos ; les flèches plus épaisses ont plus de poids. Faites glisser d’une application à une autre pour les lier, ou hors d’une application et retour pour la lier à elle-même. Cliquez sur une flèche et appuyez sur Suppr pour la retirer, ou double-cliquez pour saisir son poids. Au clavier : Gauche et Droite parcourent les applications, Haut et Bas les flèches d’une application ; Espace commence une nouvelle flèche, Gauche et Droite en choisissent la fin, Entrée l’ajoute. Les applications à l’anneau pointillé ne participent pas, pour la raison indiquée à côté.</translation>
+    </message>
+    <message>
+        <source>No map is selected.</source>
+        <translation>Aucune application n’est sélectionnée.</translation>
+    </message>
+    <message>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <translation>Nouvelle flèche de l’application %1 à l’application %2. Entrée l’ajoute, Échap non.</translation>
+    </message>
+    <message>
+        <source>Map %1: %2</source>
+        <translation>Application %1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LinksModel</name>
     <message>
         <source>Switched off</source>
@@ -7596,6 +7882,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>From map %1</source>
         <translation>De l’application %1</translation>
     </message>
+    <message>
+        <source>Unlink map %1 from map %2</source>
+        <translation>Délier l’application %1 de l’application %2</translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7620,16 +7910,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Toute application peut de nouveau suivre toute autre</translation>
     </message>
     <message>
-        <source>Any map may follow any other. Enter 0 to forbid it.</source>
-        <translation>Toute application peut suivre toute autre. Saisissez 0 pour l’interdire.</translation>
-    </message>
-    <message>
         <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
         <translation>Toute suite d’applications prend fin&#x202f;; rien n’est donc dessiné.</translation>
     </message>
     <message>
         <source>Remove all links</source>
         <translation>Retirer tous les liens</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
+        <translation>Toute application peut suivre toute autre. Cliquez sur une flèche et appuyez sur Suppr pour l’interdire.</translation>
     </message>
 </context>
 <context>
@@ -8290,6 +8580,100 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::MorphDialog</name>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Une fractale du plan ne peut pas devenir une fractale de l’espace.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>L’une des deux fractales a plus de 256 applications.</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Les applications de l’une des deux fractales sont liées.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Une cage courbée n’a pas de code d’où partir. Réinitialisez-la ou intégrez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>L’une des deux fractales n’a pas d’attracteur.</translation>
+    </message>
+    <message>
+        <source>Morph “%1”</source>
+        <translation>Morphing de « %1 »</translation>
+    </message>
+    <message>
+        <source>The entry of this file that the fractal becomes.</source>
+        <translation>L’entrée de ce fichier que devient la fractale.</translation>
+    </message>
+    <message>
+        <source>&amp;Becomes:</source>
+        <translation>&amp;Devient :</translation>
+    </message>
+    <message>
+        <source>&amp;Add Morph</source>
+        <translation>&amp;Ajouter le morphing</translation>
+    </message>
+    <message>
+        <source>Adds the morph to the file as an entry of its own, in one step that you can undo.</source>
+        <translation>Ajoute le morphing au fichier comme entrée à part, en une seule étape que vous pouvez annuler.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>&amp;Libérer les paires</translation>
+    </message>
+    <message>
+        <source>Lets all maps go where the way is shortest.</source>
+        <translation>Laisse toutes les applications suivre le chemin le plus court.</translation>
+    </message>
+    <message>
+        <source>The morph at %1 %</source>
+        <translation>Le morphing à %1 %</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Ce fichier n’a pas d’autre fractale de cette dimension.</translation>
+    </message>
+</context>
+<context>
+    <name>view::MorphLines</name>
+    <message>
+        <source>Pairs of maps</source>
+        <translation>Paires d’applications</translation>
+    </message>
+    <message>
+        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <translation>À gauche les applications de cette fractale, à droite celles de l’autre. Une ligne montre ce que devient une application, et son épaisseur la part du poids qui prend ce chemin. Faites glisser d’une application à une autre de l’autre colonne pour fixer la paire, et de nouveau pour la libérer. Au clavier : choisissez une application avec les flèches, appuyez sur Espace, allez à l’autre et appuyez de nouveau sur Espace. Suppr libère toutes les paires fixées d’une application.</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %, pinned)</source>
+        <translation>%1 (%2 %, fixée)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>Map %1 takes no part.</source>
+        <translation>L’application %1 ne participe pas.</translation>
+    </message>
+    <message>
+        <source>Map %1 becomes map %2.</source>
+        <translation>L’application %1 devient l’application %2.</translation>
+    </message>
+    <message>
+        <source>Map %1 comes from map %2.</source>
+        <translation>L’application %1 vient de l’application %2.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -8396,6 +8780,77 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un nombre, avec un point ou une virgule décimale, ou une expression comme 1/2, sqrt(3)/6, cos(36°) ou pi. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
+    </message>
+</context>
+<context>
+    <name>view::PaletteBrowser</name>
+    <message>
+        <source>Palettes</source>
+        <translation>Palettes</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Palette</source>
+        <translation>&amp;Utiliser cette palette</translation>
+    </message>
+    <message>
+        <source>Search palettes</source>
+        <translation>Rechercher des palettes</translation>
+    </message>
+    <message>
+        <source>&amp;Favourites Only</source>
+        <translation>&amp;Favoris seulement</translation>
+    </message>
+    <message>
+        <source>Shows only the palettes that you marked with the star.</source>
+        <translation>N’affiche que les palettes marquées de l’étoile.</translation>
+    </message>
+    <message>
+        <source>Palettes made in Oklab, whose steps look equally large. Select one to see it on the fractal; double-click it to keep it.</source>
+        <translation>Palettes construites dans Oklab, dont les pas paraissent égaux. Sélectionnez-en une pour la voir sur la fractale ; un double-clic la conserve.</translation>
+    </message>
+    <message>
+        <source>The palette as it will be used</source>
+        <translation>La palette telle qu’elle sera utilisée</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favori</translation>
+    </message>
+    <message>
+        <source>Mark the selected palette as a favourite (Ctrl+D)</source>
+        <translation>Marquer la palette sélectionnée comme favori (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Teinte</translation>
+    </message>
+    <message>
+        <source>Turn all hues by so many degrees; lightness stays</source>
+        <translation>Tourner toutes les teintes d’autant de degrés ; la clarté reste</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Begin the palette farther along, and append what was before</source>
+        <translation>Commencer la palette plus loin et reporter ce qui précède à la fin</translation>
+    </message>
+    <message>
+        <source>&amp;Reversed</source>
+        <translation>&amp;Inversée</translation>
+    </message>
+    <message>
+        <source>%1, a favourite</source>
+        <translation>%1, un favori</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a palette and press Ctrl+D.</source>
+        <translation>Pas encore de favoris. Sélectionnez une palette et appuyez sur Ctrl+D.</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Aucun résultat</translation>
     </message>
 </context>
 <context>
@@ -8606,6 +9061,26 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Not saved yet: %1.</source>
         <translation>Pas encore enregistré : %1.</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Plateau tournant</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Trackball</translation>
+    </message>
+    <message>
+        <source>Turning solids</source>
+        <translation>Rotation des solides</translation>
+    </message>
+    <message>
+        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <translation>Comment un solide tourne quand on le fait glisser. Sur un plateau tournant, ce qui est vertical le reste. Un trackball tourne librement autour des axes de l’écran, même au-delà des pôles ; pour remettre la vue d’aplomb, regardez le long d’un axe.</translation>
+    </message>
+    <message>
+        <source>Turning &amp;solids:</source>
+        <translation>Rotation des &amp;solides :</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9771,26 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Written to %1.</source>
         <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Image (.jpg)</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Image (.webp)</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Image (.tiff)</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Image en lumière linéaire (.exr)</translation>
+    </message>
+    <message>
+        <source>Depths are written as PNG only.</source>
+        <translation>Les profondeurs ne s’écrivent qu’en PNG.</translation>
     </message>
 </context>
 <context>
@@ -10023,22 +10518,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Tissage</translation>
     </message>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
-        <translation>Une fractale du plan ne peut pas devenir une fractale de l’espace.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has more than 256 maps.</source>
-        <translation>L’une des deux fractales a plus de 256 applications.</translation>
-    </message>
-    <message>
-        <source>A bent cage has no code to start from. Reset or bake it first.</source>
-        <translation>Une cage courbée n’a pas de code d’où partir. Réinitialisez-la ou intégrez-la d’abord.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has no attractor.</source>
-        <translation>L’une des deux fractales n’a pas d’attracteur.</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Ajouter un mouvement</translation>
     </message>
@@ -10147,8 +10626,20 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Morphing vers %1</translation>
     </message>
     <message>
-        <source>The maps of one of the two fractals are linked.</source>
-        <translation>Les applications de l’une des deux fractales sont liées.</translation>
+        <source>Trying the motion…</source>
+        <translation>Essai du mouvement…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Pairs…</source>
+        <translation>Choisir les &amp;paires…</translation>
+    </message>
+    <message>
+        <source>Shows which map becomes which, and lets you pin pairs.</source>
+        <translation>Montre quelle application devient laquelle et permet de fixer des paires.</translation>
+    </message>
+    <message>
+        <source>Pairing the maps…</source>
+        <translation>Appariement des applications…</translation>
     </message>
 </context>
 <context>
@@ -10168,6 +10659,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Faites glisser un coin du tétraèdre.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
+    </message>
+    <message>
+        <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Cliquez les quatre sommets du nouveau tétraèdre, le quatrième devant les autres.  La molette l’éloigne  ·  glisser à droite tourne la vue  ·  Retour arrière supprime le dernier point  ·  Échap annule</translation>
     </message>
 </context>
 <context>
@@ -10497,6 +10992,22 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Divide maps of both entries into words until they have equally many</source>
         <translation>Diviser des applications des deux entrées en mots jusqu’à en avoir autant</translation>
+    </message>
+    <message>
+        <source>Stained Glass</source>
+        <translation>Vitrail</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Marbre</translation>
+    </message>
+    <message>
+        <source>Tartan</source>
+        <translation>Tartan</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Vagues</translation>
     </message>
 </context>
 <context>

@@ -658,6 +658,22 @@
         <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
         <translation>Фрактали што се движат: ветар, превиткување, растење, преобразби, бескрајно приближување и летови низ просторот.</translation>
     </message>
+    <message>
+        <source>Linked maps</source>
+        <translation>Поврзани пресликувања</translation>
+    </message>
+    <message>
+        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <translation>Пресликувања што смеат да следат само некои: Пенроузови плочки, граници и игри на хаос со правила.</translation>
+    </message>
+    <message>
+        <source>Fractal transformations</source>
+        <translation>Фрактални трансформации</translation>
+    </message>
+    <message>
+        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <translation>Фрактали во боите на слика врз друг фрактал; двоен клик ги отвора двата еден до друг.</translation>
+    </message>
 </context>
 <context>
     <name>DimensionEdits</name>
@@ -1124,10 +1140,6 @@
         <translation>D</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks</source>
-        <translation>Дефинирај го контролниот триаголник со три кликања</translation>
-    </message>
-    <message>
         <source>Fit &amp;Minimal Canonical Simplex</source>
         <translation>Опфати со минимален каноничен &amp;симплекс</translation>
     </message>
@@ -1524,32 +1536,16 @@
         <translation>На&amp;пред</translation>
     </message>
     <message>
-        <source>Look along the z axis (1 on the keypad)</source>
-        <translation>Поглед по z-оската (1 на нумеричката тастатура)</translation>
-    </message>
-    <message>
         <source>&amp;Back</source>
         <translation>&amp;Назад</translation>
-    </message>
-    <message>
-        <source>Look along the z axis from behind (Ctrl+1 on the keypad)</source>
-        <translation>Поглед по z-оската одзади (Ctrl+1 на нумеричката тастатура)</translation>
     </message>
     <message>
         <source>&amp;Right</source>
         <translation>&amp;Десно</translation>
     </message>
     <message>
-        <source>Look along the x axis (3 on the keypad)</source>
-        <translation>Поглед по x-оската (3 на нумеричката тастатура)</translation>
-    </message>
-    <message>
         <source>&amp;Left</source>
         <translation>&amp;Лево</translation>
-    </message>
-    <message>
-        <source>Look along the x axis from behind (Ctrl+3 on the keypad)</source>
-        <translation>Поглед по x-оската одзади (Ctrl+3 на нумеричката тастатура)</translation>
     </message>
     <message>
         <source>&amp;Top</source>
@@ -1912,10 +1908,6 @@
         <translation>Колаж</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a matrix.</source>
-        <translation>Кои пресликувања играта на хаосот смее да ги примени по кои, како матрица.</translation>
-    </message>
-    <message>
         <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
         <translation>Фрактал за слика: целта, колку фракталот се согласува со неа, и прилагодувања.</translation>
     </message>
@@ -1926,6 +1918,54 @@
     <message>
         <source>Show the solid from the top, the front and the right as well</source>
         <translation>Прикажи го телото и одозгора, однапред и оддесно</translation>
+    </message>
+    <message>
+        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <translation>Го одредува контролниот триаголник со три клика, во просторот тетраедарот со четири</translation>
+    </message>
+    <message>
+        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <translation>Кои пресликувања играта на хаос смее да ги примени по кои, како граф и како матрица.</translation>
+    </message>
+    <message>
+        <source>Look from the front (1 on the keypad)</source>
+        <translation>Поглед од напред (1 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>Look from behind (Ctrl+1 on the keypad)</source>
+        <translation>Поглед од назад (Ctrl+1 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>Look from the right (3 on the keypad)</source>
+        <translation>Поглед од десно (3 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>Look from the left (Ctrl+3 on the keypad)</source>
+        <translation>Поглед од лево (Ctrl+3 на нумеричката тастатура)</translation>
+    </message>
+    <message>
+        <source>&amp;Z Up</source>
+        <translation>&amp;Z нагоре</translation>
+    </message>
+    <message>
+        <source>Point the z axis up, as in CAD programs; the fractal stays as it is</source>
+        <translation>Оската z е насочена нагоре, како во CAD-програмите; фракталот останува ист</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Стерео, &amp;еден до друг</translation>
+    </message>
+    <message>
+        <source>Show what each eye sees, the left one to the left</source>
+        <translation>Прикажува што гледа секое око, левото лево</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Стерео, за црвено-&amp;цијан очила</translation>
+    </message>
+    <message>
+        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
     </message>
 </context>
 <context>
@@ -2043,6 +2083,146 @@
     <message>
         <source>Cyanotype</source>
         <translation>Цијанотипија</translation>
+    </message>
+    <message>
+        <source>%1 Glow</source>
+        <translation>Сјај: %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>Од %1 до %2</translation>
+    </message>
+    <message>
+        <source>%1 into %2</source>
+        <translation>%1 наспроти %2</translation>
+    </message>
+    <message>
+        <source>%1 Spectrum</source>
+        <translation>Спектар од %1</translation>
+    </message>
+    <message>
+        <source>%1 Pastel</source>
+        <translation>Пастел: %1</translation>
+    </message>
+    <message>
+        <source>%1 Metal</source>
+        <translation>Метал: %1</translation>
+    </message>
+    <message>
+        <source>%1 Bands</source>
+        <translation>Ленти: %1</translation>
+    </message>
+    <message>
+        <source>%1 Ink</source>
+        <translation>Мастило: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 и %2</translation>
+    </message>
+    <message>
+        <source>%1 Twilight</source>
+        <translation>Самрак: %1</translation>
+    </message>
+    <message>
+        <source>%1 Wheel</source>
+        <translation>Круг од %1</translation>
+    </message>
+    <message>
+        <source>Rose</source>
+        <translation>роза</translation>
+    </message>
+    <message>
+        <source>Crimson</source>
+        <translation>темноцрвена</translation>
+    </message>
+    <message>
+        <source>Scarlet</source>
+        <translation>скерлетна</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>цинобер</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>портокалова</translation>
+    </message>
+    <message>
+        <source>Amber</source>
+        <translation>килибар</translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation>златна</translation>
+    </message>
+    <message>
+        <source>Lemon</source>
+        <translation>лимон</translation>
+    </message>
+    <message>
+        <source>Lime</source>
+        <translation>лимета</translation>
+    </message>
+    <message>
+        <source>Grass</source>
+        <translation>трева</translation>
+    </message>
+    <message>
+        <source>Emerald</source>
+        <translation>смарагд</translation>
+    </message>
+    <message>
+        <source>Jade</source>
+        <translation>жад</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>тиркизнозелена</translation>
+    </message>
+    <message>
+        <source>Sea</source>
+        <translation>море</translation>
+    </message>
+    <message>
+        <source>Cyan</source>
+        <translation>цијан</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>небо</translation>
+    </message>
+    <message>
+        <source>Azure</source>
+        <translation>азур</translation>
+    </message>
+    <message>
+        <source>Cobalt</source>
+        <translation>кобалт</translation>
+    </message>
+    <message>
+        <source>Sapphire</source>
+        <translation>сафир</translation>
+    </message>
+    <message>
+        <source>Indigo</source>
+        <translation>индиго</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>виолетова</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>пурпурна</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>магента</translation>
+    </message>
+    <message>
+        <source>Fuchsia</source>
+        <translation>фуксија</translation>
     </message>
 </context>
 <context>
@@ -2204,6 +2384,25 @@
     </message>
 </context>
 <context>
+    <name>SpaceDefinition</name>
+    <message>
+        <source>Click the first of the four corners. The picture stays where it is; Esc cancels.</source>
+        <translation>Кликнете го првото од четирите темиња. Сликата останува каде што е; Esc откажува.</translation>
+    </message>
+    <message>
+        <source>Click the second corner. Backspace removes the last point.</source>
+        <translation>Кликнете го второто теме. Backspace ја отстранува последната точка.</translation>
+    </message>
+    <message>
+        <source>Click the third corner. Backspace removes the last point.</source>
+        <translation>Кликнете го третото теме. Backspace ја отстранува последната точка.</translation>
+    </message>
+    <message>
+        <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
+        <translation>Кликнете го четвртото теме, пред другите три. Тркалцето го оддалечува, а десното копче го врти погледот.</translation>
+    </message>
+</context>
+<context>
     <name>StatusLine</name>
     <message>
         <source>%1 G points</source>
@@ -2324,6 +2523,10 @@
     <message>
         <source>  along the normal</source>
         <translation>  по нормалата</translation>
+    </message>
+    <message>
+        <source>  azimuth %1°  elevation %2°</source>
+        <translation>  азимут %1°  елевација %2°</translation>
     </message>
 </context>
 <context>
@@ -2721,10 +2924,6 @@
     <message>
         <source>The file is not a text file, so it is not a palette.</source>
         <translation>Датотеката не е текст, па не е палета.</translation>
-    </message>
-    <message>
-        <source>This is a GIMP gradient; palettes are read from .gpl, .ugr and .map files.</source>
-        <translation>Ова е градиент на GIMP; палети се читаат од датотеки .gpl, .ugr и .map.</translation>
     </message>
     <message>
         <source>The file has more than %1 palettes; the rest are ignored.</source>
@@ -3662,6 +3861,18 @@
         <source>The maps of “%1” are linked, so not every address is one of its points.</source>
         <translation>Пресликувањата на „%1“ се поврзани, па не секоја адреса е негова точка.</translation>
     </message>
+    <message>
+        <source>A GIMP gradient states its number of segments here, from 1 to %1.</source>
+        <translation>GIMP-прелив овде го наведува бројот на сегменти, од 1 до %1.</translation>
+    </message>
+    <message>
+        <source>This is not a segment of a GIMP gradient that continues the one before.</source>
+        <translation>Ова не е сегмент од GIMP-прелив што го продолжува претходниот.</translation>
+    </message>
+    <message>
+        <source>its fractal transformation</source>
+        <translation>неговата фрактална трансформација</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -3961,6 +4172,14 @@
         <source>Move vertex %1 to (%2, %3)</source>
         <translation>Премести го темето %1 во (%2, %3)</translation>
     </message>
+    <message>
+        <source>The four points are in one plane, so they define no coordinates. Click the fourth point off the plane.</source>
+        <translation>Четирите точки лежат во една рамнина, па не одредуваат координати. Кликнете ја четвртата точка надвор од рамнината.</translation>
+    </message>
+    <message>
+        <source>Define the control tetrahedron</source>
+        <translation>Одреди го контролниот тетраедар</translation>
+    </message>
 </context>
 <context>
     <name>document::CollageEdits</name>
@@ -3971,6 +4190,14 @@
     <message>
         <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
         <translation>Кафезот ја витка сликата или е рамен. Вратете го за да се споредат пресликувањата.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Пресликувањата се поврзани. Со слика може да се споредат само пресликувања кои сите може да следат едно по друго.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Симетрија ги повторува пресликувањата. Разгрнете ја за да ги споредите пресликувањата со слика.</translation>
     </message>
 </context>
 <context>
@@ -4021,6 +4248,18 @@
     <message>
         <source>More than %1 maps cannot be linked.</source>
         <translation>Повеќе од %1 пресликувања не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <translation>Врските на „%1“ ја завршуваат секоја низа пресликувања, па нема ништо што обични пресликувања би можеле да го нацртаат.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: некои пресликувања се следат бескрајно, а ниедно од нив не смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Обичните пресликувања на „%1“ би биле зборови од неговите пресликувања, кои не можат да учествуваат во неговата анимација или во поместените гранки. Прво отстранете ги нив.</translation>
     </message>
 </context>
 <context>
@@ -4707,6 +4946,14 @@
         <source>Supersampling: %1</source>
         <translation>Надземање примероци: %1</translation>
     </message>
+    <message>
+        <source>More Palettes…</source>
+        <translation>Уште палети…</translation>
+    </message>
+    <message>
+        <source>Browse hundreds of palettes, turn and shift them</source>
+        <translation>Прегледај стотици палети, врти ги и поместувај ги</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearanceSlider</name>
@@ -5186,10 +5433,6 @@
         <translation>Дефинирај го темето %1 кај (%2, %3, %4)</translation>
     </message>
     <message>
-        <source>Three clicks define a triangle in the plane. In space, show the rest cage and type the coordinates of its vertices.</source>
-        <translation>Три кликања дефинираат триаголник во рамнината. Во просторот, прикажете го кафезот во мирување и напишете ги координатите на неговите темиња.</translation>
-    </message>
-    <message>
         <source>Flat: the solid is squeezed onto a plane or a line. Open the cage to get it back.</source>
         <translation>Сплескано: телото лежи во една рамнина или права. Раширете го кафезот и тоа се враќа.</translation>
     </message>
@@ -5236,6 +5479,14 @@
     <message>
         <source>Octahedron</source>
         <translation>Октаедар</translation>
+    </message>
+    <message>
+        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <translation>Го одредува тетраедарот со четири клика на платното; сликата останува</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Најмал правоаголник</translation>
     </message>
 </context>
 <context>
@@ -5816,16 +6067,16 @@
         <translation>Гаранција</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round</source>
-        <translation>Ниедна точка од целта не е подалеку од атракторот, ниту обратно</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
     <message>
         <source>none: a map stretches by %1</source>
         <translation>нема: едно пресликување растегнува за %1</translation>
+    </message>
+    <message>
+        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <translation>Ниедна точка од целта не е подалеку од атракторот, ниту обратно. Поголема е додека влечете, бидејќи се мери погруба слика</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +6160,10 @@
     <message>
         <source>Nothing was found that agrees better.</source>
         <translation>Не е најдено ништо што подобро се согласува.</translation>
+    </message>
+    <message>
+        <source>The target has changed, so the fit was cancelled.</source>
+        <translation>Целта се промени, па прилагодувањето е откажано.</translation>
     </message>
 </context>
 <context>
@@ -6737,6 +6992,10 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Овој формат може да чува само системи во рамнина.</translation>
     </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Формули и слика за LaTeX (.tex)</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
@@ -7443,16 +7702,16 @@
         <translation>Се чита „%1“…</translation>
     </message>
     <message>
-        <source>Load a palette from a .gpl, .ugr or .map file, or take it from a picture</source>
-        <translation>Вчитај палета од датотека .gpl, .ugr или .map, или земи ја од слика</translation>
-    </message>
-    <message>
-        <source>Palettes and pictures (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Палети и слики (*.gpl *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Сите датотеки (*)</translation>
-    </message>
-    <message>
         <source>Take the palette from a picture</source>
         <translation>Земи ја палетата од слика</translation>
+    </message>
+    <message>
+        <source>Load a palette from a .gpl, .ggr, .ugr or .map file, or take it from a picture</source>
+        <translation>Вчитај палета од датотека .gpl, .ggr, .ugr или .map, или земи ја од слика</translation>
+    </message>
+    <message>
+        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
+        <translation>Палети и слики (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Сите датотеки (*)</translation>
     </message>
 </context>
 <context>
@@ -7561,6 +7820,33 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::LinkGraph</name>
+    <message>
+        <source>Graph of links</source>
+        <translation>Граф на врските</translation>
+    </message>
+    <message>
+        <source>Drag from one map to another to link them; click an arrow and press Delete to remove it.</source>
+        <translation>Влечете од едно пресликување до друго за да ги поврзете; кликнете на стрелка и притиснете Delete за да ја отстраните.</translation>
+    </message>
+    <message>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <translation>Секој круг е пресликување, а стрелка води до секое пресликување што смее да го следи во играта на хаос; подебелите стрелки имаат поголема тежина. Влечете од едно пресликување до друго за да ги поврзете, или надвор од пресликување и назад за да го поврзете со самото себе. Кликнете на стрелка и притиснете Delete за да ја отстраните, или двоен клик за да ја внесете нејзината тежина. Со тастатурата: лево и десно минуваат низ пресликувањата, горе и долу низ стрелките на едно пресликување; празно место почнува нова стрелка, лево и десно го избираат нејзиниот крај, Enter ја додава. Пресликувањата со испрекинат прстен не учествуваат, од причината што стои до нив.</translation>
+    </message>
+    <message>
+        <source>No map is selected.</source>
+        <translation>Не е избрано пресликување.</translation>
+    </message>
+    <message>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <translation>Нова стрелка од пресликување %1 до пресликување %2. Enter ја додава, Esc не.</translation>
+    </message>
+    <message>
+        <source>Map %1: %2</source>
+        <translation>Пресликување %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LinksModel</name>
     <message>
         <source>Switched off</source>
@@ -7614,6 +7900,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>From map %1</source>
         <translation>Од пресликувањето %1</translation>
     </message>
+    <message>
+        <source>Unlink map %1 from map %2</source>
+        <translation>Одврзи го пресликувањето %1 од пресликувањето %2</translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7638,16 +7928,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Секое пресликување повторно смее да следи по секое друго</translation>
     </message>
     <message>
-        <source>Any map may follow any other. Enter 0 to forbid it.</source>
-        <translation>Секое пресликување смее да следи по секое друго. Внесете 0 за да го забраните тоа.</translation>
-    </message>
-    <message>
         <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
         <translation>Секоја низа пресликувања завршува, па ништо не се црта.</translation>
     </message>
     <message>
         <source>Remove all links</source>
         <translation>Отстрани ги сите врски</translation>
+    </message>
+    <message>
+        <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
+        <translation>Секое пресликување смее да го следи секое друго. Кликнете на стрелка и притиснете Delete за да го забраните тоа.</translation>
     </message>
 </context>
 <context>
@@ -8308,6 +8598,100 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::MorphDialog</name>
+    <message>
+        <source>A fractal of the plane cannot become one in space.</source>
+        <translation>Фрактал во рамнината не може да стане фрактал во просторот.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has more than 256 maps.</source>
+        <translation>Еден од двата фрактала има повеќе од 256 пресликувања.</translation>
+    </message>
+    <message>
+        <source>The maps of one of the two fractals are linked.</source>
+        <translation>Пресликувањата на еден од двата фрактали се поврзани.</translation>
+    </message>
+    <message>
+        <source>A bent cage has no code to start from. Reset or bake it first.</source>
+        <translation>Искривен кафез нема код од кој би се тргнало. Прво вратете го или вградете го.</translation>
+    </message>
+    <message>
+        <source>One of the two fractals has no attractor.</source>
+        <translation>Еден од двата фрактала нема атрактор.</translation>
+    </message>
+    <message>
+        <source>Morph “%1”</source>
+        <translation>Преобразба на „%1“</translation>
+    </message>
+    <message>
+        <source>The entry of this file that the fractal becomes.</source>
+        <translation>Записот од оваа датотека во кој преминува фракталот.</translation>
+    </message>
+    <message>
+        <source>&amp;Becomes:</source>
+        <translation>&amp;Преминува во:</translation>
+    </message>
+    <message>
+        <source>&amp;Add Morph</source>
+        <translation>&amp;Додај преобразба</translation>
+    </message>
+    <message>
+        <source>Adds the morph to the file as an entry of its own, in one step that you can undo.</source>
+        <translation>Ја додава преобразбата во датотеката како засебен запис, во еден чекор што може да се врати.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Pins</source>
+        <translation>&amp;Ослободи ги паровите</translation>
+    </message>
+    <message>
+        <source>Lets all maps go where the way is shortest.</source>
+        <translation>Ги пушта сите пресликувања по најкраткиот пат.</translation>
+    </message>
+    <message>
+        <source>The morph at %1 %</source>
+        <translation>Преобразбата на %1 %</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Оваа датотека нема друг фрактал со оваа димензија.</translation>
+    </message>
+</context>
+<context>
+    <name>view::MorphLines</name>
+    <message>
+        <source>Pairs of maps</source>
+        <translation>Парови пресликувања</translation>
+    </message>
+    <message>
+        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <translation>Лево се пресликувањата на овој фрактал, десно на другиот. Линијата покажува во што преминува пресликувањето, а нејзината дебелина колкав дел од тежината оди по тој пат. Повлечете од едно пресликување до друго во другата колона за да го прицврстите парот, и повторно за да го ослободите. Со тастатура: изберете пресликување со стрелките, притиснете празно место, појдете до другото и притиснете повторно. Del ги ослободува сите прицврстени парови на пресликувањето.</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %, pinned)</source>
+        <translation>%1 (%2 %, прицврстено)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>Map %1 takes no part.</source>
+        <translation>Пресликувањето %1 не учествува.</translation>
+    </message>
+    <message>
+        <source>Map %1 becomes map %2.</source>
+        <translation>Пресликувањето %1 преминува во пресликување %2.</translation>
+    </message>
+    <message>
+        <source>Map %1 comes from map %2.</source>
+        <translation>Пресликувањето %1 настанува од пресликување %2.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -8414,6 +8798,77 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Број, со децимална точка или запирка, или израз како 1/2, sqrt(3)/6, cos(36°) или pi. Стрелките и тркалцето го менуваат: десет пати побрзо со Shift, десет пати побавно со Alt. Esc го враќа претходниот број.</translation>
+    </message>
+</context>
+<context>
+    <name>view::PaletteBrowser</name>
+    <message>
+        <source>Palettes</source>
+        <translation>Палети</translation>
+    </message>
+    <message>
+        <source>&amp;Use This Palette</source>
+        <translation>&amp;Употреби ја оваа палета</translation>
+    </message>
+    <message>
+        <source>Search palettes</source>
+        <translation>Барај палети</translation>
+    </message>
+    <message>
+        <source>&amp;Favourites Only</source>
+        <translation>Само &amp;омилени</translation>
+    </message>
+    <message>
+        <source>Shows only the palettes that you marked with the star.</source>
+        <translation>Ги прикажува само палетите што сте ги означиле со ѕвездата.</translation>
+    </message>
+    <message>
+        <source>Palettes made in Oklab, whose steps look equally large. Select one to see it on the fractal; double-click it to keep it.</source>
+        <translation>Палети создадени во Oklab, чии чекори изгледаат еднакво големи. Изберете една за да ја видите на фракталот; двоен клик ја задржува.</translation>
+    </message>
+    <message>
+        <source>The palette as it will be used</source>
+        <translation>Палетата како што ќе се употреби</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Омилена</translation>
+    </message>
+    <message>
+        <source>Mark the selected palette as a favourite (Ctrl+D)</source>
+        <translation>Означи ја избраната палета како омилена (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Нијанса</translation>
+    </message>
+    <message>
+        <source>Turn all hues by so many degrees; lightness stays</source>
+        <translation>Заврти ги сите нијанси за толку степени; светлината останува</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Поместување</translation>
+    </message>
+    <message>
+        <source>Begin the palette farther along, and append what was before</source>
+        <translation>Почни ја палетата подоцна и додај го претходното на крајот</translation>
+    </message>
+    <message>
+        <source>&amp;Reversed</source>
+        <translation>&amp;Обратно</translation>
+    </message>
+    <message>
+        <source>%1, a favourite</source>
+        <translation>%1, омилена</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a palette and press Ctrl+D.</source>
+        <translation>Сè уште нема омилени. Изберете палета и притиснете Ctrl+D.</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Нема совпаѓања</translation>
     </message>
 </context>
 <context>
@@ -8624,6 +9079,26 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Not saved yet: %1.</source>
         <translation>Сè уште не е зачувано: %1.</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Вртлива плоча</translation>
+    </message>
+    <message>
+        <source>Trackball</source>
+        <translation>Тракбол</translation>
+    </message>
+    <message>
+        <source>Turning solids</source>
+        <translation>Вртење на телата</translation>
+    </message>
+    <message>
+        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <translation>Како влечењето врти тело. На вртлива плоча, вертикалното останува вертикално. Тракболот врти слободно околу оските на екранот, и преку половите; за повторно да го исправите погледот, погледнете по должината на некоја оска.</translation>
+    </message>
+    <message>
+        <source>Turning &amp;solids:</source>
+        <translation>Вртење на &amp;телата:</translation>
     </message>
 </context>
 <context>
@@ -9315,6 +9790,26 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Written to %1.</source>
         <translation>Запишано во %1.</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Слика (.jpg)</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Слика (.webp)</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Слика (.tiff)</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Слика во линеарна светлина (.exr)</translation>
+    </message>
+    <message>
+        <source>Depths are written as PNG only.</source>
+        <translation>Длабочините се запишуваат само како PNG.</translation>
     </message>
 </context>
 <context>
@@ -10043,22 +10538,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Ткаење</translation>
     </message>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
-        <translation>Фрактал во рамнината не може да стане фрактал во просторот.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has more than 256 maps.</source>
-        <translation>Еден од двата фрактала има повеќе од 256 пресликувања.</translation>
-    </message>
-    <message>
-        <source>A bent cage has no code to start from. Reset or bake it first.</source>
-        <translation>Искривен кафез нема код од кој би се тргнало. Прво вратете го или вградете го.</translation>
-    </message>
-    <message>
-        <source>One of the two fractals has no attractor.</source>
-        <translation>Еден од двата фрактала нема атрактор.</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Додај движење</translation>
     </message>
@@ -10167,8 +10646,20 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Преобрази во %1</translation>
     </message>
     <message>
-        <source>The maps of one of the two fractals are linked.</source>
-        <translation>Пресликувањата на еден од двата фрактали се поврзани.</translation>
+        <source>Trying the motion…</source>
+        <translation>Се испробува движењето…</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Pairs…</source>
+        <translation>Избери &amp;парови…</translation>
+    </message>
+    <message>
+        <source>Shows which map becomes which, and lets you pin pairs.</source>
+        <translation>Покажува кое пресликување преминува во кое и овозможува прицврстување парови.</translation>
+    </message>
+    <message>
+        <source>Pairing the maps…</source>
+        <translation>Се спаруваат пресликувањата…</translation>
     </message>
 </context>
 <context>
@@ -10188,6 +10679,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
         <translation>Влечи теме на тетраедарот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+    </message>
+    <message>
+        <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
+        <translation>Кликнете ги четирите темиња на новиот тетраедар, четвртото пред другите.  Тркалцето го оддалечува  ·  влечење со десното копче го врти погледот  ·  Backspace ја отстранува последната точка  ·  Esc откажува</translation>
     </message>
 </context>
 <context>
@@ -10517,6 +11012,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Divide maps of both entries into words until they have equally many</source>
         <translation>Подели пресликувања на двата записа во зборови додека не се изедначат</translation>
+    </message>
+    <message>
+        <source>Stained Glass</source>
+        <translation>Витраж</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Мермер</translation>
+    </message>
+    <message>
+        <source>Tartan</source>
+        <translation>Тартан</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Бранови</translation>
     </message>
 </context>
 <context>

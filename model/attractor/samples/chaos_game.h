@@ -37,9 +37,9 @@ private:
 // For each map the table that draws the next one; where maps are not linked, one for all of them.
 std::vector<AliasTable> nextMaps(const PreparedSystem& system);
 
-// Of maps that are not linked: 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits
-// whatever the instruction set. An orbit that escapes begins anew in the middle of the box. Neighbours along
-// an orbit are correlated; strata of the same system undo that.
+// Of maps that are not linked: 64 orbits that have forgotten their start, with streams of their own for every
+// (seed, pass). The same bits whatever the instruction set. An orbit that escapes begins anew in the middle
+// of the box. Neighbours along an orbit are correlated; strata of the same system undo that.
 void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
                  const AddressStrata* strata = nullptr);
 
