@@ -16,6 +16,7 @@
 #include "shown_frame.h"
 #include "usage_error.h"
 
+#include "attractor/colour/palette_library.h"
 #include "document/fractal_geometry.h"
 #include "io/export_job.h"
 
