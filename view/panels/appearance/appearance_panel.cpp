@@ -31,6 +31,7 @@ using attractor::Appearance;
 using attractor::ColourBy;
 
 constexpr int labelSpacing = 16;
+constexpr int browserInset = 12;
 constexpr int swatchesPerRow = 7;
 constexpr int maxSwatches = 70; // further maps take their colours in the table
 
@@ -157,6 +158,10 @@ void AppearancePanel::choosePalette() {
     const auto text = [&browser] { return tr("Palette: %1").arg(browser.title()); };
     connect(&browser, &PaletteBrowser::tried, this,
             [&] { preview(text(), [&](Appearance& a) { a.palette = browser.palette(); }); });
+    // At the left, so that most of the picture is seen.
+    const QRect frame = window()->geometry();
+    browser.move(frame.left() + browserInset,
+                 frame.top() + std::max(0, frame.height() - browser.height()) / 2);
     if (browser.exec() == QDialog::Accepted)
         m_edit.commit();
     else

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QPainter>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStandardItemModel>
@@ -29,10 +30,25 @@ namespace view {
 namespace {
 
 constexpr QSize previewSize(152, 22);
+constexpr int above = 6; // of a preview, clear
 constexpr int columns = 3;
 constexpr int rows = 7; // seen at first
 constexpr int previewHeight = 28;
 const QString favouritesKey = QStringLiteral("palettes/favourites");
+
+// The same colours when it is selected.
+QIcon previewOf(const attractor::Palette& palette) {
+    QIcon icon;
+    for (const qreal ratio : {1.0, 2.0}) {
+        QPixmap tile((previewSize + QSize(0, above)) * ratio);
+        tile.setDevicePixelRatio(ratio);
+        tile.fill(Qt::transparent);
+        QPainter(&tile).drawPixmap(0, above, gradientPixmap(palette, previewSize, ratio));
+        for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected})
+            icon.addPixmap(tile, mode);
+    }
+    return icon;
+}
 
 } // namespace
 
@@ -87,11 +103,11 @@ void PaletteBrowser::createList() {
     m_list->setResizeMode(QListView::Adjust);
     m_list->setUniformItemSizes(true);
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_list->setIconSize(previewSize);
+    m_list->setIconSize(previewSize + QSize(0, above));
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setTextElideMode(Qt::ElideRight);
-    const QSize cell(previewSize.width() + 16, previewSize.height() + fontMetrics().height() + 14);
+    const QSize cell(previewSize.width() + 16, previewSize.height() + above + fontMetrics().height() + 12);
     m_list->setGridSize(cell);
     const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_list);
     m_list->setMinimumSize(2 * cell.width() + 2 * m_list->frameWidth() + scrollBar + 4, 3 * cell.height());
@@ -156,10 +172,7 @@ void PaletteBrowser::createSlider(Adjustment& adjustment, const QString& name, d
 void PaletteBrowser::fill() {
     int present = -1;
     for (const TitledPalette& titled : titledPalettes()) {
-        QIcon icon;
-        for (const qreal ratio : {1.0, 2.0})
-            icon.addPixmap(gradientPixmap(titled.palette, previewSize, ratio));
-        auto* item = new QStandardItem(icon, titled.title);
+        auto* item = new QStandardItem(previewOf(titled.palette), titled.title);
         item->setData(QString::fromStdString(titled.palette.name), PaletteFilter::nameRole);
         m_model->appendRow(item);
         if (titled.palette == m_present) present = int(m_palettes.size());
