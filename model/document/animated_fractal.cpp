@@ -2,7 +2,6 @@
 #include "document/animated_fractal.h"
 
 #include "document/fractal_geometry.h"
-#include "document/safe_strength.h"
 #include "ifs/links/linked_existence.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 // An entry whose shape has an animation, and what it shows at a moment.
@@ -43,8 +44,13 @@ struct MomentWithoutAttractor {
 };
 std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal);
 
+// Whether there is such a moment; nullopt when stopped before that is known.
+std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token& stop);
+
 // The same with this motion as strong as it is, or else as strong as leaves an attractor at 33 evenly spaced
 // moments, to a thousandth.
 Fractal withSafeStrength(const Fractal& fractal, std::size_t motion);
+std::optional<Fractal> withSafeStrength(const Fractal& fractal, std::size_t motion,
+                                        const std::stop_token& stop); // nullopt when stopped
 
 } // namespace document

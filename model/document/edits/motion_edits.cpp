@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/motion_edits.h"
 
+#include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
-#include "document/safe_strength.h"
 
 #include <algorithm>
 #include <cmath>
