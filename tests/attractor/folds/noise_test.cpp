@@ -25,9 +25,9 @@ private slots:
                                                                        : slow(),
                                                  1'000'000, 640, 400);
         const noise::Report report = noise::measured(request);
-        QVERIFY2(report.pixels.worst > 0.05 && report.pixels.worst <= 2.5,
+        QVERIFY2(report.pixels.worst > 0.05 && report.pixels.worst <= 1.5,
                  qPrintable(QString::number(report.pixels.worst)));
-        QVERIFY2(report.tiles.worst > 0 && report.tiles.worst <= 6,
+        QVERIFY2(report.tiles.worst > 0 && report.tiles.worst <= 1.5,
                  qPrintable(QString::number(report.tiles.worst)));
     }
 
