@@ -210,7 +210,10 @@ void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
     QProcess lupdate;
     lupdate.setProcessChannelMode(QProcess::MergedChannels);
     lupdate.start(QStringLiteral(BARYCAGE_LUPDATE),
-                  {QStringLiteral("-locations"), QStringLiteral("none"),
+                  {QStringLiteral("-locations"), QStringLiteral("none"), QStringLiteral("-I"),
+                   support::sourcePath(QStringLiteral("view")), QStringLiteral("-I"),
+                   support::sourcePath(QStringLiteral("model")), QStringLiteral("-I"),
+                   support::sourcePath(QStringLiteral("app/gui")),
                    support::sourcePath(QStringLiteral("app/gui")),
                    support::sourcePath(QStringLiteral("model")), support::sourcePath(QStringLiteral("view")),
                    collection, QStringLiteral("-ts"), fresh});

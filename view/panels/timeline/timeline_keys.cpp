@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "panels/timeline/key_commands.h"
-
 #include "panels/timeline/timeline.h"
 
 #include <algorithm>
