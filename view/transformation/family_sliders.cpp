@@ -2,7 +2,7 @@
 #include "transformation/family_sliders.h"
 
 #include "ifs/tops/families.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

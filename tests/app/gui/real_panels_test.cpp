@@ -5,7 +5,7 @@
 #include "document/fractal_geometry.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/appearance/appearance_panel.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/history/history_panel.h"
 #include "support/window_on_x.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/appearance_colour_button.h"
 #include "panels/appearance/appearance_panel.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_colour_button.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/space_geometry.h"
 #include "panels/appearance/appearance_panel.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/light_ball.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/slice_rows.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/appearance_panel.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/palette_browser.h"
 #include "view/panels/maps_support.h"

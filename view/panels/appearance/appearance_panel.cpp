@@ -2,8 +2,8 @@
 #include "panels/appearance/appearance_panel.h"
 
 #include "document/space_geometry.h"
-#include "panels/appearance/appearance_colour_button.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_colour_button.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/palette_browser.h"

@@ -2,7 +2,7 @@
 #include "panels/appearance/slice_rows.h"
 
 #include "document/space_geometry.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "widgets/number_field.h"
 
 #include <QComboBox>

@@ -2,7 +2,7 @@
 #include "panels/appearance/space_rows.h"
 
 #include "document/space_geometry.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/light_ball.h"
 #include "widgets/number_text.h"
 

@@ -6,7 +6,7 @@
 #include "io/file/save_file.h"
 #include "io/palette/palette_reader.h"
 #include "io/picture/picture_decoder.h"
-#include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
 #include "panels/appearance/palettes/picture_palette_dialog.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/palettes/gradient_preview.h"
 
-#include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/palettes/palette_titles.h"
 
 #include <QPainter>

@@ -2,7 +2,7 @@
 #include "panels/appearance/palettes/gradient_strip.h"
 
 #include "attractor/colour/palette_edits.h"
-#include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 
 #include <QKeyEvent>

@@ -3,7 +3,7 @@
 
 #include "attractor/colour/palette_edits.h"
 #include "desktop/settings.h"
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/palette_filter.h"
 #include "panels/appearance/palettes/palette_titles.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/appearance_slider.h"
+#include "panels/appearance/controls/appearance_slider.h"
 
 #include "widgets/number_field.h"
 

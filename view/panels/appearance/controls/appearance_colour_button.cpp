@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "panels/appearance/appearance_colour_button.h"
+#include "panels/appearance/controls/appearance_colour_button.h"
 
 #include <QColorDialog>
 #include <QPainter>
