@@ -296,8 +296,7 @@ struct OptionGroup {
 void addColourOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup colours{command, "Colours"};
     colours.add("--palette", "PALETTE", arguments.palette,
-                "Palette: a name that --list-palettes lists, or a .gpl, .ggr, .ugr or .map file",
-                "stored in the entry, else Maple");
+                "Palette: its name, or a .gpl, .ggr, .ugr or .map file", "stored in the entry, else Maple");
     colours.add("--colour,--color", "BY", arguments.colour,
                 "Colour by density, map, address or none; a solid by map, height, depth or none",
                 "stored in the entry, else density");

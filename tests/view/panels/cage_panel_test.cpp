@@ -5,6 +5,8 @@
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
+#include "ifs/extent/polygon.h"
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QClipboard>
