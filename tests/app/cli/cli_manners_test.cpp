@@ -374,7 +374,7 @@ void CliMannersTest::palettesAreListed() {
     QCOMPARE(list.status, 0);
     const QByteArrayList names = list.out.trimmed().split('\n');
     QVERIFY(names.size() > 200);
-    for (qsizetype i = 0; i < names.size(); i += 13)
+    for (qsizetype i = 0; i < names.size(); i += i < 13 ? 1 : 13) // all built-in ones, some of the library
         QCOMPARE(run("render systems.ifs -o palette.png --size 9x9 --points 100 --palette \"" +
                      names[i].toLower() + '"')
                      .status,
