@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace document {
 
@@ -19,16 +20,19 @@ public:
     explicit MapIndex(const ifs::IteratedFunctionSystem<Dim>& system) {
         m_maps.reserve(system.maps.size());
         for (const ifs::WeightedMap<Dim>& map : system.maps)
-            m_maps.emplace(map.id, &map);
+            m_maps.push_back(&map);
+        if (!std::ranges::is_sorted(m_maps, {}, id)) std::ranges::sort(m_maps, {}, id); // seldom out of order
     }
 
-    const ifs::WeightedMap<Dim>* find(ifs::MapId id) const {
-        const auto found = m_maps.find(id);
-        return found == m_maps.end() ? nullptr : found->second;
+    const ifs::WeightedMap<Dim>* find(ifs::MapId wanted) const {
+        const auto found = std::ranges::lower_bound(m_maps, wanted, {}, id);
+        return found == m_maps.end() || id(*found) != wanted ? nullptr : *found;
     }
 
 private:
-    std::unordered_map<ifs::MapId, const ifs::WeightedMap<Dim>*> m_maps;
+    static ifs::MapId id(const ifs::WeightedMap<Dim>* map) { return map->id; }
+
+    std::vector<const ifs::WeightedMap<Dim>*> m_maps;
 };
 
 template <class Tracks, class Name, class Member>

@@ -2,6 +2,7 @@
 // Prints the targets table of docs/performance.md as ratios of times measured in this run, and writes them as
 // one flat JSON object. barycage_bench [--quick] [--json FILE] [Google Benchmark's own options]
 #include "attractor/kernels/kernels.h"
+#include "attractor/light/tone_map.h"
 #include "attractor/render/renderer.h"
 #include "attractor/systems.h"
 #include "bench/addresses_bench.h"

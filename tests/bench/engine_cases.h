@@ -15,8 +15,8 @@ constexpr std::uint64_t tenMillion = 10'000'000;
 
 struct Case {
     std::string name;
-    RenderRequest request;
-    PreparedSystem drawable;
+    attractor::RenderRequest request;
+    attractor::PreparedSystem drawable;
     rivals::Points points;
 };
 

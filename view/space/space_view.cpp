@@ -97,6 +97,7 @@ void SpaceView::showNote() {
 }
 
 void SpaceView::setTarget(Target target) {
+    m_definition.setActive(false); // before what is held is let go: it is not given up by hand
     m_input.forgetFocus();
     m_maps.setActive(target == Target::Maps);
     m_definition.setActive(target == Target::Definition);

@@ -20,6 +20,7 @@ constexpr std::size_t maxNodes = 20'000;     // open at once
 constexpr std::size_t maxChildren = 400'000; // of the open ones, looked at together
 constexpr int maxLevels = 20'000;
 constexpr double unit = std::numeric_limits<double>::epsilon();
+constexpr double grain = 0x1p-46; // of |u|: vectors as close as this are merged
 
 // The composition of the maps along the cycle on which `start` comes back to itself.
 AffineMap<2> aroundCycle(const ActiveMaps<2>& active, const std::vector<std::size_t>& before,
@@ -103,14 +104,15 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
 }
 
 // All words of one length at a time. Words whose linear parts take u to the same vector, after the same map,
-// have the same future: the farther one stands for both.
+// have the same future: the farther one stands for both. So do words whose vectors differ by as little as
+// rounding makes, and the radius times the difference is part of the error.
 LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2>& u,
                                           double tolerance) const {
     Height best;
     best.value = -std::numeric_limits<double>::infinity();
     const double rounding = 64 * unit * (m_radius + m_centre.norm()) * u.norm();
     const auto reach = [this](const Node& node) { return node.offset + m_radius * node.v.norm(); };
-    double most = best.value;
+    double most = best.value, apart = 0;
     for (int level = 0; level < maxLevels; ++level) {
         most = best.value;
         for (const Node& node : open) {
@@ -124,25 +126,30 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
         std::erase_if(open, [&](const Node& node) { return !(reach(node) > best.value); });
         const bool isTooMuch = open.size() > maxNodes || open.size() * parts() > maxChildren;
         if (most <= best.value + std::max(rounding, tolerance) || (level > 0 && isTooMuch)) break;
-        open = lengthened(open);
+        open = lengthened(open, grain * u.norm(), apart);
     }
-    best.error = std::max(0.0, most - best.value) + 2 * rounding;
+    best.error = std::max(0.0, most - best.value) + 2 * rounding + apart * m_radius;
     best.value += u.dot(m_centre);
     best.point += m_centre;
     return best;
 }
 
-std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>& open) const {
+std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>& open, double cell,
+                                                         double& apart) const {
+    bool differ = false;
     std::map<std::tuple<std::size_t, double, double>, Node> next;
     for (const Node& node : open) {
         for (const std::size_t i : m_before[node.last]) {
             const AffineMap<2>& map = m_active.maps[i];
             const Node child{i, node.map * map, map.linear.transpose() * node.v,
                              node.offset + node.v.dot(map.translation)};
-            const auto [at, isNew] = next.try_emplace({i, child.v.x(), child.v.y()}, child);
+            const auto [at, isNew] =
+                next.try_emplace({i, std::round(child.v.x() / cell), std::round(child.v.y() / cell)}, child);
+            differ = differ || child.v != at->second.v;
             if (child.offset > at->second.offset) at->second = child;
         }
     }
+    if (differ) apart += std::sqrt(2.0) * cell;
     std::vector<Node> result;
     for (const auto& [key, node] : next)
         result.push_back(node);

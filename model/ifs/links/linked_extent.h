@@ -38,7 +38,8 @@ public:
 private:
     struct Node;
     Node first(std::size_t part, const Vector<2>& u) const;
-    std::vector<Node> lengthened(const std::vector<Node>& open) const;
+    // `apart` grows by how far two vectors merged in one cell may lie apart.
+    std::vector<Node> lengthened(const std::vector<Node>& open, double cell, double& apart) const;
     Height search(std::vector<Node> open, const Vector<2>& u, double tolerance) const;
 
     ActiveMaps<2> m_active;                         // with centre() as the origin

@@ -231,12 +231,17 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
     window->document().edit(QStringLiteral("space"), fractal);
     QCOMPARE(canvas->tool(), Tool::Cage);
     const QString why = document::planeObstacle(window->document().fractal());
-    for (const Qt::Key key : {Qt::Key_B, Qt::Key_D, Qt::Key_G, Qt::Key_A, Qt::Key_Y}) {
+    for (const Qt::Key key : {Qt::Key_B, Qt::Key_G, Qt::Key_A, Qt::Key_Y}) {
         window->statusBar()->clearMessage();
         QTest::keyClick(window->focusWidget(), key);
         QCOMPARE(window->statusBar()->currentMessage(), why);
         QCOMPARE(canvas->tool(), Tool::Cage);
     }
+    QTest::keyClick(window->focusWidget(), Qt::Key_D); // four clicks define a tetrahedron
+    QCOMPARE(canvas->tool(), Tool::DefineTriangle);
+    QTest::keyClick(window->focusWidget(), Qt::Key_M);
+    QCOMPARE(canvas->tool(), Tool::Maps);
+    QTest::keyClick(window->focusWidget(), Qt::Key_D);
     window->document().undoStack()->undo();
     QTest::keyClick(window->focusWidget(), Qt::Key_M);
     QCOMPARE(canvas->tool(), Tool::Maps);

@@ -137,8 +137,9 @@ void RealEntriesTest::aSearchAddsFromTheCollection() {
     QTRY_COMPARE(steps(), 1);
     click(named<QLineEdit>(window(), QStringLiteral("Search the collection")));
     QVERIFY(find(collection(), QStringLiteral("Twindragon")).isValid());
+    const int all = collection().model()->rowCount();
     hand().type(QStringLiteral("twindr"));
-    QTRY_VERIFY(collection().model()->rowCount() < 4);
+    QTRY_VERIFY(collection().model()->rowCount() < all / 4);
     const QStringList before = names();
     hand().key("Return");
     QTRY_COMPARE(fractal().name, QStringLiteral("twindragon"));

@@ -57,7 +57,7 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
     auto* format = dialog.findChildren<QComboBox*>().first();
-    const QByteArrayList beginnings{"<flames>", "@", "a,b,c,d,e,f,p\n", "a\tb\tc\td\te\tf\tp\n"};
+    const QByteArrayList beginnings{"<flames>", "@", "% sierpinski\n", "a,b,c,d,e,f,p\n", "a\tb\tc\td\te\tf\tp\n"};
     for (int i = 0; i < beginnings.size(); ++i) {
         format->setCurrentIndex(i);
         const QByteArray bytes = written(dialog);
@@ -131,7 +131,7 @@ void ExportDataDialogTest::writesPoints() {
     document::Document document;
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
-    dialog.findChildren<QComboBox*>().first()->setCurrentIndex(4);
+    dialog.findChildren<QComboBox*>().first()->setCurrentIndex(5);
     dialog.findChild<QSpinBox*>()->setValue(300);
     QCOMPARE(written(dialog).count('\n'), 301);
 }

@@ -76,7 +76,7 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     QTest::qWait(20);
     QVERIFY(restart->height() >= restart->heightForWidth(restart->width()));
     dialog.findChild<QCheckBox*>()->click();
-    const Preferences chosen{QStringLiteral("mk"), Preferences::Theme::Dark, 1'000'000'000, true};
+    const Preferences chosen{QStringLiteral("mk"), Preferences::Theme::Dark, 1'000'000'000, false, true};
     QCOMPARE(told.size(), 4);
     QVERIFY(told.last().first().value<Preferences>() == chosen);
     QVERIFY(Preferences::stored() == chosen);
@@ -87,7 +87,7 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
 }
 
 void PreferencesDialogTest::defaultsComeBack() {
-    Preferences{QStringLiteral("fr"), Preferences::Theme::Light, 50'000'000, true}.store();
+    Preferences{QStringLiteral("fr"), Preferences::Theme::Light, 50'000'000, true, true}.store();
     PreferencesDialog dialog;
     QSignalSpy told(&dialog, &PreferencesDialog::changed);
     dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();

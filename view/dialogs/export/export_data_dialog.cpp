@@ -4,6 +4,7 @@
 #include "dialogs/column_orders.h"
 #include "dialogs/export/start_export.h"
 #include "document/edits/cage_edits.h"
+#include "io/file/background.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/save_beside.h"
 #include "widgets/text_edit_workarounds.h"
@@ -23,6 +24,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+
+#include <chrono>
 
 namespace view {
 
@@ -75,6 +78,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDataDialog::chooseFile);
     connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
     connect(m_copy, &QPushButton::clicked, this, &ExportDataDialog::copy);
+    connect(&m_previewed, &QFutureWatcherBase::finished, this, &ExportDataDialog::showPreview);
     resize(fontMetrics().averageCharWidth() * 90, fontMetrics().lineSpacing() * 26);
     update();
 }
@@ -144,11 +148,13 @@ std::shared_ptr<const document::Fractal> ExportDataDialog::fractalToExport() con
     return m_baked && m_bake->isChecked() ? m_baked : std::make_shared<const document::Fractal>(m_fractal);
 }
 
-QByteArray ExportDataDialog::text() const {
+std::function<QByteArray()> ExportDataDialog::textMaker() const {
     io::TextOptions options;
     options.axis = m_turnY->isChecked() ? io::FlameAxis::Flipped : io::FlameAxis::AsWritten;
     options.columns = m_columns->columns();
-    return io::textOf({fractalToExport()}, *textFormat(), options);
+    return [fractal = fractalToExport(), format = *textFormat(), options] {
+        return io::textOf({fractal}, format, options);
+    };
 }
 
 // What the chosen format has no place for, as a sentence; empty when nothing is lost.
@@ -163,7 +169,6 @@ QString ExportDataDialog::loss() const {
 }
 
 void ExportDataDialog::update() {
-    constexpr qsizetype maxShown = 8000; // bytes; a palette is long
     const auto format = textFormat();
     const bool isTable = format && io::holdsOneSystem(*format);
     const bool isPlane = document::system2(m_fractal) != nullptr;
@@ -187,7 +192,22 @@ void ExportDataDialog::update() {
         say(tr("The points of the chaos game as shown, without the first 14."));
     else if (const QString loss = this->loss(); !loss.isEmpty())
         say(loss);
-    if (format && possible) m_preview->setPlainText(QString::fromUtf8(text().left(maxShown)));
+    if (format && possible) startPreview();
+}
+
+// In the background, for the text of many maps takes long.
+void ExportDataDialog::startPreview() {
+    constexpr qsizetype maxShown = 8000; // bytes; a palette is long
+    constexpr std::chrono::milliseconds patience{30};
+    const auto work = io::inBackground<QByteArray>(
+        [make = textMaker()](QPromise<QByteArray>& result) { result.addResult(make().left(maxShown)); });
+    m_previewed.setFuture(work);
+    if (io::finishesWithin(patience, work)) showPreview();
+}
+
+void ExportDataDialog::showPreview() {
+    const QFuture<QByteArray> text = m_previewed.future();
+    if (text.isResultReadyAt(0)) m_preview->setPlainText(QString::fromUtf8(text.result()));
 }
 
 void ExportDataDialog::chooseFile() {
@@ -200,7 +220,7 @@ void ExportDataDialog::chooseFile() {
 void ExportDataDialog::exportTo(const QString& path) {
     if (textFormat()) {
         const QPointer self(this);
-        const auto [isCancelled, failure] = saveBeside(path, text(), this);
+        const auto [isCancelled, failure] = saveBeside(path, textMaker()(), this);
         if (!self) return;
         io::ExportOutcome outcome;
         outcome.stopped = isCancelled;
@@ -218,7 +238,7 @@ void ExportDataDialog::exportTo(const QString& path) {
 }
 
 void ExportDataDialog::copy() {
-    QGuiApplication::clipboard()->setText(QString::fromUtf8(text()));
+    QGuiApplication::clipboard()->setText(QString::fromUtf8(textMaker()()));
     sayWithLoss(tr("The text was copied to the clipboard."));
 }
 

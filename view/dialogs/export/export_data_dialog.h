@@ -6,7 +6,9 @@
 #include "io/export_job.h"
 
 #include <QDialog>
+#include <QFutureWatcher>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -43,9 +45,11 @@ private:
     io::PointFormat pointFormat() const;
     QString suffix() const;
     std::shared_ptr<const document::Fractal> fractalToExport() const;
-    QByteArray text() const;
+    std::function<QByteArray()> textMaker() const; // of the text in the file, for any thread
     QString loss() const;
     void update();
+    void startPreview();
+    void showPreview();
     void chooseFile();
     void copy();
     void finish(const io::ExportOutcome& outcome, const QString& path);
@@ -61,6 +65,7 @@ private:
     QCheckBox* m_turnY = nullptr;
     QCheckBox* m_bake = nullptr;
     QPlainTextEdit* m_preview = nullptr;
+    QFutureWatcher<QByteArray> m_previewed; // the beginning of the text
     QLabel* m_message = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_export = nullptr;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_page.h"
 
-#include "panels/timeline/motion_preview.h"
-
 #include <QAction>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -94,6 +93,7 @@ void MotionPage::changeEvent(QEvent* event) {
 
 void MotionPage::draw() {
     m_next = 0;
+    m_preview.reset();
     drawNext();
     // Where the desktop asks for no animations, the pictures stand still.
     if (style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0) m_clock.start();
@@ -101,14 +101,19 @@ void MotionPage::draw() {
 
 void MotionPage::drawNext() {
     if (m_next >= std::min(m_tiles.size(), m_motions.size())) return;
-    const PreviewStyle shown{pictureSize, devicePixelRatioF(), palette().color(QPalette::ButtonText)};
-    Tile& tile = m_tiles[m_next];
-    const Make& make = m_motions[m_next++];
-    const auto entry = make ? make() : std::nullopt;
-    tile.pictures = entry ? motionPreview(*entry, shown) : std::vector<QPixmap>();
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_soon.start(); // the drag comes first
+    m_after.start();
+    if (!m_preview) {
+        const Make& make = m_motions[m_next];
+        const PreviewStyle shown{pictureSize, devicePixelRatioF(), palette().color(QPalette::ButtonText)};
+        if (auto entry = make ? make() : std::nullopt) m_preview.emplace(*std::move(entry), shown);
+    }
+    if (m_preview && m_preview->findNext()) return;
+    Tile& tile = m_tiles[m_next++];
+    tile.pictures = m_preview ? m_preview->pictures() : std::vector<QPixmap>();
+    m_preview.reset();
     tile.button->setIcon(tile.pictures.empty() ? tile.button->defaultAction()->icon()
                                                : QIcon(tile.pictures[m_frame]));
-    m_after.start();
 }
 
 void MotionPage::advance() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "panels/timeline/motion_preview.h"
 
 #include <QList>
 #include <QPixmap>
@@ -44,7 +45,7 @@ protected:
 
 private:
     void draw();
-    void drawNext(); // one tile at a time, so that the window stays at hand
+    void drawNext(); // one frame of one tile at a time, so that the window stays at hand
     void advance();
 
     struct Tile {
@@ -57,7 +58,8 @@ private:
     QTimer m_after; // until the next tile is drawn
     QTimer m_clock; // from one picture to the next
     std::size_t m_frame = 0;
-    std::size_t m_next = 0; // tile to be drawn
+    std::size_t m_next = 0;                 // tile to be drawn
+    std::optional<MotionPreview> m_preview; // of this tile
 };
 
 } // namespace view

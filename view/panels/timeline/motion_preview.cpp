@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace view {
 
@@ -20,12 +21,6 @@ constexpr int dropped = 20; // until a point is close enough to the attractor
 constexpr std::size_t maxMaps = 64;
 constexpr double margin = 2;            // pixels
 constexpr double paletteInMiddle = 0.7; // where a point of usual density is in a palette
-
-struct PreviewFrame {
-    std::vector<QPointF> points; // y up
-    std::optional<attractor::View> view;
-    QColor colour;
-};
 
 // From in front and a little from above, turned as far as the camera has gone round.
 QPointF seen(double orbit, const ifs::Vector<3>& point) {
@@ -53,32 +48,10 @@ std::vector<QPointF> chaosGame(const ifs::IteratedFunctionSystem<Dim>& system, S
     return result;
 }
 
-PreviewFrame frameOf(const document::Fractal& entry, const animation::Moment& moment, const QColor& ink) {
-    const document::AnimatedFrame frame = document::frameAt(entry, moment);
-    PreviewFrame result;
-    result.view = frame.view;
-    result.colour = ink;
-    if (frame.fractal.appearance.palette != entry.appearance.palette) {
-        const attractor::Rgba colour = attractor::colourAt(frame.fractal.appearance.palette, paletteInMiddle);
-        result.colour = QColor(colour.red, colour.green, colour.blue);
-    }
-    if (const auto* shape = document::plane(frame.fractal)) {
-        const ifs::Placement place = document::placement(frame.fractal);
-        result.points = chaosGame<2>(shape->system, [&](const ifs::Vector<2>& point) {
-            const ifs::Vector<2> shown = place(point);
-            return QPointF(shown.x(), shown.y());
-        });
-    } else if (const auto* solid = document::space(frame.fractal)) {
-        result.points = chaosGame<3>(solid->system,
-                                     [&](const ifs::Vector<3>& point) { return seen(frame.orbit, point); });
-    }
-    return result;
-}
-
 // What all frames show; of an endless zoom, each its own view.
-QRectF boxOf(const std::vector<PreviewFrame>& frames) {
+template <class Frame> QRectF boxOf(const std::vector<Frame>& frames) {
     double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
-    for (const PreviewFrame& frame : frames)
+    for (const Frame& frame : frames)
         for (const QPointF& point : frame.points) {
             left = std::min(left, point.x());
             right = std::max(right, point.x());
@@ -88,7 +61,7 @@ QRectF boxOf(const std::vector<PreviewFrame>& frames) {
     return {left, bottom, right - left, top - bottom};
 }
 
-QPixmap picture(const PreviewFrame& frame, const QRectF& box, const PreviewStyle& style) {
+template <class Frame> QPixmap picture(const Frame& frame, const QRectF& box, const PreviewStyle& style) {
     QPixmap pixmap(style.size * style.pixelRatio);
     pixmap.setDevicePixelRatio(style.pixelRatio);
     pixmap.fill(Qt::transparent);
@@ -122,19 +95,43 @@ bool isPreviewed(const document::Fractal& entry) {
     return maps > 0 && maps <= maxMaps;
 }
 
-std::vector<QPixmap> motionPreview(const document::Fractal& entry, const PreviewStyle& style) {
-    const auto facts = document::animationFacts(entry);
-    if (!facts || !isPreviewed(entry)) return {};
-    const int length = animation::frameCount(facts->loop, facts->length);
-    std::vector<PreviewFrame> frames;
-    for (int i = 0; i < previewFrames; ++i)
-        frames.push_back(
-            frameOf(entry, animation::moment(std::int64_t(length) * i, previewFrames), style.ink));
-    const QRectF box = boxOf(frames);
-    std::vector<QPixmap> pictures;
-    for (const PreviewFrame& frame : frames)
-        pictures.push_back(picture(frame, box, style));
-    return pictures;
+MotionPreview::MotionPreview(document::Fractal entry, const PreviewStyle& style)
+    : m_entry(std::move(entry)), m_style(style) {
+    const auto facts = document::animationFacts(m_entry);
+    if (facts && isPreviewed(m_entry)) m_length = animation::frameCount(facts->loop, facts->length);
+}
+
+bool MotionPreview::findNext() {
+    if (m_length == 0 || m_frames.size() == previewFrames) return false;
+    const auto index = std::int64_t(m_frames.size());
+    const document::AnimatedFrame frame =
+        document::frameAt(m_entry, animation::moment(m_length * index, previewFrames));
+    Frame& result = m_frames.emplace_back();
+    result.view = frame.view;
+    result.colour = m_style.ink;
+    if (frame.fractal.appearance.palette != m_entry.appearance.palette) {
+        const attractor::Rgba colour = attractor::colourAt(frame.fractal.appearance.palette, paletteInMiddle);
+        result.colour = QColor(colour.red, colour.green, colour.blue);
+    }
+    if (const auto* shape = document::plane(frame.fractal)) {
+        const ifs::Placement place = document::placement(frame.fractal);
+        result.points = chaosGame<2>(shape->system, [&](const ifs::Vector<2>& point) {
+            const ifs::Vector<2> shown = place(point);
+            return QPointF(shown.x(), shown.y());
+        });
+    } else if (const auto* solid = document::space(frame.fractal)) {
+        result.points = chaosGame<3>(solid->system,
+                                     [&](const ifs::Vector<3>& point) { return seen(frame.orbit, point); });
+    }
+    return m_frames.size() < previewFrames;
+}
+
+std::vector<QPixmap> MotionPreview::pictures() const {
+    const QRectF box = boxOf(m_frames);
+    std::vector<QPixmap> result;
+    for (const Frame& frame : m_frames)
+        result.push_back(picture(frame, box, m_style));
+    return result;
 }
 
 } // namespace view

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "animation/moment.h"
+#include "attractor/request/camera.h"
 #include "document/fractal.h"
 
 #include <QColor>
 #include <QPixmap>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace view {
@@ -13,16 +17,34 @@ namespace view {
 // Whether the entry has few enough maps for moving pictures.
 bool isPreviewed(const document::Fractal& entry);
 
-// A few points of an animated entry at one frame after the other, as small pictures: the same points in all
-// of them, so that they move. `ink` draws them, unless the palette itself moves. Empty where the entry does
-// not move, or has so many maps that this would take long.
 struct PreviewStyle {
     QSize size; // logical pixels
     double pixelRatio = 1;
-    QColor ink;
+    QColor ink; // of the points, unless the palette itself moves
 };
-std::vector<QPixmap> motionPreview(const document::Fractal& entry, const PreviewStyle& style);
 
-constexpr int previewFrames = 24; // of a preview
+constexpr int previewFrames = 24;
+
+// A few points of an animated entry at one frame after the other, as small pictures: the same points in all
+// of them, so that they move. No frames where the entry does not move, or has so many maps that this would
+// take long.
+class MotionPreview {
+public:
+    MotionPreview(document::Fractal entry, const PreviewStyle& style);
+
+    bool findNext(); // the points of one frame more, in a few milliseconds; false when all are found
+    std::vector<QPixmap> pictures() const; // of the frames found
+
+private:
+    struct Frame {
+        std::vector<QPointF> points; // y up
+        std::optional<attractor::View> view;
+        QColor colour;
+    };
+    document::Fractal m_entry;
+    PreviewStyle m_style;
+    std::int64_t m_length = 0; // frames of the animation; 0: no preview
+    std::vector<Frame> m_frames;
+};
 
 } // namespace view

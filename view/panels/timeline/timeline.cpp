@@ -74,6 +74,7 @@ void Timeline::follow(const document::Change& change) {
 
 void Timeline::read() {
     const document::Fractal& entry = m_document->entryFractal();
+    m_maps = mapIds(entry);
     m_tracks = document::tracksOf(entry);
     if (m_tracks.size() > manyMaps)
         std::erase_if(m_tracks, [](const document::TrackKeys& one) {
@@ -96,9 +97,8 @@ void Timeline::keepSelection() {
 }
 
 QString Timeline::trackName(const Track& track) const {
-    const std::vector<ifs::MapId> ids = mapIds(m_document->entryFractal());
-    const auto number = [&](ifs::MapId id) {
-        return QString::number(std::ranges::find(ids, id) - ids.begin() + 1);
+    const auto number = [this](ifs::MapId id) {
+        return QString::number(std::ranges::find(m_maps, id) - m_maps.begin() + 1);
     };
     switch (track.kind) {
     case Track::Kind::Cage:
@@ -127,9 +127,8 @@ QString Timeline::rowName(int row) const {
 std::optional<QColor> Timeline::rowColour(int row) const {
     if (!isTrack(row) || m_tracks[std::size_t(row)].track.kind != Track::Kind::Map) return std::nullopt;
     const ifs::MapId id = m_tracks[std::size_t(row)].track.maps.front();
-    const std::vector<ifs::MapId> ids = mapIds(m_document->entryFractal());
     const auto colour = attractor::mapColour(m_document->entryFractal().appearance, id,
-                                             std::size_t(std::ranges::find(ids, id) - ids.begin()));
+                                             std::size_t(std::ranges::find(m_maps, id) - m_maps.begin()));
     return QColor(colour.red, colour.green, colour.blue);
 }
 

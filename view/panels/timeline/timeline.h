@@ -97,6 +97,7 @@ private:
     document::Document* m_document;
     Playback m_playback;
     std::function<std::optional<attractor::View>()> m_view;
+    std::vector<ifs::MapId> m_maps; // of the entry, in its order
     std::vector<document::TrackKeys> m_tracks;
     std::vector<QString> m_motions;
     document::Timing m_timing;
