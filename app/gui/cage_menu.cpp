@@ -4,6 +4,7 @@
 #include "dialogs/aifs_dialog.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/cage_edits.h"
+#include "stage.h"
 
 #include <QActionGroup>
 
@@ -34,6 +35,11 @@ QList<QAction*> CageMenu::addTools() {
     QList<QAction*> tools;
     for (const auto& [tool, spec] : specs)
         tools << addTool(group, tool, spec);
+    const auto nameDefinition = [define = tools.last(), stage = context().stage] {
+        define->setText(stage->showsSpace() ? tr("De&fine Tetrahedron") : tr("De&fine Triangle"));
+    };
+    connect(context().stage, &Stage::switched, tools.last(), nameDefinition);
+    nameDefinition();
     return tools;
 }
 

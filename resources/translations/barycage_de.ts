@@ -1962,6 +1962,10 @@
         <source>Show what both eyes see in one picture, in red and cyan</source>
         <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
     </message>
+    <message>
+        <source>De&amp;fine Tetrahedron</source>
+        <translation>Tetraeder &amp;festlegen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -7305,16 +7309,8 @@
         <translation>Benutzerdefiniert</translation>
     </message>
     <message>
-        <source>Size relative to the screen</source>
-        <translation>Größe im Verhältnis zum Bildschirm</translation>
-    </message>
-    <message>
         <source>Lock proportions</source>
         <translation>Seitenverhältnis beibehalten</translation>
-    </message>
-    <message>
-        <source>Keep the proportions of the picture on the screen</source>
-        <translation>Die Form des Bildes auf dem Bildschirm behalten</translation>
     </message>
     <message>
         <source> dpi</source>
@@ -7333,12 +7329,44 @@
         <translation>In Pixeln oder auf Papier in der angegebenen Auflösung.</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen, or a multiple of it.</source>
-        <translation>Das Bild wie auf dem Bildschirm oder einige Male so groß.</translation>
-    </message>
-    <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Wie viele Pixel auf ein Zoll Papier kommen: 300 sind im Druck üblich.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Benannte Größe</translation>
+    </message>
+    <message>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <translation>Die Größe des Bildes auf dem Bildschirm oder ein Vielfaches davon, die eines gängigen Bildschirms oder eines Blattes Papier. Alles, was das Fenster zeigt, bleibt im Bild; wo die Form abweicht, ist ringsum mehr zu sehen.</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the picture</source>
+        <translation>Das Seitenverhältnis des Bildes beibehalten</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>8K: 7680 × 4320</source>
+        <translation>8K: 7680 × 4320</translation>
+    </message>
+    <message>
+        <source>Square: 2048 × 2048</source>
+        <translation>Quadrat: 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>A4 at 300 dpi</source>
+        <translation>A4 mit 300 dpi</translation>
+    </message>
+    <message>
+        <source>A3 at 300 dpi</source>
+        <translation>A3 mit 300 dpi</translation>
     </message>
 </context>
 <context>

@@ -1962,6 +1962,10 @@
         <source>Show what both eyes see in one picture, in red and cyan</source>
         <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
     </message>
+    <message>
+        <source>De&amp;fine Tetrahedron</source>
+        <translation>&amp;Definir el tetraedro</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -7305,16 +7309,8 @@
         <translation>Personalizado</translation>
     </message>
     <message>
-        <source>Size relative to the screen</source>
-        <translation>Tamaño con respecto a la pantalla</translation>
-    </message>
-    <message>
         <source>Lock proportions</source>
         <translation>Mantener la proporción</translation>
-    </message>
-    <message>
-        <source>Keep the proportions of the picture on the screen</source>
-        <translation>Mantener la proporción que tiene la imagen en la pantalla</translation>
     </message>
     <message>
         <source> dpi</source>
@@ -7333,12 +7329,44 @@
         <translation>En píxeles, o en papel con la resolución indicada.</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen, or a multiple of it.</source>
-        <translation>La imagen como en la pantalla o varias veces más grande.</translation>
-    </message>
-    <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Cuántos píxeles caben en una pulgada de papel: lo habitual en la imprenta es 300.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Tamaño con nombre</translation>
+    </message>
+    <message>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <translation>El tamaño de la imagen en la pantalla o un múltiplo de él, el de una pantalla habitual o el de una hoja de papel. Todo lo que muestra la ventana queda en la imagen; si la forma es distinta, se ve más alrededor.</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the picture</source>
+        <translation>Mantener las proporciones de la imagen</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>8K: 7680 × 4320</source>
+        <translation>8K: 7680 × 4320</translation>
+    </message>
+    <message>
+        <source>Square: 2048 × 2048</source>
+        <translation>Cuadrado: 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>A4 at 300 dpi</source>
+        <translation>A4 a 300 ppp</translation>
+    </message>
+    <message>
+        <source>A3 at 300 dpi</source>
+        <translation>A3 a 300 ppp</translation>
     </message>
 </context>
 <context>

@@ -1962,6 +1962,10 @@
         <source>Show what both eyes see in one picture, in red and cyan</source>
         <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
     </message>
+    <message>
+        <source>De&amp;fine Tetrahedron</source>
+        <translation>Définir un &amp;tétraèdre</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -7305,16 +7309,8 @@
         <translation>Personnalisée</translation>
     </message>
     <message>
-        <source>Size relative to the screen</source>
-        <translation>Taille par rapport à l’écran</translation>
-    </message>
-    <message>
         <source>Lock proportions</source>
         <translation>Garder les proportions</translation>
-    </message>
-    <message>
-        <source>Keep the proportions of the picture on the screen</source>
-        <translation>Garder les proportions de l’image à l’écran</translation>
     </message>
     <message>
         <source> dpi</source>
@@ -7333,12 +7329,44 @@
         <translation>En pixels, ou sur papier à la résolution indiquée.</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen, or a multiple of it.</source>
-        <translation>L’image comme à l’écran, ou plusieurs fois plus grande.</translation>
-    </message>
-    <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Combien de pixels tiennent sur un pouce de papier&#x202f;: 300 est l’usage en imprimerie.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Taille nommée</translation>
+    </message>
+    <message>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <translation>La taille de l’image à l’écran ou un multiple de celle-ci, celle d’un écran courant ou d’une feuille de papier. Tout ce que montre la fenêtre reste dans l’image ; si la forme diffère, on en voit davantage autour.</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the picture</source>
+        <translation>Garder les proportions de l’image</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD : 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K : 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>8K: 7680 × 4320</source>
+        <translation>8K : 7680 × 4320</translation>
+    </message>
+    <message>
+        <source>Square: 2048 × 2048</source>
+        <translation>Carré : 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>A4 at 300 dpi</source>
+        <translation>A4 à 300 ppp</translation>
+    </message>
+    <message>
+        <source>A3 at 300 dpi</source>
+        <translation>A3 à 300 ppp</translation>
     </message>
 </context>
 <context>

@@ -1967,6 +1967,10 @@
         <source>Show what both eyes see in one picture, in red and cyan</source>
         <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
     </message>
+    <message>
+        <source>De&amp;fine Tetrahedron</source>
+        <translation>&amp;Дефинирај тетраедар</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -7323,16 +7327,8 @@
         <translation>Приспособено</translation>
     </message>
     <message>
-        <source>Size relative to the screen</source>
-        <translation>Големина во однос на екранот</translation>
-    </message>
-    <message>
         <source>Lock proportions</source>
         <translation>Задржи го односот на страните</translation>
-    </message>
-    <message>
-        <source>Keep the proportions of the picture on the screen</source>
-        <translation>Задржи го обликот на сликата од екранот</translation>
     </message>
     <message>
         <source> dpi</source>
@@ -7351,12 +7347,44 @@
         <translation>Во пиксели, или на хартија со зададената резолуција.</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen, or a multiple of it.</source>
-        <translation>Сликата како на екранот или неколку пати поголема.</translation>
-    </message>
-    <message>
         <source>The number of pixels per inch of paper: 300 is usual for print.</source>
         <translation>Колку пиксели доаѓаат на еден инч хартија: за печат вообичаени се 300.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Именувана големина</translation>
+    </message>
+    <message>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <translation>Големината на сликата на екранот или нејзин повеќекратник, на вообичаен екран или на лист хартија. Сѐ што го покажува прозорецот останува во сликата; ако обликот е поинаков, околу неа се гледа повеќе.</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the picture</source>
+        <translation>Задржи ги пропорциите на сликата</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>8K: 7680 × 4320</source>
+        <translation>8K: 7680 × 4320</translation>
+    </message>
+    <message>
+        <source>Square: 2048 × 2048</source>
+        <translation>Квадрат: 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>A4 at 300 dpi</source>
+        <translation>A4 со 300 dpi</translation>
+    </message>
+    <message>
+        <source>A3 at 300 dpi</source>
+        <translation>A3 со 300 dpi</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace attractor {
 
@@ -26,9 +27,42 @@ double linearLight(std::uint8_t code) {
     return table[code];
 }
 
+namespace {
+
+std::uint8_t roundedCode(double linear) {
+    return static_cast<std::uint8_t>(std::min(encodedFromLinear(linear) * 255 + 0.5, 255.0));
+}
+
+// Where each code begins, and for equal parts of 0 … 1 the code at their beginnings: two steps instead of a
+// power.
+struct CodeTable {
+    static constexpr std::size_t parts = 4096;
+    std::array<double, 257> begins{}; // the last one is never reached
+    std::array<std::uint8_t, parts + 1> codes{};
+
+    CodeTable() {
+        for (std::size_t code = 1; code < 256; ++code) {
+            double low = begins[code - 1], high = 1; // the code of `high` is as large, that of `low` is not
+            for (double middle = (low + high) / 2; low < middle && middle < high; middle = (low + high) / 2)
+                (roundedCode(middle) >= code ? high : low) = middle;
+            begins[code] = high;
+        }
+        begins[256] = 2;
+        for (std::size_t i = 0; i <= parts; ++i)
+            codes[i] = roundedCode(static_cast<double>(i) / parts);
+    }
+};
+
+} // namespace
+
 std::uint8_t encoded(double linear) {
-    const double code = encodedFromLinear(std::clamp(linear, 0.0, 1.0)) * 255 + 0.5;
-    return static_cast<std::uint8_t>(std::min(code, 255.0));
+    static const CodeTable table;
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 255;
+    std::uint8_t code = table.codes[static_cast<std::size_t>(linear * CodeTable::parts)];
+    while (linear >= table.begins[code + 1U])
+        ++code;
+    return code;
 }
 
 } // namespace attractor

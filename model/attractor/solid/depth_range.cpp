@@ -11,7 +11,7 @@ namespace {
 struct Open {
     double depth = 0; // the nearer to the end that is sought, the larger
     double half = 0;  // of the depths of the word; of two that reach as far, the smaller comes first
-    ifs::AffineMap<3> word;
+    WalkedWord word;
     friend bool operator<(const Open& a, const Open& b) {
         return a.depth < b.depth || (a.depth == b.depth && a.half > b.half);
     }
@@ -26,7 +26,7 @@ public:
         : m_view(view), m_sign(end == End::Near ? -1 : 1) {
         for (const ifs::AffineMap<3>& map : system.maps)
             m_maps.push_back(system.inBox(map));
-        add(view.toPixels * system.fromBox());
+        add({view.toPixels * system.fromBox(), nullptr, {}});
     }
 
     // −HUGE_VAL when nothing is in view.
@@ -36,7 +36,7 @@ public:
         double found = -HUGE_VAL;
         std::size_t words = 0;
         while (!m_open.empty()) {
-            const Open best = m_open.front();
+            Open best = m_open.front();
             words += m_maps.size();
             const SeenWord word = seen(best.word, m_view);
             const bool isSmall = !word.reachesEye && 2 * word.half.z() <= small;
@@ -47,20 +47,20 @@ public:
             std::pop_heap(m_open.begin(), m_open.end());
             m_open.pop_back();
             for (const ifs::AffineMap<3>& map : m_maps)
-                add(best.word * map);
+                add(best.word.inside(map));
         }
         return m_sign * found;
     }
 
 private:
-    void add(const ifs::AffineMap<3>& word) {
+    void add(WalkedWord word) {
         const SeenWord it = seen(word, m_view);
         if (!it.meets(m_view.size)) return;
         const double half = it.half.z();
         double depth = m_sign * it.onScreen.translation.z() + half;
         if (m_view.isPerspective() && m_sign < 0)
             depth = std::min(depth, m_view.eyeDistance * (1 - nearestShare));
-        m_open.push_back({depth, half, word});
+        m_open.push_back({depth, half, std::move(word)});
         std::push_heap(m_open.begin(), m_open.end());
     }
 

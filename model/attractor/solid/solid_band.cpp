@@ -114,9 +114,9 @@ void SolidBand::expand(const SolidScene& scene, const Open& open) {
     m_wideBudget -= std::min(m_wideBudget, scene.boxMaps.size());
     m_children.clear();
     for (std::size_t i = 0; i < scene.boxMaps.size(); ++i)
-        m_children.push_back({open.word * scene.boxMaps[i], open.colour == kernels::SolidWord::uncoloured
-                                                                ? scene.colours[i]
-                                                                : open.colour});
+        m_children.push_back(
+            {open.word.inside(scene.boxMaps[i]),
+             open.colour == kernels::SolidWord::uncoloured ? scene.colours[i] : open.colour});
     openSorted(scene);
 }
 
@@ -130,7 +130,7 @@ void SolidBand::openSorted(const SolidScene& scene) {
     }
     std::sort(m_order.rbegin(), m_order.rend());
     for (const auto& [depth, index] : m_order)
-        m_open.push_back(m_children[index]);
+        m_open.push_back(std::move(m_children[index]));
 }
 
 // The coarsest cover whose points leave no holes in a word of that size, in pixels; nullptr where none is
@@ -147,10 +147,10 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
     m_children.clear();
     const ifs::AffineMap<3> box = scene.view.toPixels * scene.system.fromBox();
     for (const SolidScene::Root& root : scene.roots)
-        m_children.push_back({box * root.word, root.colour});
+        m_children.push_back({{box * root.word, nullptr, {}}, root.colour});
     openSorted(scene);
     while (!m_open.empty()) {
-        const Open open = m_open.back();
+        Open open = std::move(m_open.back());
         m_open.pop_back();
         ++m_job.words;
         if (m_job.words % 256 == 0 && stop.stop_requested()) return false;
@@ -160,7 +160,7 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
 }
 
 // As one, or else by its children. False when stopped.
-bool SolidBand::draw(const SolidScene& scene, const Open& open, int firstRow, const std::stop_token& stop) {
+bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop) {
     constexpr std::size_t maxOpen = 1U << 18;
     const double codes = maxDepthCode / (scene.range.far - scene.range.near);
     const SeenWord word = seen(open.word, scene.view);

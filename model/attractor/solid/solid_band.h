@@ -60,11 +60,11 @@ public:
 
 private:
     struct Open {
-        ifs::AffineMap<3> word; // box → SpaceView::toPixels
+        WalkedWord word; // box → SpaceView::toPixels
         int colour = kernels::SolidWord::uncoloured;
     };
     bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
-    bool draw(const SolidScene& scene, const Open& open, int firstRow, const std::stop_token& stop);
+    bool draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop);
     void expand(const SolidScene& scene, const Open& open);
     void openSorted(const SolidScene& scene);
     const kernels::Cover* coverFor(double size) const;

@@ -102,11 +102,104 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view) 
     return result;
 }
 
+namespace {
+
+constexpr double maxModelPixels = 0x1p-4; // by which a BentWord may be off
+
+// By what the middle, the middles of the sides and the corners say.
+BentWord bentWord(const ifs::AffineMap<3>& word, const SpaceView& view) {
+    const ifs::CageDeformation& bend = *view.bend;
+    const auto at = [&](const ifs::Vector<3>& u) { return view.afterBend(bend(word(u))); };
+    BentWord model;
+    model.middle = at(ifs::Vector<3>::Zero());
+    std::array<ifs::Vector<3>, 3> pure; // half the second derivative along one side
+    for (int side = 0; side < 3; ++side) {
+        const ifs::Vector<3> high = at(ifs::Vector<3>::Unit(side)), low = at(-ifs::Vector<3>::Unit(side));
+        model.linear.col(side) = (high - low) / 2;
+        pure[std::size_t(side)] = (high + low) / 2 - model.middle;
+    }
+    // What remains at the corners: the mixed derivatives, and what is of higher order.
+    std::array<ifs::Vector<3>, 8> rest;
+    for (int k = 0; k < 8; ++k) {
+        const ifs::Vector<3> corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+        rest[std::size_t(k)] =
+            at(corner) - model.middle - model.linear * corner - pure[0] - pure[1] - pure[2];
+    }
+    std::array<ifs::Vector<3>, 3> mixed; // yz, zx, xy
+    for (int pair = 0; pair < 3; ++pair) {
+        ifs::Vector<3>& value = mixed[std::size_t(pair)];
+        value.setZero();
+        for (int k = 0; k < 8; ++k) {
+            const bool isSame = ((k >> (pair + 1) % 3 ^ k >> (pair + 2) % 3) & 1) == 0;
+            value += (isSame ? 0.125 : -0.125) * rest[std::size_t(k)];
+        }
+    }
+    for (int k = 0; k < 8; ++k) {
+        const double x = (k & 1) != 0 ? 1 : -1, y = (k & 2) != 0 ? 1 : -1, z = (k & 4) != 0 ? 1 : -1;
+        const ifs::Vector<3> off =
+            rest[std::size_t(k)] - y * z * mixed[0] - z * x * mixed[1] - x * y * mixed[2];
+        model.miss = model.miss.cwiseMax(off.cwiseAbs());
+    }
+    model.miss *= 2; // cubes along a side are not seen at its ends
+    for (int row = 0; row < 3; ++row)
+        model.second[std::size_t(row)] << 2 * pure[0][row], mixed[2][row], mixed[1][row], //
+            mixed[2][row], 2 * pure[1][row], mixed[0][row],                               //
+            mixed[1][row], mixed[0][row], 2 * pure[2][row];
+    return model;
+}
+
+StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within) {
+    StraightWord result;
+    result.miss = model.miss;
+    const ifs::Vector<3>& at = within.translation;
+    result.word.translation = model.middle + model.linear * at;
+    result.word.linear = model.linear * within.linear;
+    for (int row = 0; row < 3; ++row) {
+        const ifs::Matrix<3>& second = model.second[std::size_t(row)];
+        const ifs::Vector<3> slope = second * at;
+        result.word.translation[row] += at.dot(slope) / 2;
+        result.word.linear.row(row) += slope.transpose() * within.linear;
+        const ifs::Matrix<3> left = within.linear.transpose() * second * within.linear;
+        result.miss[row] += left.cwiseAbs().sum() / 2;
+    }
+    return result;
+}
+
+// How much larger what lies there is seen than in the plane of the target.
+double magnification(const ifs::Vector<3>& middle, const SpaceView& view) {
+    if (!view.isPerspective()) return 1;
+    return std::max(1.0, view.eyeDistance / std::max(1.0, view.eyeDistance + middle.z()));
+}
+
+} // namespace
+
+WalkedWord WalkedWord::inside(const ifs::AffineMap<3>& map) const {
+    return {word * map, bent, bent ? within * map : ifs::AffineMap<3>()};
+}
+
+StraightWord straightened(WalkedWord& word, const SpaceView& view) {
+    if (!view.bend) return {word.word};
+    if (word.bent) {
+        StraightWord result = straightened(*word.bent, word.within);
+        const double most = 2 * maxModelPixels; // nearer to the eye than the word whose bend is known
+        if (word.bent->miss.maxCoeff() * magnification(result.word.translation, view) <= most) return result;
+        word.bent.reset();
+    }
+    BentWord model = bentWord(word.word, view);
+    StraightWord result = straightened(model, {});
+    if (model.miss.maxCoeff() * magnification(model.middle, view) <= maxModelPixels) {
+        word.bent = std::make_shared<const BentWord>(std::move(model));
+        word.within = {};
+    }
+    return result;
+}
+
+namespace {
+
 // With W the distance of the word's middle from the eye and d the first-order change of x: the point whose
 // depth differs by c is seen at x + d·W/(W + c).
-SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
+SeenWord seen(const StraightWord& straight, const SpaceView& view) {
     SeenWord result;
-    const StraightWord straight = straightened(word, view);
     result.onScreen = straight.word;
     ifs::Vector<3>& middle = result.onScreen.translation;
     ifs::Matrix<3>& linear = result.onScreen.linear;
@@ -153,6 +246,16 @@ SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
     middle.x() += view.size.width / 2.0;
     middle.y() += view.size.height / 2.0;
     return result;
+}
+
+} // namespace
+
+SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
+    return seen(straightened(word, view), view);
+}
+
+SeenWord seen(WalkedWord& word, const SpaceView& view) {
+    return seen(straightened(word, view), view);
 }
 
 } // namespace attractor

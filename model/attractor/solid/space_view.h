@@ -5,6 +5,7 @@
 #include "attractor/request/space_request.h"
 #include "ifs/cage/cage_surface.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -54,6 +55,27 @@ struct StraightWord {
 };
 StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view);
 
+// What a bend makes of a word and of all that lies in it, to second order:
+// u ↦ middle + linear·u + (uᵀ second[r] u)/2 for every coordinate r, off by at most `miss` in [−1, 1]³.
+struct BentWord {
+    ifs::Vector<3> middle = ifs::Vector<3>::Zero();
+    ifs::Matrix<3> linear = ifs::Matrix<3>::Zero();
+    std::array<ifs::Matrix<3>, 3> second;
+    ifs::Vector<3> miss = ifs::Vector<3>::Zero();
+};
+
+// A word of a walk down the address tree. Once the bend of a word is known well enough, that of the words in
+// it follows without looking at the cage again.
+struct WalkedWord {
+    ifs::AffineMap<3> word;
+    std::shared_ptr<const BentWord> bent; // of a word it lies in
+    ifs::AffineMap<3> within;             // this word in coordinates of that one
+
+    WalkedWord inside(const ifs::AffineMap<3>& map) const; // word * map
+};
+// As above; remembers in `word` what is to be known of the words in it.
+StraightWord straightened(WalkedWord& word, const SpaceView& view);
+
 // What a word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, shows on the screen.
 struct SeenWord {
     bool isBehind = false;      // nearer than is drawn or outside the clip, all of it
@@ -70,5 +92,6 @@ struct SeenWord {
     double farthest() const { return onScreen.translation.z() + half.z(); }
 };
 SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view);
+SeenWord seen(WalkedWord& word, const SpaceView& view);
 
 } // namespace attractor

@@ -5,6 +5,7 @@
 #include "attractor/samples/chaos_game.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace attractor {
@@ -26,12 +27,12 @@ public:
     void push(std::uint32_t symbol) { m_value = symbol * m_first + m_value / m_maps; }
     std::uint64_t value() const { return m_value; }
     double coordinate() const { return double(m_value) / double(m_first) / double(m_maps); }
-    std::vector<std::uint32_t> symbols() const {
-        std::vector<std::uint32_t> result;
+    // Those of a value, the newest first.
+    void read(std::uint64_t value, std::vector<std::uint32_t>& symbols) const {
+        symbols.clear();
         std::uint64_t place = m_first;
         for (int k = 0; k < m_length; ++k, place /= m_maps)
-            result.push_back(std::uint32_t(m_value / place % m_maps));
-        return result;
+            symbols.push_back(std::uint32_t(value / place % m_maps));
     }
 
 private:
@@ -48,20 +49,44 @@ struct Sample {
     double stretch;
 };
 
-double sampleStretch(const CoupledSystem& system, const std::vector<std::uint32_t>& symbols,
-                     double pieceSize) {
-    ifs::Matrix<2> from = ifs::Matrix<2>::Identity(), to = from;
-    double ratio = 1;
-    for (const std::uint32_t symbol : symbols) {
-        if (ifs::spectralNorm<2>(from) <= pieceSize) break;
-        const ifs::Matrix<2> longer = from * system.from[symbol].linear;
-        if (!(longer.squaredNorm() > 0)) break; // a point: what is known of the piece before must do
-        from = longer;
-        to = to * system.to[symbol].linear;
-        ratio *= system.areaRatios[symbol];
+// By how much T magnifies areas near samples, in the order of their addresses: what their beginnings have in
+// common is worked out once.
+class Stretches {
+public:
+    Stretches(const CoupledSystem& system, double pieceSize) : m_system(system), m_pieceSize(pieceSize) {
+        m_pieces.push_back({.isSmall = 1 <= pieceSize});
     }
-    return stretchOf(ratio, to, from);
-}
+
+    double at(const std::vector<std::uint32_t>& symbols) {
+        const auto limit = std::min(m_symbols.size(), symbols.size());
+        const auto first = symbols.begin();
+        const auto common = std::mismatch(first, first + std::ptrdiff_t(limit), m_symbols.begin()).first;
+        m_pieces.resize(std::min(m_pieces.size(), std::size_t(common - first) + 1));
+        m_symbols = symbols;
+        while (m_pieces.size() <= symbols.size() && !m_pieces.back().isSmall) {
+            const Piece& piece = m_pieces.back();
+            const std::uint32_t symbol = symbols[m_pieces.size() - 1];
+            const ifs::Matrix<2> longer = piece.from * m_system.from[symbol].linear;
+            if (!(longer.squaredNorm() > 0)) break; // a point: what is known of the piece before must do
+            m_pieces.push_back({longer, piece.to * m_system.to[symbol].linear,
+                                piece.ratio * m_system.areaRatios[symbol],
+                                ifs::spectralNorm<2>(longer) <= m_pieceSize});
+        }
+        const Piece& found = m_pieces.back();
+        return stretchOf(found.ratio, found.to, found.from);
+    }
+
+private:
+    struct Piece {
+        ifs::Matrix<2> from = ifs::Matrix<2>::Identity(), to = from;
+        double ratio = 1;
+        bool isSmall = false;
+    };
+    const CoupledSystem& m_system;
+    double m_pieceSize;
+    std::vector<std::uint32_t> m_symbols; // of the sample before
+    std::vector<Piece> m_pieces;          // of its beginnings, the whole first
+};
 
 std::vector<Sample> orbit(const CoupledSystem& system, std::uint64_t seed, std::size_t size,
                           double pieceSize) {
@@ -77,10 +102,15 @@ std::vector<Sample> orbit(const CoupledSystem& system, std::uint64_t seed, std::
         newest.push(i);
         sample.code = newest.value();
         sample.address = newest.coordinate();
-        sample.stretch = sampleStretch(system, newest.symbols(), pieceSize);
         samples.push_back(sample);
     }
     std::ranges::stable_sort(samples, {}, &Sample::code);
+    Stretches stretches(system, pieceSize);
+    std::vector<std::uint32_t> symbols;
+    for (Sample& each : samples) {
+        newest.read(each.code, symbols);
+        each.stretch = stretches.at(symbols);
+    }
     return samples;
 }
 

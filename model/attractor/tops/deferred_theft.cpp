@@ -5,6 +5,7 @@
 #include "attractor/threads/job_shares.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -13,19 +14,36 @@ namespace attractor {
 
 namespace {
 
-constexpr int bandRows = 32; // drawn at a time by one thread
+constexpr int bandRows = 32; // coloured at a time by one thread
+// Found at a time by one thread: every word that reaches into a band goes through all of its samples for it.
+constexpr int keyRows = 128;
+constexpr std::size_t together = 256; // pixels, whose points stay near
 
-// work(first row, number of rows) for bands that cover the picture; false when stopped.
-bool inBands(Workers& workers, int height, const std::stop_token& stop,
+// work(first row, number of rows) for bands of at most so many rows that cover the picture; false when
+// stopped.
+bool inBands(Workers& workers, int height, int most, const std::stop_token& stop,
              const std::function<bool(int first, int rows)>& work) {
     JobShares shares;
-    shares.reset(std::size_t((height + bandRows - 1) / bandRows), workers);
+    shares.reset(std::size_t((height + most - 1) / most), workers);
     std::atomic<bool> isComplete = true;
     shares.run(workers, stop, [&](std::size_t job, std::size_t) {
-        const int first = int(job) * bandRows;
-        if (!work(first, std::min(bandRows, height - first))) isComplete = false;
+        const int first = int(job) * most;
+        if (!work(first, std::min(most, height - first))) isComplete = false;
     });
     return isComplete && !shares.left() && !stop.stop_requested();
+}
+
+// A premultiplied pixel over light of this opacity, over the background.
+std::uint32_t over(std::uint32_t pixel, const LinearColour& seen, double opacity, const Rgba& background) {
+    const std::uint32_t rest = 255 - (pixel >> 24);
+    const double share = seen.alpha * opacity;
+    const auto channel = [&](int shift, double light, std::uint8_t below) {
+        const double code = seen.alpha > 0 ? double(encoded(light / seen.alpha)) : 0;
+        const double mixed = code * share + double(below) * (1 - share);
+        return std::min(255U, ((pixel >> shift) & 255) + std::uint32_t(mixed * rest / 255 + 0.5)) << shift;
+    };
+    return 0xFF000000U | channel(16, seen.red, background.red) | channel(8, seen.green, background.green) |
+           channel(0, seen.blue, background.blue);
 }
 
 } // namespace
@@ -35,11 +53,14 @@ bool DeferredTheft::draw(const CoupledSystem& system, const MipPicture& picture,
     const KeyTops tops(system, request.camera, request.points, request.seed, stop);
     if (stop.stop_requested() || !keep(tops, system, request, stop)) return false;
     const auto width = std::size_t(request.camera.width);
-    return inBands(m_workers, request.camera.height, stop, [&](int first, int rows) {
-        const std::size_t begin = width * std::size_t(first), count = width * std::size_t(rows);
-        std::vector<TopPoint> points(count);
-        tops.decode(std::span(m_keys).subspan(begin, count), points);
-        colour(points, picture, request, pixels.subspan(begin, count));
+    return inBands(m_workers, request.camera.height, bandRows, stop, [&](int first, int rows) {
+        const std::size_t begin = width * std::size_t(first), end = begin + width * std::size_t(rows);
+        std::array<TopPoint, together> points;
+        for (std::size_t at = begin; at < end; at += together) {
+            const std::size_t count = std::min(together, end - at);
+            tops.decode(std::span(m_keys).subspan(at, count), std::span(points).first(count));
+            colour(std::span(points).first(count), picture, request, pixels.subspan(at, count));
+        }
         return true;
     });
 }
@@ -53,7 +74,7 @@ bool DeferredTheft::keep(const KeyTops& tops, const CoupledSystem& system, const
                     m_probabilities == system.probabilities;
     if (m_hasKeptKeys) return true;
     m_keys.resize(count);
-    const bool isDrawn = inBands(m_workers, request.camera.height, stop, [&](int first, int rows) {
+    const bool isDrawn = inBands(m_workers, request.camera.height, keyRows, stop, [&](int first, int rows) {
         return tops.drawKeys(
             first, std::span(m_keys).subspan(width * std::size_t(first), width * std::size_t(rows)), stop);
     });
@@ -66,29 +87,22 @@ bool DeferredTheft::keep(const KeyTops& tops, const CoupledSystem& system, const
     return isDrawn;
 }
 
-void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
-              double opacity) {
+void DeferredTheft::layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture,
+                             const TheftRequest& request, double opacity) {
     const ifs::AffineMap<2> toPicture =
         request.toPicture * ifs::inverse(worldToPixel(request.camera)).value_or(ifs::AffineMap<2>());
     const double zoom = std::abs(ifs::determinant<2>(toPicture.linear));
-    const Rgba& ground = request.background;
-    const int width = request.camera.width;
-    for (std::size_t k = 0; k < pixels.size(); ++k) {
-        const std::uint32_t rest = 255 - (pixels[k] >> 24);
-        if (rest == 0) continue;
-        const ifs::Vector<2> pixel(double(k % std::size_t(width)) + .5, double(k / std::size_t(width)) + .5);
-        const ifs::Vector<2> at = toPicture(pixel);
-        const LinearColour seen = picture.at(at.x(), at.y(), zoom);
-        const double share = seen.alpha * opacity;
-        const auto channel = [&](int shift, double light, std::uint8_t below) {
-            const double code = seen.alpha > 0 ? double(encoded(light / seen.alpha)) : 0;
-            const double mixed = code * share + double(below) * (1 - share);
-            return std::min(255U, ((pixels[k] >> shift) & 255) + std::uint32_t(mixed * rest / 255 + 0.5))
-                   << shift;
-        };
-        pixels[k] = 0xFF000000U | channel(16, seen.red, ground.red) | channel(8, seen.green, ground.green) |
-                    channel(0, seen.blue, ground.blue);
-    }
+    const auto width = std::size_t(request.camera.width);
+    inBands(m_workers, request.camera.height, bandRows, {}, [&](int first, int rows) {
+        for (int row = first; row < first + rows; ++row)
+            for (std::size_t column = 0; column < width; ++column) {
+                std::uint32_t& pixel = pixels[std::size_t(row) * width + column];
+                if (pixel >> 24 == 255) continue;
+                const ifs::Vector<2> at = toPicture({double(column) + .5, row + .5});
+                pixel = over(pixel, picture.at(at.x(), at.y(), zoom), opacity, request.background);
+            }
+        return true;
+    });
 }
 
 } // namespace attractor

@@ -22,6 +22,10 @@ public:
     bool draw(const CoupledSystem& system, const MipPicture& picture, const TheftRequest& request,
               std::span<std::uint32_t> pixels, const std::stop_token& stop);
 
+    // The picture itself, `opacity` strong, behind what is drawn of G through request.camera.
+    void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
+                  double opacity);
+
     bool hasKeptKeys() const { return m_hasKeptKeys; } // the last draw() found its keys
 
 private:
@@ -37,9 +41,5 @@ private:
     std::vector<std::uint32_t> m_keys;
     bool m_hasKeptKeys = false;
 };
-
-// The picture itself, `opacity` strong, behind what is drawn of G through request.camera.
-void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
-              double opacity);
 
 } // namespace attractor

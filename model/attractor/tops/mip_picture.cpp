@@ -5,7 +5,8 @@
 #include "attractor/colour/srgb_transfer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <bit>
 
 namespace attractor {
 
@@ -20,6 +21,22 @@ LinearColour mix(const LinearColour& a, const LinearColour& b, double share) {
 
 std::uint16_t rounded(double value) {
     return std::uint16_t(std::clamp(value * one + 0.5, 0.0, one));
+}
+
+// log₂ x for x ≥ 1 to 3·10⁻⁶, exact for powers of two: straight between 256 values for each of them.
+double binaryLogarithm(double x) {
+    constexpr int tableBits = 8, mantissaBits = 52;
+    static const auto table = [] {
+        std::array<double, (1U << tableBits) + 1> values{};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = naturalLogarithm(1 + double(i) / (1U << tableBits)) / naturalLogarithm(2);
+        return values;
+    }();
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    constexpr int restBits = mantissaBits - tableBits;
+    const std::size_t index = bits >> restBits & ((1U << tableBits) - 1);
+    const double share = double(bits & ((std::uint64_t{1} << restBits) - 1)) * 0x1p-44;
+    return int(bits >> mantissaBits) - 1023 + table[index] + (table[index + 1] - table[index]) * share;
 }
 
 } // namespace
@@ -66,17 +83,31 @@ LinearColour MipPicture::smooth(std::size_t level, double x, double y) const {
     const double column = std::clamp(x - 0.5, 0.0, lastColumn), row = std::clamp(y - 0.5, 0.0, lastRow);
     const int left = int(column), top = int(row);
     const int right = std::min(left + 1, int(lastColumn)), bottom = std::min(top + 1, int(lastRow));
-    return mix(mix(pixel(level, left, top), pixel(level, right, top), column - left),
-               mix(pixel(level, left, bottom), pixel(level, right, bottom), column - left), row - top);
+    const double across = column - left, down = row - top;
+    if (level == 0)
+        return mix(mix(pixel(level, left, top), pixel(level, right, top), across),
+                   mix(pixel(level, left, bottom), pixel(level, right, bottom), across), down);
+    const Level& from = m_levels[level - 1];
+    const auto above = 4 * std::size_t(top) * std::size_t(from.width);
+    const auto below = 4 * std::size_t(bottom) * std::size_t(from.width);
+    const std::uint16_t* channels = from.channels.data();
+    const std::uint16_t* corners[] = {channels + above + 4 * left, channels + above + 4 * right,
+                                      channels + below + 4 * left, channels + below + 4 * right};
+    const double weights[] = {(1 - across) * (1 - down) / one, across * (1 - down) / one,
+                              (1 - across) * down / one, across * down / one};
+    std::array<double, 4> sums{};
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            sums[channel] += weights[corner] * corners[corner][channel];
+    return {sums[0], sums[1], sums[2], sums[3]};
 }
 
 LinearColour MipPicture::at(double x, double y, double area) const {
     if (!(x >= 0 && x <= m_width && y >= 0 && y <= m_height)) return {0, 0, 0, 0};
-    const double half = 0.5 / 0.693147180559945309;
-    const double level = area > 1 ? std::min(half * naturalLogarithm(area), double(m_levels.size())) : 0;
+    const double level = area > 1 ? std::min(binaryLogarithm(area) / 2, double(m_levels.size())) : 0;
     const auto fine = std::size_t(level);
     const auto at = [&](std::size_t k) {
-        const double scale = std::ldexp(1.0, -int(k));
+        const double scale = 1 / double(std::uint64_t{1} << k);
         return smooth(k, x * scale, y * scale);
     };
     const LinearColour first = at(fine);

@@ -20,6 +20,9 @@ constexpr int bandRows = 64;
 
 // Straight sRGB under a premultiplied colour in linear light, premultiplied again as codes.
 std::uint32_t packed(const LinearColour& over, const LinearColour& under) {
+    if (over.alpha >= 1)
+        return 0xFF000000U | std::uint32_t(encoded(over.red)) << 16 |
+               std::uint32_t(encoded(over.green)) << 8 | std::uint32_t(encoded(over.blue));
     const double rest = (1 - over.alpha) * under.alpha, alpha = over.alpha + rest;
     if (!(alpha > 0)) return 0;
     const auto opacity = std::uint32_t(std::clamp(alpha, 0.0, 1.0) * 255 + 0.5);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <mutex>
 #include <thread>
@@ -49,6 +50,7 @@ struct TheftThread::State {
 
     void serve();
     void work(const TheftJob& job, const std::stop_token& stop);
+    void adapt(double milliseconds);
     void couple(const TheftJob& job);
     bool show(const TheftJob& job, std::uint64_t points, const std::stop_token& stop);
     std::shared_ptr<const attractor::Frame> drawFrom(const TheftJob& job, const LaidPicture& laid,
@@ -67,6 +69,11 @@ struct TheftThread::State {
     std::vector<std::size_t> order;
     CouplingOutcome coupling;
     attractor::DeferredTheft onFrom, onTo, there;
+    // The last frame of G, and what it shows: it stays while only F moves.
+    std::shared_ptr<const attractor::Frame> lastTo;
+    std::vector<ifs::AffineMap<2>> lastMaps;
+    LaidPicture lastLaid;
+    attractor::Rgba lastBackground;
     std::uint64_t livePoints = 3'000'000;
     std::jthread thread; // last: it uses the rest
 };
@@ -82,13 +89,17 @@ void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) 
     const auto begin = Clock::now();
     if (!show(job, livePoints, stop)) return;
     const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
-    // Half way each time: one slow picture on a busy machine must not make the grain jump.
-    const double affordable = double(livePoints) * fluid / std::max(time.count(), 0.1);
-    if (job.isLive)
-        livePoints =
-            std::clamp(std::uint64_t((double(livePoints) + std::min(affordable, 1e12)) / 2), fewest, most);
+    if (job.isLive) adapt(time.count());
     for (const std::uint64_t points : atRest)
         if (!mailbox.staysIdle(rest, stop) || !show(job, points, stop)) return;
+}
+
+// Half way each time: one slow picture on a busy machine must not make the grain jump. Small changes are left
+// alone, for other points need other keys.
+void TheftThread::State::adapt(double milliseconds) {
+    const double now = double(livePoints), affordable = now * fluid / std::max(milliseconds, 0.1);
+    const double next = std::clamp((now + affordable) / 2, double(fewest), double(most));
+    if (std::abs(next - now) > now / 4) livePoints = std::uint64_t(next);
 }
 
 void TheftThread::State::couple(const TheftJob& job) {
@@ -134,8 +145,12 @@ std::shared_ptr<const attractor::Frame> TheftThread::State::drawTo(const TheftJo
                                                                    const LaidPicture& laid,
                                                                    std::uint64_t points,
                                                                    const std::stop_token& stop) {
-    attractor::Frame frame = frameOf(job.to, points);
     const auto& maps = coupling.entries->toAttractor.maps();
+    const bool isSame = lastTo && lastTo->revision == job.to.revision && lastTo->camera == job.to.camera &&
+                        lastMaps == maps && lastLaid.picture == laid.picture &&
+                        lastLaid.toPicture == laid.toPicture && lastBackground == to->appearance.background;
+    if (isSame && (points <= most || points <= lastTo->samples)) return lastTo;
+    attractor::Frame frame = frameOf(job.to, points);
     const attractor::CoupledSystem identity(coupling.entries->toAttractor, maps,
                                             ifs::determinantWeights<2>(maps));
     attractor::TheftRequest request;
@@ -145,9 +160,13 @@ std::shared_ptr<const attractor::Frame> TheftThread::State::drawTo(const TheftJo
     request.background = {0, 0, 0, 0};
     if (!onTo.draw(identity, *laid.picture, request, frame.pixels, stop)) return nullptr;
     request.background = to->appearance.background;
-    attractor::layUnder(frame.pixels, *laid.picture, request, pictureBehind);
+    onTo.layUnder(frame.pixels, *laid.picture, request, pictureBehind);
     frame.opaque = true;
-    return std::make_shared<const attractor::Frame>(std::move(frame));
+    lastTo = std::make_shared<const attractor::Frame>(std::move(frame));
+    lastMaps = maps;
+    lastLaid = laid;
+    lastBackground = to->appearance.background;
+    return lastTo;
 }
 
 void TheftThread::State::publish(StolenFrames frames, const std::stop_token& stop) {

@@ -153,6 +153,36 @@ private slots:
         }
     }
 
+    // What is known of a word tells where the words in it are, as well as looking at the cage does.
+    void wordsInAWordFollowFromIt() {
+        for (const bool isPerspective : {false, true}) {
+            const SpaceRequest request = pulled(isPerspective);
+            const SpaceView view = spaceView(request, {});
+            std::mt19937 random(6);
+            std::uniform_real_distribution<double> side(-1, 1);
+            std::size_t followed = 0;
+            for (int start = 0; start < 40; ++start) {
+                const Vector<3> middle(0.5 + 0.4 * side(random), 0.5 + 0.4 * side(random),
+                                       0.5 + 0.4 * side(random));
+                WalkedWord word{{0.02 * ifs::Matrix<3>::Identity(), middle}, nullptr, {}};
+                for (int depth = 0; depth < 4; ++depth) {
+                    const StraightWord straight = straightened(word, view);
+                    if (depth > 0 && word.bent) ++followed;
+                    for (int n = 0; n < 20; ++n) {
+                        const Vector<3> at(side(random), side(random), side(random));
+                        const Vector<3> exact = view.afterBend((*view.bend)(word.word(at)));
+                        const Vector<3> off = (straight.word(at) - exact).cwiseAbs();
+                        QVERIFY((off.array() <= straight.miss.array() + 1e-6).all());
+                    }
+                    QVERIFY(depth < 3 || straight.miss.maxCoeff() < 0.25); // straight enough to be drawn
+                    word = word.inside({ifs::Matrix<3>::Identity() / 3,
+                                        Vector<3>(side(random), side(random), side(random)) * (2.0 / 3)});
+                }
+            }
+            QVERIFY(followed > 60);
+        }
+    }
+
     void aFoldedAndAFlatCageAreDrawn() {
         SpaceRequest request = pulled(false);
         std::swap(request.cage->current[0], request.cage->current[7]);

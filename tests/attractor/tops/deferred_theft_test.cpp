@@ -102,7 +102,7 @@ private slots:
         request.background = {0, 0, 0, 255};
         Pixels pixels(100 * 100, 0);
         pixels[5050] = 0xFF123456;
-        attractor::layUnder(pixels, picture, request, .5);
+        attractor::DeferredTheft(2).layUnder(pixels, picture, request, .5);
         QCOMPARE(pixels[5050], 0xFF123456U);
         QVERIFY(std::ranges::all_of(pixels, [](std::uint32_t pixel) { return pixel >> 24 == 255; }));
         QCOMPARE(pixels[0], 0xFF000000U);           // outside of the picture

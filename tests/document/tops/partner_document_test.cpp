@@ -172,6 +172,37 @@ private slots:
         QVERIFY(std::ranges::all_of(frames->to->pixels, [](auto pixel) { return pixel >> 24 == 255; }));
     }
 
+    // While only F moves, the picture of G is the one there is; with another camera it is another.
+    void theFrameOfTheOtherStays() {
+        std::binary_semaphore ready(0);
+        document::TheftThread thread(2, [&] { ready.release(); });
+        start(TheftFamily::Square);
+        const attractor::Camera camera{{.5, .5}, 60, 80, 80, attractor::YAxis::Up};
+        document::TheftJob job;
+        job.from = {m_document.sharedFractal(), camera, 1};
+        job.to = {m_partner->document().sharedFractal(), camera, 1};
+        job.picture = wheel();
+        job.isLive = true;
+        const auto drawn = [&] {
+            thread.submit(job);
+            for (;;) { // a finer one of the job before may come first
+                ready.acquire();
+                const auto frames = thread.newest();
+                if (frames->from && frames->from->revision == job.from.revision) return frames;
+            }
+        };
+        const auto first = drawn();
+        document::Fractal moved = m_document.fractal();
+        document::plane(moved)->system.maps[0].map.translation.x() += 0.01;
+        job.from = {std::make_shared<const Fractal>(moved), camera, 2};
+        const auto second = drawn();
+        QVERIFY(second->from != first->from);
+        QVERIFY(second->to == first->to || second->to->samples > first->to->samples);
+        job.from.revision = 3;
+        job.to.camera.pixelsPerUnit = 40;
+        QVERIFY(drawn()->to->pixels != first->to->pixels);
+    }
+
     void theGridGoesThroughTheTransformation() {
         start(TheftFamily::Square);
         const auto outcome = document::coupled(m_document.fractal(), m_partner->document().fractal(), {});

@@ -50,6 +50,7 @@ private slots:
     void failureIsTold();
     void closingWhileExportingIsSafe();
     void sizeKeepsItsShape();
+    void sizesAreChosenByName();
     void lengthsFollowTheResolution();
     void clipboardHoldsBothForms();
     void pageHoldsNamePictureAndTable();
@@ -247,6 +248,33 @@ void ExportDialogTest::sizeKeepsItsShape() {
     QCOMPARE(editor.pixels(), QSize(1600, 1200));
     named<QDoubleSpinBox>(editor, "Height")->setValue(60);
     QCOMPARE(editor.pixels(), QSize(80, 60));
+}
+
+void ExportDialogTest::sizesAreChosenByName() {
+    ExportSizeEditor editor({160, 120});
+    auto* sizes = named<QComboBox>(editor, "Named size");
+    const auto choose = [sizes](const char* name) {
+        const int index = sizes->findText(QString::fromUtf8(name), Qt::MatchStartsWith);
+        QVERIFY2(index >= 0, name);
+        sizes->setCurrentIndex(index);
+        emit sizes->activated(index);
+    };
+    choose("4K");
+    QCOMPARE(editor.pixels(), QSize(3840, 2160));
+    named<QDoubleSpinBox>(editor, "Width")->setValue(1600); // the shape that was chosen is kept
+    QCOMPARE(editor.pixels(), QSize(1600, 900));
+    QCOMPARE(sizes->currentText(), QStringLiteral("Custom"));
+    choose("A4");
+    QCOMPARE(editor.pixels(), QSize(3508, 2480));
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 297.0);
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Height")->value(), 210.0);
+    QCOMPARE(editor.dotsPerInch(), 300.0);
+    choose("2 ×");
+    QCOMPARE(editor.pixels(), QSize(320, 240));
+    QCOMPARE(sizes->currentIndex(), 1);
+    ExportSizeEditor standing({120, 160});
+    auto* sheets = named<QComboBox>(standing, "Named size");
+    QCOMPARE(sheets->itemData(sheets->findText(QStringLiteral("A3 at 300 dpi"))).toSize(), QSize(3508, 4961));
 }
 
 void ExportDialogTest::lengthsFollowTheResolution() {

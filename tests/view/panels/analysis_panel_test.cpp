@@ -22,6 +22,12 @@
 
 using namespace maps_support;
 
+namespace {
+
+constexpr int patience = 60'000; // milliseconds, on a busy machine
+
+} // namespace
+
 class AnalysisPanelTest : public QObject {
     Q_OBJECT
 
@@ -134,7 +140,7 @@ private slots:
         view::AnalysisPanel panel(&document, &bridge);
         panel.resize(260, 900);
         panel.show();
-        QTRY_VERIFY(!valueOf(panel.facts(), QStringLiteral("Fixed points")).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!valueOf(panel.facts(), QStringLiteral("Fixed points")).isEmpty(), patience);
         QLabel* value = nullptr;
         QLabel* name = nullptr;
         for (auto* label : panel.findChildren<QLabel*>()) {
@@ -144,13 +150,13 @@ private slots:
         QVERIFY(name && value);
         QVERIFY(value->text().contains(QStringLiteral("(0.1795,\u00a05.0725)")));
         QVERIFY(value->text().contains(u' ')); // between the pairs
-        QTRY_VERIFY(value->height() >= 2 * value->fontMetrics().height());
+        QTRY_VERIFY_WITH_TIMEOUT(value->height() >= 2 * value->fontMetrics().height(), patience);
         QVERIFY(name->alignment() & Qt::AlignTop);
         QVERIFY(value->alignment() & Qt::AlignTop);
         // Below its name where there is not room enough for both.
         QVERIFY(name->y() == value->y() || name->geometry().bottom() < value->y());
         panel.resize(40 * panel.fontMetrics().averageCharWidth() + 260, 900);
-        QTRY_COMPARE(name->y(), value->y());
+        QTRY_COMPARE_WITH_TIMEOUT(name->y(), value->y(), patience);
     }
 
     // A remark in brackets is as long as a sentence, and does not push its value below the name.
@@ -164,7 +170,7 @@ private slots:
         panel.resize(40 * panel.fontMetrics().averageCharWidth() + 60, 900);
         panel.show();
         const QString fact = QStringLiteral("Similarity dimension");
-        QTRY_VERIFY(valueOf(panel.facts(), fact).contains(u'('));
+        QTRY_VERIFY_WITH_TIMEOUT(valueOf(panel.facts(), fact).contains(u'('), patience);
         QLabel* value = nullptr;
         QLabel* name = nullptr;
         for (auto* label : panel.findChildren<QLabel*>()) {
@@ -173,7 +179,7 @@ private slots:
         }
         QVERIFY(name && value);
         QVERIFY2(!value->text().contains(QChar::Nbsp), qPrintable(value->text()));
-        QTRY_COMPARE(name->y(), value->y());
+        QTRY_COMPARE_WITH_TIMEOUT(name->y(), value->y(), patience);
         QVERIFY(name->geometry().right() < value->x());
     }
 
@@ -197,7 +203,7 @@ private slots:
         panel.setFont(font);
         panel.resize(width, 900);
         panel.show();
-        QTRY_VERIFY(bridge.isCurrent());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
         QTest::qWait(50);
         const int reach = panel.viewport()->width() + panel.horizontalScrollBar()->maximum();
         for (const auto& fact : panel.facts())
@@ -232,8 +238,9 @@ private slots:
             QTest::qWait(200);
             document.edit(QStringLiteral("x"), fractal);
         }
-        QTRY_VERIFY(bridge.isCurrent());
-        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("Yes")));
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("Yes")), patience);
         QTest::qWait(50);
         for (const auto* label : panel.findChildren<QLabel*>())
             if (label->isVisible() && label->wordWrap())
@@ -248,10 +255,11 @@ private slots:
         QTest::qWait(300);
         QVERIFY(panel.facts().isEmpty() && !bridge.analysis());
         panel.show();
-        QTRY_VERIFY(!panel.facts().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.facts().isEmpty(), patience);
         document.edit(QStringLiteral("x"), document::sierpinskiTriangle());
-        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Similarity dimension")), QStringLiteral("1.585"));
-        QTRY_VERIFY(bridge.isCurrent());
+        QTRY_COMPARE_WITH_TIMEOUT(valueOf(panel.facts(), QStringLiteral("Similarity dimension")),
+                                  QStringLiteral("1.585"), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
         QVERIFY(panel.plot().isVisible());
         QCOMPARE(panel.plot().table().count(u'\n'), 10); // eleven sizes
         panel.copyAll();
@@ -265,7 +273,7 @@ private slots:
         view::AnalysisBridge bridge(&document);
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
-        QTRY_VERIFY(bridge.isCurrent());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
         QLabel* value = nullptr;
         for (auto* label : panel.findChildren<QLabel*>())
             if (label->accessibleName() == QStringLiteral("Similarity dimension")) value = label;
@@ -289,16 +297,20 @@ private slots:
         view::AnalysisBridge bridge(&document);
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
-        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")),
+            patience);
         document::EditGesture gesture = document.beginGesture(QStringLiteral("drag"));
         document::Fractal moved = document.fractal();
         document::plane(moved)->cage->current = {{-3, -3}, {13, -3}, {-3, 6}}; // twice as wide
         gesture.preview(moved);
-        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("71.5")));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("71.5")), patience);
         QVERIFY(document.undoStack()->count() == 0);
         document::plane(moved)->cage->current = {{-3, -3}, {5, -3}, {-3, -3}}; // flat
         gesture.preview(moved);
-        QTRY_COMPARE(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("0"));
+        QTRY_COMPARE_WITH_TIMEOUT(valueOf(panel.facts(), QStringLiteral("Hull area")), QStringLiteral("0"),
+                                  patience);
     }
 
     void saysWhoseFactsTheyAreWhenThePictureIsBent() {
@@ -310,7 +322,9 @@ private slots:
         view::AnalysisBridge bridge(&document);
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
-        QTRY_VERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            valueOf(panel.facts(), QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")),
+            patience);
         const auto labels = panel.findChildren<QLabel*>();
         QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
             return label->isVisible() && label->text().startsWith(QStringLiteral("The cage bends"));
@@ -324,16 +338,16 @@ private slots:
         view::AnalysisPanel panel(&document, &bridge);
         panel.show();
         panel.outlineBox(document::Outline::Hull)->click();
-        QTRY_VERIFY(bridge.analysis() && bridge.analysis()->shapes.size() == 1);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.analysis() && bridge.analysis()->shapes.size() == 1, patience);
         panel.outlineBox(document::Outline::FixedPoints)->click();
-        QTRY_COMPARE(bridge.analysis()->shapes.size(), std::size_t(5));
+        QTRY_COMPARE_WITH_TIMEOUT(bridge.analysis()->shapes.size(), std::size_t(5), patience);
         panel.hide(); // what is outlined still follows
         document.edit(QStringLiteral("x"), document::sierpinskiTriangle());
-        QTRY_COMPARE(bridge.analysis()->shapes.size(), std::size_t(4));
+        QTRY_COMPARE_WITH_TIMEOUT(bridge.analysis()->shapes.size(), std::size_t(4), patience);
         panel.show();
         panel.outlineBox(document::Outline::Hull)->click();
         panel.outlineBox(document::Outline::FixedPoints)->click();
-        QTRY_VERIFY(bridge.analysis()->shapes.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.analysis()->shapes.empty(), patience);
         QVERIFY(document.undoStack()->count() == 1); // a state of the view
     }
 

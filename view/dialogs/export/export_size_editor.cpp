@@ -18,7 +18,9 @@ namespace view {
 namespace {
 
 constexpr int maxSide = 100'000;
+constexpr int printed = 300; // dots per inch
 enum Unit { Pixels, Millimetres, Inches };
+enum Role { Size = Qt::UserRole, IsPaper }; // of a named size
 
 // A comma is the decimal point here as in the other fields.
 class LengthField : public QDoubleSpinBox {
@@ -50,25 +52,25 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     : QWidget(parent),
       m_screen(screen),
       m_pixels(screen),
+      m_locked(screen),
       m_width(lengthField(tr("Width"), this)),
       m_height(lengthField(tr("Height"), this)),
       m_unit(new QComboBox(this)),
-      m_scale(new QComboBox(this)),
+      m_named(new QComboBox(this)),
       m_lock(new QToolButton(this)),
       m_resolution(new QSpinBox(this)) {
     m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
     m_unit->setAccessibleName(tr("Unit of length"));
     m_unit->setWhatsThis(tr("Pixels, or a length on paper at the given resolution."));
-    for (const int factor : {1, 2, 4, 8})
-        m_scale->addItem(factor == 1 ? tr("Same as on the screen") : tr("%1 × the screen").arg(factor),
-                         factor);
-    m_scale->addItem(tr("Custom"), 0);
-    m_scale->setAccessibleName(tr("Size relative to the screen"));
-    m_scale->setWhatsThis(tr("The size of the picture on the screen, or a multiple of it."));
+    addNamedSizes();
+    m_named->setAccessibleName(tr("Named size"));
+    m_named->setWhatsThis(tr("The size of the picture on the screen or a multiple of it, of a common screen, "
+                             "or of a sheet of paper. Everything that the window shows stays in the picture; "
+                             "where the shape differs, more is shown around it."));
     m_lock->setText(tr("Lock proportions"));
     m_lock->setCheckable(true);
     m_lock->setChecked(true);
-    m_lock->setToolTip(tr("Keep the proportions of the picture on the screen"));
+    m_lock->setToolTip(tr("Keep the proportions of the picture"));
     m_resolution->setRange(1, 9600);
     m_resolution->setValue(300);
     m_resolution->setSuffix(tr(" dpi"));
@@ -81,7 +83,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
         lengths->addWidget(widget);
     lengths->addStretch();
     auto* scales = new QHBoxLayout;
-    scales->addWidget(m_scale);
+    scales->addWidget(m_named);
     scales->addWidget(m_resolution);
     scales->addStretch();
     auto* layout = new QVBoxLayout(this);
@@ -93,10 +95,43 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     connect(m_height, &QDoubleSpinBox::valueChanged, this, &ExportSizeEditor::takeHeight);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &ExportSizeEditor::showSize);
     connect(m_resolution, &QSpinBox::valueChanged, this, &ExportSizeEditor::showSize);
-    connect(m_scale, &QComboBox::activated, this, [this] {
-        if (const int factor = m_scale->currentData().toInt()) setPixels(m_screen * factor);
-    });
+    connect(m_named, &QComboBox::activated, this, &ExportSizeEditor::takeNamedSize);
     showSize();
+}
+
+// Sheets lie or stand as the picture on the screen does.
+void ExportSizeEditor::addNamedSizes() {
+    const auto add = [this](const QString& name, const QSize& size, bool isPaper = false) {
+        m_named->addItem(name, size);
+        m_named->setItemData(m_named->count() - 1, isPaper, IsPaper);
+    };
+    for (const int factor : {1, 2, 4, 8})
+        add(factor == 1 ? tr("Same as on the screen") : tr("%1 × the screen").arg(factor), m_screen * factor);
+    m_named->insertSeparator(m_named->count());
+    add(tr("Full HD: 1920 × 1080"), {1920, 1080});
+    add(tr("4K: 3840 × 2160"), {3840, 2160});
+    add(tr("8K: 7680 × 4320"), {7680, 4320});
+    add(tr("Square: 2048 × 2048"), {2048, 2048});
+    m_named->insertSeparator(m_named->count());
+    const auto sheet = [this](double longer, double shorter) {
+        const QSize lying(rounded(longer * printed / 25.4), rounded(shorter * printed / 25.4));
+        return m_screen.width() < m_screen.height() ? lying.transposed() : lying;
+    };
+    add(tr("A4 at 300 dpi"), sheet(297, 210), true);
+    add(tr("A3 at 300 dpi"), sheet(420, 297), true);
+    m_named->insertSeparator(m_named->count());
+    m_named->addItem(tr("Custom"));
+}
+
+void ExportSizeEditor::takeNamedSize() {
+    const QSize size = m_named->currentData(Size).toSize();
+    if (!size.isValid()) return; // custom
+    const bool isPaper = m_named->currentData(IsPaper).toBool();
+    if (isPaper) m_resolution->setValue(printed);
+    if (isPaper && m_unit->currentIndex() == Pixels) m_unit->setCurrentIndex(Millimetres);
+    if (!isPaper) m_unit->setCurrentIndex(Pixels);
+    m_locked = size;
+    setPixels(size);
 }
 
 double ExportSizeEditor::dotsPerInch() const {
@@ -132,22 +167,20 @@ void ExportSizeEditor::showSize() {
         field->setDecimals(decimals);
     m_width->setValue(m_pixels.width() / unitInPixels());
     m_height->setValue(m_pixels.height() / unitInPixels());
-    int scale = m_scale->count() - 1;
-    for (int i = 0; i < m_scale->count() - 1; ++i)
-        if (m_pixels == m_screen * m_scale->itemData(i).toInt()) scale = i;
-    m_scale->setCurrentIndex(scale);
+    const int named = m_named->findData(m_pixels, Size);
+    m_named->setCurrentIndex(named >= 0 ? named : m_named->count() - 1);
 }
 
 void ExportSizeEditor::takeWidth(double width) {
     const int pixels = rounded(width * unitInPixels());
-    const int height = m_lock->isChecked() ? rounded(double(pixels) * m_screen.height() / m_screen.width())
+    const int height = m_lock->isChecked() ? rounded(double(pixels) * m_locked.height() / m_locked.width())
                                            : m_pixels.height();
     setPixels({pixels, height});
 }
 
 void ExportSizeEditor::takeHeight(double height) {
     const int pixels = rounded(height * unitInPixels());
-    const int width = m_lock->isChecked() ? rounded(double(pixels) * m_screen.width() / m_screen.height())
+    const int width = m_lock->isChecked() ? rounded(double(pixels) * m_locked.width() / m_locked.height())
                                           : m_pixels.width();
     setPixels({width, pixels});
 }

@@ -12,7 +12,7 @@ class QToolButton;
 namespace view {
 
 // Width and height in pixels, millimetres or inches, the shape locked or free, and the resolution that ties
-// them.
+// them; screens and sheets of paper are chosen by name.
 class ExportSizeEditor : public QWidget {
     Q_OBJECT
 
@@ -28,6 +28,8 @@ signals:
     void changed();
 
 private:
+    void addNamedSizes();
+    void takeNamedSize();
     double unitInPixels() const;
     void showSize();
     void takeWidth(double width);
@@ -35,10 +37,11 @@ private:
 
     QSize m_screen;
     QSize m_pixels;
+    QSize m_locked; // has the proportions that are kept
     QDoubleSpinBox* m_width;
     QDoubleSpinBox* m_height;
     QComboBox* m_unit;
-    QComboBox* m_scale;
+    QComboBox* m_named;
     QToolButton* m_lock;
     QSpinBox* m_resolution;
 };

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace view {
 
@@ -32,11 +33,15 @@ EntriesList::EntriesList(MimeSource mimeSource, QWidget* parent)
 }
 
 QList<EntryId> EntriesList::selectedIds() const {
-    QModelIndexList rows = selectionModel()->selectedRows();
-    std::sort(rows.begin(), rows.end());
+    std::vector<int> rows;
+    for (const QItemSelectionRange& range : selectionModel()->selection())
+        for (int row = range.top(); row <= range.bottom(); ++row)
+            rows.push_back(row);
+    std::ranges::sort(rows);
     QList<EntryId> ids;
-    for (const QModelIndex& row : std::as_const(rows))
-        ids.append(idAtRow(row.row()));
+    ids.reserve(qsizetype(rows.size()));
+    for (const int row : rows)
+        ids.append(idAtRow(row));
     return ids;
 }
 

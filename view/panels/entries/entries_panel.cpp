@@ -24,7 +24,6 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QScopedValueRollback>
-#include <QSet>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -279,10 +278,12 @@ void EntriesPanel::paste() {
 }
 
 QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
-    const QSet<EntryId> wanted(ids.begin(), ids.end());
+    QList<EntryId> wanted = ids;
+    std::sort(wanted.begin(), wanted.end()); // faster than a set where there are very many
     QList<Entry> entries;
+    entries.reserve(ids.size());
     for (const Entry& entry : m_document->file().entries)
-        if (wanted.contains(entry.id)) entries.append(entry);
+        if (std::binary_search(wanted.cbegin(), wanted.cend(), entry.id)) entries.append(entry);
     return entries;
 }
 
