@@ -248,6 +248,34 @@ std::optional<std::vector<Jet>> coordinateJets(Coordinates kind, std::span<const
     return result;
 }
 
+namespace {
+
+// α/(2 sin α) for the angle α between two directions. The sine of its half is accurate where it is small, the
+// tangent where it is not.
+double halfAngleOverSine(const Vector<3>& a, const Vector<3>& b) {
+    constexpr double maxSine = 0.7;
+    const double square = (a - b).squaredNorm() / 4; // of the sine
+    if (!(square > 0)) return 0.5;
+    if (square < maxSine * maxSine) {
+        const double sine = std::sqrt(square);
+        return std::asin(sine) / (2 * sine * std::sqrt(1 - square));
+    }
+    const double normal = a.cross(b).norm();
+    return normal > 0 ? std::atan2((a - b).norm(), (a + b).norm()) / normal : 0;
+}
+
+// Whether x, in the plane of a triangle, lies in it: the angles at x are a whole turn.
+bool isAround(const std::array<Vector<3>, 3>& directions) {
+    double turn = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector<3>&a = directions[(k + 1) % 3], &b = directions[(k + 2) % 3];
+        turn += 2 * std::atan2((a - b).norm(), (a + b).norm());
+    }
+    return turn > 2 * std::numbers::pi - 1e-5;
+}
+
+} // namespace
+
 std::vector<double> meanValueCoordinates(std::span<const Vector<3>> vertices,
                                          std::span<const std::array<int, 3>> triangles, const Vector<3>& x) {
     constexpr double inPlane = 1e-14;
@@ -255,41 +283,49 @@ std::vector<double> meanValueCoordinates(std::span<const Vector<3>> vertices,
     double size = 0;
     for (const Vector<3>& v : vertices)
         size = std::max(size, (v - vertices[0]).cwiseAbs().maxCoeff());
-    for (std::size_t j = 0; j < vertices.size(); ++j)
-        if ((vertices[j] - x).norm() <= atCorner * size) {
+    struct Seen { // a vertex from x
+        Vector<3> direction;
+        double distance;
+    };
+    std::vector<Seen> seen(vertices.size());
+    for (std::size_t j = 0; j < vertices.size(); ++j) {
+        const Vector<3> d = vertices[j] - x;
+        const double distance = d.norm();
+        if (distance <= atCorner * size) {
             result[j] = 1;
             return result;
         }
+        seen[j] = {d / distance, distance};
+    }
     for (const auto& triangle : triangles) {
-        std::array<Vector<3>, 3> d, u, normal;
-        std::array<double, 3> r{}, angle{};
+        std::array<Vector<3>, 3> u;
+        std::array<double, 3> r{};
         std::array<std::size_t, 3> corner{};
         for (std::size_t k = 0; k < 3; ++k) {
             corner[k] = static_cast<std::size_t>(triangle[k]);
-            d[k] = vertices[corner[k]] - x;
-            r[k] = d[k].norm();
-            u[k] = d[k] / r[k];
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vector<3>& a = u[(k + 1) % 3];
-            const Vector<3>& b = u[(k + 2) % 3];
-            normal[k] = a.cross(b);
-            angle[k] = 2 * std::atan2((a - b).norm(), (a + b).norm());
+            u[k] = seen[corner[k]].direction;
+            r[k] = seen[corner[k]].distance;
         }
         const Vector<3> face =
             (vertices[corner[1]] - vertices[corner[0]]).cross(vertices[corner[2]] - vertices[corner[0]]);
         // The distance from the plane, which is accurate near it.
-        const double determinant = d[0].dot(face) / (r[0] * r[1] * r[2]);
+        const double determinant = u[0].dot(face) / (r[1] * r[2]);
         if (std::abs(determinant) < inPlane) {
-            if (angle[0] + angle[1] + angle[2] <= 2 * std::numbers::pi - 1e-5) continue;
+            if (!isAround(u)) continue;
             std::ranges::fill(result, 0.0);
-            for (std::size_t k = 0; k < 3; ++k)
-                result[corner[k]] = d[(k + 1) % 3].cross(d[(k + 2) % 3]).dot(face) / face.squaredNorm();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+                result[corner[k]] = r[next] * r[last] * u[next].cross(u[last]).dot(face) / face.squaredNorm();
+            }
             break;
         }
+        std::array<Vector<3>, 3> normal;
         Vector<3> mean = Vector<3>::Zero();
-        for (std::size_t k = 0; k < 3; ++k)
-            if (normal[k].norm() > 0) mean += angle[k] / (2 * normal[k].norm()) * normal[k];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector<3>&a = u[(k + 1) % 3], &b = u[(k + 2) % 3];
+            normal[k] = a.cross(b);
+            mean += halfAngleOverSine(a, b) * normal[k];
+        }
         for (std::size_t k = 0; k < 3; ++k)
             result[corner[k]] += normal[k].dot(mean) / (determinant * r[k]);
     }

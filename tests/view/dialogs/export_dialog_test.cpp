@@ -272,6 +272,7 @@ void ExportDialogTest::sizesAreChosenByName() {
     choose("2 ×");
     QCOMPARE(editor.pixels(), QSize(320, 240));
     QCOMPARE(sizes->currentIndex(), 1);
+    QCOMPARE(sizes->nextInFocusChain(), named<QSpinBox>(editor, "Resolution in dots per inch"));
     ExportSizeEditor standing({120, 160});
     auto* sheets = named<QComboBox>(standing, "Named size");
     QCOMPARE(sheets->itemData(sheets->findText(QStringLiteral("A3 at 300 dpi"))).toSize(), QSize(3508, 4961));

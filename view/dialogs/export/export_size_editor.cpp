@@ -91,6 +91,12 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     layout->addLayout(scales);
     layout->addLayout(lengths);
 
+    QWidget* before = m_named;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_resolution, m_width, m_height, m_unit, m_lock}) {
+        setTabOrder(before, widget);
+        before = widget;
+    }
+
     connect(m_width, &QDoubleSpinBox::valueChanged, this, &ExportSizeEditor::takeWidth);
     connect(m_height, &QDoubleSpinBox::valueChanged, this, &ExportSizeEditor::takeHeight);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &ExportSizeEditor::showSize);
