@@ -62,10 +62,38 @@ template <int Dim> std::optional<double> dimensionOf(std::span<const AffineMap<D
 
 } // namespace
 
+namespace {
+
+// For very many ratios. Σ sᵈ falls and is convex, so that Newton's steps from 0 come to the solution from
+// below.
+double newtonDimension(std::span<const double> ratios) {
+    std::vector<double> logarithms;
+    for (const double ratio : ratios)
+        logarithms.push_back(std::log(ratio));
+    double dimension = 0;
+    constexpr int maxSteps = 100;
+    for (int k = 0; k < maxSteps; ++k) {
+        double excess = -1, slope = 0;
+        for (const double logarithm : logarithms) {
+            const double term = std::exp(dimension * logarithm);
+            excess += term;
+            slope += logarithm * term;
+        }
+        const double next = dimension - excess / slope;
+        if (!(next > dimension)) break;
+        dimension = next;
+    }
+    return dimension;
+}
+
+} // namespace
+
 std::optional<double> moranDimension(std::span<const double> ratios) {
     if (ratios.empty() || !std::ranges::all_of(ratios, [](double s) { return s > 0 && s < 1; }))
         return std::nullopt;
     if (ratios.size() == 1) return 0;
+    constexpr std::size_t many = 1'000;
+    if (ratios.size() > many) return newtonDimension(ratios);
     const auto excess = [ratios](double dimension) {
         double sum = -1;
         for (const double ratio : ratios)

@@ -39,6 +39,18 @@ private slots:
             QVERIFY(!moranDimension(ratios));
     }
 
+    // However many ratios there are.
+    void veryManyRatios() {
+        std::vector<double> ratios;
+        for (int i = 0; i < 4000; ++i) // 4000 copies of 1/8000 have dimension ln 4000/ln 8000
+            ratios.push_back(1.0 / 8000);
+        QVERIFY(std::abs(moran(ratios) - std::log(4000) / std::log(8000)) < 1e-14);
+        ratios.assign(1000,
+                      0.5e-3); // 1/2 and a thousandth of it, a thousand times: at dimension 1 their sum is 1
+        ratios.push_back(0.5);
+        QVERIFY(std::abs(moran(ratios) - 1) < 1e-14);
+    }
+
     void similaritySystems() {
         QVERIFY(near(similarityDimension<2>(koch()), 1.261859507142915, 1e-12));
         QVERIFY(near(similarityDimension<2>(flower()), 1.192493117800738, 1e-12));
