@@ -57,7 +57,8 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
     auto* format = dialog.findChildren<QComboBox*>().first();
-    const QByteArrayList beginnings{"<flames>", "@", "% sierpinski\n", "a,b,c,d,e,f,p\n", "a\tb\tc\td\te\tf\tp\n"};
+    const QByteArrayList beginnings{"<flames>", "@", "% sierpinski\n", "a,b,c,d,e,f,p\n",
+                                    "a\tb\tc\td\te\tf\tp\n"};
     for (int i = 0; i < beginnings.size(); ++i) {
         format->setCurrentIndex(i);
         const QByteArray bytes = written(dialog);
