@@ -339,6 +339,7 @@ void CliVideoTest::gifsKeepOnePalette() {
     QList<QImage> images;
     for (int k = 0; k < 6; ++k)
         images << frame("a/v.gif", k);
+    QVERIFY(frame("a/v.gif", 6).isNull()); // there are no more
     for (const QImage& image : images) {
         QCOMPARE(image.size(), QSize(64, 48));
         for (int y = 0; y < image.height(); ++y)
