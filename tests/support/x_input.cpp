@@ -134,7 +134,7 @@ void XInput::hold(const char* key) {
     settle();
 }
 
-void XInput::freeInBackground(const char* key) {
+void XInput::letUp(const char* key) {
     fakeKey(key, false);
     settle();
 }

@@ -36,7 +36,7 @@ public:
 
     // Keys by their X names: "Escape", "Left", "s". A chord joins them: "Control+Shift+z".
     void hold(const char* key);
-    void freeInBackground(const char* key);
+    void letUp(const char* key);
     void key(const char* chord);
     void type(const QString& text); // of the Latin alphabet, as on an English keyboard
 

@@ -58,7 +58,8 @@ public:
     bool needsKey(const QKeyEvent& event) const; // more than the shortcuts of the window
     bool keyPress(const QKeyEvent& event);       // false when it means nothing here
     void keyRelease(const QKeyEvent& event);
-    bool cancelGesture();          // false when none was under way
+    bool cancelGesture();          // a definition, too; false when none was under way
+    bool letGo();                  // of what is dragged
     bool focusVertex(bool next);   // the next or previous one; false past the last
     void forgetFocus();            // of another fractal
     void setEnabled(bool enabled); // handles and ball can be held

@@ -115,9 +115,7 @@ void SpaceView::fixDirection(const attractor::Direction& direction, const QStrin
     layOut();
 }
 
-SpaceView::~SpaceView() {
-    m_input.cancelGesture();
-}
+SpaceView::~SpaceView() = default; // it was hidden first, and let go of what it held
 
 void SpaceView::setUpWidget() {
     setFrameShape(QFrame::NoFrame);
@@ -332,6 +330,11 @@ void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
 
 void SpaceView::keyPressEvent(QKeyEvent* event) {
     if (!m_input.keyPress(*event)) event->ignore();
+}
+
+void SpaceView::hideEvent(QHideEvent* event) {
+    m_input.letGo();
+    QGraphicsView::hideEvent(event);
 }
 
 void SpaceView::keyReleaseEvent(QKeyEvent* event) {

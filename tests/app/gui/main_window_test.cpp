@@ -9,6 +9,9 @@
 #include "recovery.h"
 #include "session.h"
 #include "session_fixture.h"
+#include "space/four_views.h"
+#include "space/space_view.h"
+#include "stage.h"
 #include "support/forget_settings.h"
 #include "support/paths.h"
 
@@ -44,6 +47,8 @@ private slots:
     void theHintGoesWithAnotherTool();
     void aKeyLeadsFromThePanelsToTheCanvasAndBack();
     void mapsInSpaceStaySelected();
+    void aWindowMayGoInMidDrag_data();
+    void aWindowMayGoInMidDrag();
     void flamesAreReadEitherWayUp();
 };
 
@@ -267,16 +272,26 @@ void MainWindowTest::aKeyLeadsFromThePanelsToTheCanvasAndBack() {
     QVERIFY(view->viewport()->grab({0, 0, 8, 8}).toImage() != without);
 }
 
-// The canvas of the plane selects no maps of space, and takes none from the table.
-void MainWindowTest::mapsInSpaceStaySelected() {
-    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
-    auto* maps = window->findChild<view::MapsPanel*>();
-    QVERIFY(!maps->selectedMaps().empty());
+namespace {
+
+document::Fractal pairOfCubes() {
     document::System3 system;
     ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {0, 0, 0}});
     ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {1, 1, 1}});
     document::Fractal solid;
     solid.shape = document::Shape<3>{system};
+    return solid;
+}
+
+} // namespace
+
+// The canvas of the plane selects no maps of space, and takes none from the table.
+void MainWindowTest::mapsInSpaceStaySelected() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    auto* maps = window->findChild<view::MapsPanel*>();
+    QVERIFY(!maps->selectedMaps().empty());
+    document::Fractal solid = pairOfCubes();
+    const document::System3 system = *document::system3(solid);
     document::Document& document = window->document();
     document.edit(QStringLiteral("solid"), solid);
     for (const auto& map : system.maps) {
@@ -287,6 +302,47 @@ void MainWindowTest::mapsInSpaceStaySelected() {
         QCOMPARE(maps->selectedMaps(), std::vector{map.id});
     }
     document.undoStack()->setClean();
+}
+
+void MainWindowTest::aWindowMayGoInMidDrag_data() {
+    QTest::addColumn<bool>("isInSpace");
+    QTest::addColumn<bool>("areFourShown");
+    QTest::addColumn<view::Toolbox::Tool>("tool");
+    QTest::addColumn<bool>("pans");
+    using Tool = view::Toolbox::Tool;
+    for (const auto& [name, tool] :
+         {std::pair{"cage", Tool::Cage}, {"maps", Tool::Maps}, {"definition", Tool::DefineTriangle}})
+        for (const bool pans : {false, true}) {
+            const char* how = pans ? "panning" : "dragging";
+            QTest::addRow("plane, %s, %s", name, how) << false << false << tool << pans;
+            QTest::addRow("space, %s, %s", name, how) << true << false << tool << pans;
+            QTest::addRow("four views, %s, %s", name, how) << true << true << tool << pans;
+        }
+}
+
+// The views outlive the document and what draws for them.
+void MainWindowTest::aWindowMayGoInMidDrag() {
+    QFETCH(const bool, isInSpace);
+    QFETCH(const bool, areFourShown);
+    QFETCH(const view::Toolbox::Tool, tool);
+    QFETCH(const bool, pans);
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    auto* stage = window->findChild<Stage*>();
+    if (isInSpace) window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    stage->views()->showFour(areFourShown);
+    stage->plane()->setTool(tool);
+    QWidget* viewport = isInSpace ? stage->space()->viewport() : stage->plane()->viewport();
+    QTRY_VERIFY(viewport->isVisible());
+    const Qt::MouseButton button = pans ? Qt::MiddleButton : Qt::LeftButton;
+    const QPoint from = viewport->rect().center();
+    QTest::mousePress(viewport, button, {}, from);
+    QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(40, 25)),
+                     viewport->mapToGlobal(QPointF(from + QPoint(40, 25))), Qt::NoButton, button, {});
+    QApplication::sendEvent(viewport, &move);
+    window->document().undoStack()->setClean();
+    delete window;
+    QVERIFY(windows().isEmpty());
 }
 
 // Opened and pasted flames are turned over, and a check box lets them be as they are written.

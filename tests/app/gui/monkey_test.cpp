@@ -428,7 +428,7 @@ void MonkeyTest::planDrag() {
         then([=, this] { m_fingers->moveTo(from + QPoint(7, 9)); });
     }
     then([=, this] { m_fingers->release(button); });
-    if (*modifier) then([=, this] { m_fingers->freeInBackground(modifier); });
+    if (*modifier) then([=, this] { m_fingers->letUp(modifier); });
 }
 
 void MonkeyTest::planKeys() {

@@ -59,7 +59,7 @@ void RealBranchTest::theDepthOfABranchIsChosen() {
     select({1, 2, 0});
     hand().hold("Shift");
     hand().wheel(-1);
-    hand().freeInBackground("Shift");
+    hand().letUp("Shift");
     QTRY_COMPARE(canvas().tools().branchTool().depth(), 1);
     QCOMPARE(branch(), Word{1});
     type(bar().depth(), QStringLiteral("3"));

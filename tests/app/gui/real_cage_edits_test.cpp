@@ -120,7 +120,7 @@ void RealCageEditsTest::cornersAreSelectedTogether() {
         hand().clickAt(vertex(0));
         hand().hold("Shift");
         hand().clickAt(vertex(1));
-        hand().freeInBackground("Shift");
+        hand().letUp("Shift");
     }
     QTRY_COMPARE(canvas().canvas().selection().vertices(), (std::vector<std::size_t>{0, 1}));
     const std::vector<Vector<2>> held = vertices();

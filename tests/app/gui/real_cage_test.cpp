@@ -135,14 +135,14 @@ void RealCageTest::controlTurnsAndAltScales() {
     const Vector<2> pivot = canvas().canvas().handles().pivot();
     hand().hold("Control");
     dragBy(vertex(1), {10, -90});
-    hand().freeInBackground("Control");
+    hand().letUp("Control");
     QTRY_COMPARE(steps(), 1);
     QVERIFY(std::abs(turn(held, vertices(), pivot)) > 0.1);
 
     const std::vector<Vector<2>> turned = vertices();
     hand().hold("Alt");
     dragBy(insideTheCage() + QPoint(20, 20), {60, 60});
-    hand().freeInBackground("Alt");
+    hand().letUp("Alt");
     QTRY_COMPARE(steps(), 2);
     const Vector<2> scale = factors(turned, vertices(), pivot);
     QVERIFY(std::abs(scale.x() - 1) > 0.05);
@@ -165,7 +165,7 @@ void RealCageTest::aKeyPressedDuringTheDragCounts() {
     hand().hold("Alt");
     hand().moveTo(start + QPoint(-60, 20));
     QTRY_VERIFY(vertices()[1] != held[1]);
-    hand().freeInBackground("Alt"); // does not fall back to moving the vertex
+    hand().letUp("Alt"); // does not fall back to moving the vertex
     hand().moveTo(start + QPoint(-62, 20));
     hand().release();
     QTRY_COMPARE(steps(), 1);
@@ -238,7 +238,7 @@ void RealCageTest::shiftConstrains() {
     const Vector<2> scale = factors(held, vertices(), canvas().canvas().handles().pivot());
     QVERIFY(scale.x() > 1.05);
     QVERIFY(std::abs(scale.y() - 1) < 1e-9);
-    hand().freeInBackground("Shift");
+    hand().letUp("Shift");
 }
 
 void RealCageTest::draggedVerticesSnap() {

@@ -82,7 +82,7 @@ void RealCanvasTest::arrowsNudge() {
     QTest::qWait(1200);
     hand().hold("Down"); // long enough to repeat
     QVERIFY(support::waitFor([&] { return (vertices()[0].y() - held[0].y()) * pixelsPerUnit() < 5.5; }));
-    hand().freeInBackground("Down");
+    hand().letUp("Down");
     QTRY_COMPARE(steps(), 2); // one step, however often it repeated
     QCOMPARE(vertices()[1], held[1]);
     hand().key("Control+z");
@@ -136,7 +136,7 @@ void RealCanvasTest::thePlaneIsPanned() {
     QTest::qWait(900); // the key repeats meanwhile
     hand().moveTo(vertex(1) + QPoint(-50, 5));
     hand().release();
-    hand().freeInBackground("space");
+    hand().letUp("space");
     QTRY_COMPARE(vertex(0), corner + QPoint(40, -30));
     QCOMPARE(vertices(), held);
 

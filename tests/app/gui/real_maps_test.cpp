@@ -116,7 +116,7 @@ void RealMapsTest::mapsAreSelectedTogether() {
     QTRY_COMPARE(canvas().selectedMaps(), std::vector{code().maps[1].id});
     hand().hold("Shift");
     hand().clickAt(handle({Kind::Vertex, 1, 3}));
-    hand().freeInBackground("Shift");
+    hand().letUp("Shift");
     const std::vector<ifs::MapId> both{code().maps[1].id, code().maps[3].id};
     QTRY_COMPARE(canvas().selectedMaps(), both);
     QVERIFY(window().findChild<view::MapsPanel*>()->selectedMaps() == both);
@@ -242,7 +242,7 @@ void RealMapsTest::theNameOfANumberIsDragged() {
         drag(key, 20);
         QTRY_VERIFY(std::abs(map(0).translation.x() - before - change) < 1e-9);
         hand().release();
-        hand().freeInBackground(key);
+        hand().letUp(key);
         QTRY_COMPARE(document().undoStack()->index(), 1);
     }
     hand().key("Control+z");
