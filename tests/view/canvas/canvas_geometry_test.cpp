@@ -172,6 +172,28 @@ private slots:
         QVERIFY(near<2>(worldAt(now, {550, 320}), worldAt(start, {300, 200}), 1e-9));
     }
 
+    // The area that a clipped polygon covers is that of the polygon inside: no more, and no less.
+    void fillsEndAtTheRectangle() {
+        QRandomGenerator random(23);
+        const QRectF view(0, 0, 64, 48);
+        for (int i = 0; i < 400; ++i) {
+            const double size = std::pow(10.0, random.bounded(7));
+            QPolygonF polygon;
+            for (int v = 3 + random.bounded(3); v > 0; --v)
+                polygon << QPointF((random.generateDouble() - 0.5) * size + 32,
+                                   (random.generateDouble() - 0.5) * size + 24);
+            const QPolygonF part = clippedTo(view, polygon);
+            for (const QPointF& corner : part)
+                QVERIFY(view.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(corner));
+            for (int n = 0; n < 40; ++n) {
+                const QPointF at(random.bounded(64.0), random.bounded(48.0));
+                QCOMPARE(part.containsPoint(at, Qt::OddEvenFill), polygon.containsPoint(at, Qt::OddEvenFill));
+            }
+        }
+        QVERIFY(clippedTo(view, QPolygonF(QRectF(100, 100, 5, 5))).isEmpty());
+        QVERIFY(clippedTo(view, {}).isEmpty());
+    }
+
     void handlesBesideTheCageStayInSight() {
         QRandomGenerator random(11);
         const QRectF view(0, 0, 640, 480);

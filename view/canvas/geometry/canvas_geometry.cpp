@@ -15,6 +15,29 @@ ifs::Vector<2> toVector(const QPointF& p) {
     return {p.x(), p.y()};
 }
 
+namespace {
+
+// The part on which inside(p) >= 0, inside being linear.
+template <class Inside> QPolygonF clippedBy(Inside inside, const QPolygonF& polygon) {
+    QPolygonF part;
+    for (qsizetype i = 0; i < polygon.size(); ++i) {
+        const QPointF &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        const double atP = inside(p), atQ = inside(q);
+        if (atP >= 0) part.append(p);
+        if ((atP < 0) != (atQ < 0)) part.append(p + (q - p) * (atP / (atP - atQ)));
+    }
+    return part;
+}
+
+} // namespace
+
+QPolygonF clippedTo(const QRectF& rectangle, QPolygonF polygon) {
+    polygon = clippedBy([&](const QPointF& p) { return p.x() - rectangle.left(); }, polygon);
+    polygon = clippedBy([&](const QPointF& p) { return rectangle.right() - p.x(); }, polygon);
+    polygon = clippedBy([&](const QPointF& p) { return p.y() - rectangle.top(); }, polygon);
+    return clippedBy([&](const QPointF& p) { return rectangle.bottom() - p.y(); }, polygon);
+}
+
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
     const QPointF along = b - a;
     const double squared = QPointF::dotProduct(along, along);

@@ -16,6 +16,10 @@ namespace view {
 QPointF toPoint(const ifs::Vector<2>& v);
 ifs::Vector<2> toVector(const QPointF& p);
 
+// The part of the polygon that lies in the rectangle, for a fill: where it leaves, its outline follows the
+// sides.
+QPolygonF clippedTo(const QRectF& rectangle, QPolygonF polygon);
+
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b);
 
 QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world);

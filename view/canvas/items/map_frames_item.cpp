@@ -217,9 +217,10 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
             strokeOutline(*painter, frame->outline, m_style, m_style.accent, m_style.lineWidth, Qt::DotLine);
         return;
     }
+    const QRectF near = QRectF(painter->viewport()).adjusted(-8, -8, 8, 8); // a fill costs by its height
     for (const MapFrame* frame : whole) // below all lines, which they would make fainter
         if (length <= maxFilled || isHeld(frame))
-            painter->fillPath(closed(frame->outline),
+            painter->fillPath(closed(clippedTo(near, frame->outline)),
                               withOpacity(frame->colour, frame->selected || isHovered(*frame) ? 0.16 : 0.05));
     for (const bool selected : {false, true}) {
         for (const MapFrame* frame : whole)

@@ -2,22 +2,12 @@
 #include "panels/cage/cage_fitter.h"
 
 #include "document/document.h"
-#include "io/file/background.h"
 
-#include <chrono>
 #include <utility>
 
 namespace view {
 
-namespace {
-
-constexpr std::chrono::milliseconds fitPatience{50}; // for a cage in space
-
-} // namespace
-
-CageFitter::CageFitter(document::Document* document) : m_document(document) {
-    connect(&m_fitting, &QFutureWatcherBase::finished, this, &CageFitter::takeFitted);
-}
+CageFitter::CageFitter(document::Document* document) : m_document(document), m_fitting(document) {}
 
 void CageFitter::fit(document::SimplexChoice choice) {
     auto fitted = withCageFitted(m_document->fractal(), choice);
@@ -47,24 +37,12 @@ void CageFitter::fitPolyhedron(document::SpacePolyhedron choice, int corners) {
     });
 }
 
-// Of very many maps in the background: it is done when it is found, unless something else has been done
-// since.
-void CageFitter::fitInSpace(const Fitting& fitting) {
+void CageFitter::fitInSpace(BackgroundEdit::Find find) {
     const QString obstacle = fitObstacle(m_document->fractal());
     if (!obstacle.isEmpty()) return fitTo(std::nullopt, obstacle);
-    m_isFitting = true;
-    m_fitting.setFuture(
-        io::inBackground<Fitted>([fitting, fractal = m_document->sharedFractal()](QPromise<Fitted>& promise) {
-            promise.addResult(Fitted{fractal, fitting(*fractal)});
-        }));
-    if (io::finishesWithin(fitPatience, m_fitting.future())) takeFitted();
-}
-
-void CageFitter::takeFitted() {
-    if (!std::exchange(m_isFitting, false) || m_fitting.future().resultCount() == 0) return;
-    const Fitted fitted = m_fitting.result();
-    if (fitted.from == m_document->sharedFractal())
-        fitTo(fitted.to, tr("The picture is too thin for such a cage."));
+    m_fitting.start(std::move(find), [this](std::optional<document::Fractal> fitted) {
+        fitTo(std::move(fitted), tr("The picture is too thin for such a cage."));
+    });
 }
 
 void CageFitter::fitTo(std::optional<document::Fractal> fitted, const QString& obstacle) {

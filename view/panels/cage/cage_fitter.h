@@ -3,13 +3,11 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/edits/space_cage_edits.h"
+#include "widgets/background_edit.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QString>
 
-#include <functional>
-#include <memory>
 #include <optional>
 
 namespace view {
@@ -31,19 +29,11 @@ signals:
     void message(const QString& text);
 
 private:
-    // A fractal in space, and what it is with another cage; nullopt where there is none.
-    struct Fitted {
-        std::shared_ptr<const document::Fractal> from;
-        std::optional<document::Fractal> to;
-    };
-    using Fitting = std::function<std::optional<document::Fractal>(const document::Fractal&)>;
-    void fitInSpace(const Fitting& fitting);
-    void takeFitted();
+    void fitInSpace(BackgroundEdit::Find find);
     void fitTo(std::optional<document::Fractal> fitted, const QString& obstacle); // nullopt: says why
 
     document::Document* m_document;
-    QFutureWatcher<Fitted> m_fitting;
-    bool m_isFitting = false; // nobody has taken what m_fitting finds
+    BackgroundEdit m_fitting; // in space, where very many maps take long
 };
 
 } // namespace view

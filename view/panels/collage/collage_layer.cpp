@@ -156,6 +156,7 @@ void CollageLayer::paintImages(QPainter& painter) const {
     if (!maps) return;
     const document::System2& system = *document::system2(m_document->fractal());
     painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF near = m_area.adjusted(-8, -8, 8, 8); // a fill costs by its height, seen or not
     for (std::size_t k = 0; k < maps->maps.size(); ++k) {
         const std::size_t index = maps->index[k];
         const attractor::Rgba rgba =
@@ -164,7 +165,12 @@ void CollageLayer::paintImages(QPainter& painter) const {
         painter.setPen(QPen(colour, imageLine));
         colour.setAlpha(imageOpacity);
         painter.setBrush(colour);
-        painter.drawPath((transformOf(maps->maps[k]) * toPixels()).map(m_outline));
+        QPainterPath image;
+        for (const QPolygonF& part : m_outline.toSubpathPolygons(transformOf(maps->maps[k]) * toPixels())) {
+            image.addPolygon(clippedTo(near, part));
+            image.closeSubpath();
+        }
+        painter.drawPath(image);
     }
 }
 

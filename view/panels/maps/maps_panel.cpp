@@ -11,6 +11,8 @@
 #include "panels/maps/maps_row_header.h"
 #include "panels/maps/maps_table.h"
 #include "panels/maps/symmetry_row.h"
+#include "panels/maps/weight_rule_name.h"
+#include "widgets/background_edit.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
@@ -33,27 +35,10 @@
 
 namespace view {
 
-namespace {
-
-QString ruleName(document::WeightRule rule) {
-    switch (rule) {
-    case document::WeightRule::Determinant:
-        return MapsPanel::tr("By |Determinant|");
-    case document::WeightRule::Equal:
-        return MapsPanel::tr("Equal");
-    case document::WeightRule::Dimension:
-        return MapsPanel::tr("By Dimension");
-    case document::WeightRule::Normalise:
-        break;
-    }
-    return MapsPanel::tr("Normalise");
-}
-
-} // namespace
-
 MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
+      m_weighing(new BackgroundEdit(document, this)),
       m_model(new MapsModel(document, this)),
       m_table(new MapsTable(this)),
       m_rowHeader(new MapsRowHeader(m_table)),
@@ -579,8 +564,11 @@ void MapsPanel::sayPasted(const document::Rows& rows, int count, const QString& 
 }
 
 void MapsPanel::applyWeights(document::WeightRule rule) {
-    if (m_model->rowCount() > 0)
-        m_document->edit(tr("Weights: %1").arg(ruleName(rule)), withWeights(m_document->fractal(), rule));
+    if (m_model->rowCount() == 0) return;
+    m_weighing->start([rule](const document::Fractal& fractal) { return withWeights(fractal, rule); },
+                      [this, rule](std::optional<document::Fractal> weighed) {
+                          m_document->edit(tr("Weights: %1").arg(ruleName(rule)), *std::move(weighed));
+                      });
 }
 
 void MapsPanel::bake() {

@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace view {
 
+class BackgroundEdit;
 class MapShapeEditor;
 class MapsColumns;
 class MapsRowHeader;
@@ -87,6 +88,7 @@ private:
     void selectRows(document::Rows rows); // the first becomes the current one
 
     document::Document* m_document;
+    BackgroundEdit* m_weighing;          // by dimension, which may take long to find
     QMetaObject::Connection m_following; // of the document
     MapsModel* m_model;
     MapsTable* m_table;

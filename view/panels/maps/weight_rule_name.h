@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/maps_edits.h"
+
+#include <QString>
+
+namespace view {
+
+QString ruleName(document::WeightRule rule); // as in the menu
+
+} // namespace view
