@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "ifs/system/barycentric.h"
 #include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_rows.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
 
@@ -19,11 +20,34 @@ bool isFinite(const ifs::AffineMap<2>& map) {
     return map.linear.allFinite() && map.translation.allFinite();
 }
 
+// What of a system is not the same.
+template <int Dim> QStringList differences(const document::Shape<Dim>& a, const document::Shape<Dim>& b) {
+    QStringList parts;
+    const auto& mapsOfA = a.system.maps;
+    const auto& mapsOfB = b.system.maps;
+    if (mapsOfA.size() != mapsOfB.size()) return {QStringLiteral("number of maps")};
+    for (std::size_t i = 0; i < mapsOfA.size(); ++i)
+        if (!(mapsOfA[i] == mapsOfB[i]))
+            parts << QStringLiteral("map %1%2%3%4")
+                         .arg(i + 1)
+                         .arg(mapsOfA[i].map == mapsOfB[i].map ? QString() : QStringLiteral(" code"),
+                              mapsOfA[i].weight == mapsOfB[i].weight ? QString() : QStringLiteral(" weight"),
+                              mapsOfA[i].id == mapsOfB[i].id ? QString() : QStringLiteral(" id"));
+    if (!(a.system.links == b.system.links)) parts << QStringLiteral("links");
+    if (!(a.system.symmetry == b.system.symmetry)) parts << QStringLiteral("symmetry");
+    if (!(a.moved == b.moved)) parts << QStringLiteral("branches");
+    if (!(a.animation == b.animation)) parts << QStringLiteral("animation");
+    return parts;
+}
+
 Complaint complaintAboutReading(const document::Fractal& fractal, const document::Fractal& reread) {
     // An entry whose maps have all been deleted holds no system to a reader.
     if (const auto* maps = document::system2(fractal); maps && maps->maps.empty()) return {};
+    if (const auto* maps = document::system3(fractal); maps && maps->maps.empty()) return {};
     document::Fractal kept = io::asStored(fractal);
     document::Fractal read = io::asStored(reread);
+    // In an entry that is written anew, as one that is lifted into space, a name is one word.
+    if (read.name == io::fractint::storedName(kept.name)) kept.name = read.name;
     if (auto* maps = document::system2(kept))
         if (auto* other = document::system2(read); other && other->maps.size() == maps->maps.size())
             for (std::size_t i = 0; i < maps->maps.size();
@@ -32,7 +56,15 @@ Complaint complaintAboutReading(const document::Fractal& fractal, const document
     if (kept == read) return {};
     QStringList parts;
     const document::Change::Parts changed = document::difference(kept, read);
-    if (changed.testFlag(document::Change::System)) parts << QStringLiteral("system");
+    if (changed.testFlag(document::Change::System)) {
+        parts << QStringLiteral("system:");
+        if (kept.shape.index() != read.shape.index())
+            parts << QStringLiteral("other dimension");
+        else if (const auto* plane = std::get_if<document::Shape<2>>(&kept.shape))
+            parts << differences(*plane, std::get<document::Shape<2>>(read.shape));
+        else if (const auto* space = std::get_if<document::Shape<3>>(&kept.shape))
+            parts << differences(*space, std::get<document::Shape<3>>(read.shape));
+    }
     if (changed.testFlag(document::Change::Cage)) parts << QStringLiteral("cage");
     if (changed.testFlag(document::Change::Appearance)) parts << QStringLiteral("appearance");
     if (kept.name != read.name) parts << QStringLiteral("name");
@@ -77,7 +109,7 @@ Complaint complaintAbout(const document::FractalFile& file, const QString& bareN
         const Complaint complaint =
             complaintAboutReading(*file.entries[i].fractal, *reread.entries[i].fractal);
         if (!complaint.isEmpty())
-            return complaint + QStringLiteral("\n") + QString::fromUtf8(bytes.left(4000));
+            return complaint + QStringLiteral("\n") + QString::fromUtf8(bytes.left(14000));
     }
     return {};
 }

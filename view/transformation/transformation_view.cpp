@@ -273,6 +273,7 @@ void TransformationView::measure() {
 }
 
 void TransformationView::keep(const QString& text, const KeptTheft& theft) {
+    if (theft.partner.isEmpty()) return refresh(); // there is nothing to keep: all is shown as it was
     m_document->editEntry(text, document::withTheft(m_document->entryFractal(), theft));
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/dimension_edits.h"
 
+#include "document/edits/cage_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/space_geometry.h"
+#include "ifs/system/barycentric.h"
 
 #include <QCoreApplication>
 
@@ -30,8 +32,8 @@ double thickness(const ifs::AffineMap<2>& map) {
     return std::sqrt(std::abs(ifs::determinant<2>(map.linear)));
 }
 
-// The triangle in z = 0 with a fourth corner over its middle, as high as √(2·area); now by the factor of the
-// placement higher.
+// The triangle in z = 0 with a fourth corner over its middle, as high as √(2·area), or, over a triangle too
+// thin for that, as its longest side; now by the factor of the placement higher.
 ifs::ControlCage<3> liftedCage(const ifs::ControlCage<2>& cage) {
     const auto raised = [](const std::vector<ifs::Vector<2>>& corners, double height) {
         std::vector<ifs::Vector<3>> result;
@@ -45,9 +47,14 @@ ifs::ControlCage<3> liftedCage(const ifs::ControlCage<2>& cage) {
     };
     ifs::Matrix<2> sides;
     sides << cage.rest[1] - cage.rest[0], cage.rest[2] - cage.rest[0];
-    const double height = std::sqrt(std::abs(sides.determinant()));
+    double height = std::sqrt(std::abs(sides.determinant()));
     ifs::ControlCage<3> result;
     result.rest = raised(cage.rest, height);
+    if (!ifs::isAffineBasis<3>({result.rest[0], result.rest[1], result.rest[2], result.rest[3]})) {
+        const ifs::Vector<2> third = sides.col(1) - sides.col(0);
+        height = std::max({sides.col(0).norm(), sides.col(1).norm(), third.norm()});
+        result.rest = raised(cage.rest, height);
+    }
     result.current = raised(cage.current, height * thickness(ifs::displayMap(cage)));
     return result;
 }
@@ -107,7 +114,14 @@ std::optional<Fractal> lifted(Fractal fractal, std::optional<double> scale) {
         shape.system.maps.push_back(
             {map.id, liftedMap(map.map, scale.value_or(thickness(map.map))), map.weight, map.enabled});
     shape.system.symmetry = ifs::lifted(flat.system.symmetry);
-    if (flat.cage && flat.cage->rest.size() == 3) shape.cage = liftedCage(*flat.cage);
+    if (flat.cage && flat.cage->rest.size() == 3) {
+        if (const auto cage = liftedCage(*flat.cage); ifs::isValid(cage)) {
+            shape.cage = cage;
+        } else if (flat.cage->current != flat.cage->rest) { // too thin to hold a tetrahedron
+            auto without = baked(fractal);
+            return without ? lifted(*std::move(without), scale) : std::nullopt;
+        }
+    }
     for (const MovedBranch<2>& branch : flat.moved)
         shape.moved.push_back({branch.word, liftedMap(branch.change, thickness(branch.change))});
     fractal.shape = std::move(shape);

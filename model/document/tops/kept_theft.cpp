@@ -106,9 +106,10 @@ std::optional<KeptTheft> keptTheft(const Fractal& fractal) {
 }
 
 Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft) {
-    if (keptTheft(fractal) == theft) return fractal;
+    const bool isKept = theft && !theft->partner.isEmpty();
+    if (isKept ? keptTheft(fractal) == theft : std::ranges::none_of(fractal.comments, isOurs)) return fractal;
     fractal.comments.removeIf(isOurs);
-    if (theft) fractal.comments << linesOf(*theft);
+    if (isKept) fractal.comments << linesOf(*theft);
     return fractal;
 }
 

@@ -37,6 +37,7 @@ struct KeptTheft {
 };
 
 std::optional<KeptTheft> keptTheft(const Fractal& fractal); // lines that make no sense are passed over
+// Nothing is kept of one without a partner.
 Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft);
 
 } // namespace document

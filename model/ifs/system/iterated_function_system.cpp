@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 #include <unordered_set>
+#include <utility>
 
 namespace ifs {
 
@@ -180,6 +181,7 @@ std::vector<Link> linksOfCopies(const IteratedFunctionSystem<Dim>& system,
             for (std::size_t l = 0; l < copies; ++l)
                 links.push_back({expanded[from->second + k].id, expanded[to->second + l].id, link.weight});
     }
+    std::ranges::sort(links, {}, [](const Link& link) { return std::pair(link.from, link.to); });
     return links;
 }
 

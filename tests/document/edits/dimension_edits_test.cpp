@@ -14,6 +14,7 @@ class DimensionEditsTest : public QObject {
 private slots:
     void liftedMapsActOnZ();
     void aLiftedCageMovesAlike();
+    void aThinTriangleBecomesATetrahedron();
     void whatCannotBeLifted();
     void flatteningUndoesLifting();
     void shadowsAreThoseOfThePoints_data();
@@ -72,6 +73,14 @@ void DimensionEditsTest::aLiftedCageMovesAlike() {
     QVERIFY(std::abs(solid.linear(2, 2) - std::sqrt(std::abs(flat.linear.determinant()))) < 1e-12);
     QVERIFY(std::abs(solid.linear(0, 2)) + std::abs(solid.linear(2, 0)) + std::abs(solid.translation.z()) <
             1e-12);
+}
+
+void DimensionEditsTest::aThinTriangleBecomesATetrahedron() {
+    document::Fractal fractal = planeOf(canonical::sierpinskiRight());
+    document::plane(fractal)->cage = ifs::polygonAtRest<2>({{0, 0}, {2, 0}, {0, 2e-6}});
+    const auto lifted = document::lifted(fractal);
+    QVERIFY(lifted && document::space(*lifted)->cage);
+    QVERIFY(ifs::isValid(*document::space(*lifted)->cage));
 }
 
 void DimensionEditsTest::whatCannotBeLifted() {

@@ -49,6 +49,17 @@ private slots:
         QVERIFY(document::withTheft(kept, std::nullopt) == fractal);
     }
 
+    void nothingIsKeptWithoutAPartner() {
+        const Fractal fractal = document::sierpinskiTriangle();
+        KeptTheft theft;
+        theft.mode = TheftMode::Posterise;
+        QVERIFY(document::withTheft(fractal, theft) == fractal);
+        Fractal strayed = fractal;
+        strayed.comments << QStringLiteral("barycage: partner-order 1 2");
+        QVERIFY(document::withTheft(strayed, theft) == fractal);
+        QVERIFY(document::withTheft(strayed, std::nullopt) == fractal);
+    }
+
     void nonsenseIsPassedOver() {
         Fractal fractal = document::sierpinskiTriangle();
         QVERIFY(!document::keptTheft(fractal));
