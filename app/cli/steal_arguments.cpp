@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "input.h"
+#include "messages.h"
 #include "output.h"
 #include "usage_error.h"
 
@@ -22,15 +23,41 @@ QString tr(const char* text) {
 StealTask taskOf(const StealArguments& arguments) {
     const int tasks =
         int(arguments.picture.has_value()) + int(arguments.map.has_value()) + int(arguments.tear.has_value());
+    if (tasks == 0 && arguments.output && !arguments.from) return StealTask::Picture; // that is kept
     if (tasks != 1)
         throw UsageError{tr("Give one of --picture PICTURE with -o OUT.png, --map \"x,y …\" or --tear EPS.")};
     return arguments.picture ? StealTask::Picture : arguments.map ? StealTask::Map : StealTask::Tear;
+}
+
+document::TheftMode modeOf(const StealArguments& arguments) {
+    const auto mode = document::theftModeNamed(QString::fromStdString(*arguments.mode));
+    if (!mode)
+        throw UsageError{
+            tr("--mode “%1” is not valid: it must be steal, transform, grid, reduce or posterise.")
+                .arg(QString::fromStdString(*arguments.mode))};
+    return *mode;
+}
+
+std::vector<std::size_t> orderOf(const StealArguments& arguments) {
+    std::vector<std::size_t> order;
+    for (const QString& part : QString::fromStdString(*arguments.order).split(u',')) {
+        bool isNumber = false;
+        const int number = part.trimmed().toInt(&isNumber);
+        if (!isNumber || number < 1)
+            throw UsageError{
+                tr("--order “%1” is not valid: it must be the numbers of the maps, the one on top "
+                   "first, such as 2,1,3.")
+                    .arg(QString::fromStdString(*arguments.order))};
+        order.push_back(std::size_t(number - 1));
+    }
+    return order;
 }
 
 void refuseForNumbers(const StealArguments& arguments) {
     const QString reason = tr("--map and --tear draw no picture.");
     refuseIf(arguments.output.has_value(), "-o", reason);
     refuseIf(arguments.isExact, "--exact", reason);
+    refuseIf(arguments.mode.has_value(), "--mode", reason);
     refuseIf(arguments.pictureView.has_value(), "--picture-view", reason);
     refuseIf(arguments.shown.view.has_value(), "--view", reason);
     refuseIf(arguments.shown.points.has_value(), "--points", reason);
@@ -49,7 +76,11 @@ void checkPicture(const StealArguments& arguments) {
         viewArgument("--view", *arguments.shown.view);
         refuseIf(isOpen, "--size with one side", tr("--view has no proportions; give both sides."));
     }
-    if (arguments.pictureView) viewArgument("--picture-view", *arguments.pictureView);
+    if (arguments.pictureView) {
+        viewArgument("--picture-view", *arguments.pictureView);
+        refuseIf(arguments.mode && modeOf(arguments) != document::TheftMode::StealColours, "--picture-view",
+                 tr("the picture is laid by --mode steal alone."));
+    }
     if (arguments.shown.points)
         countArgument("--points", *arguments.shown.points, 1, attractor::KeyTops::maxPoints);
     if (arguments.shown.background) colourArgument("--background", *arguments.shown.background);
@@ -58,20 +89,20 @@ void checkPicture(const StealArguments& arguments) {
 
 } // namespace
 
-std::vector<std::size_t> orderOf(const StealArguments& arguments) {
-    std::vector<std::size_t> order;
-    if (!arguments.order) return order;
-    for (const QString& part : QString::fromStdString(*arguments.order).split(u',')) {
-        bool isNumber = false;
-        const int number = part.trimmed().toInt(&isNumber);
-        if (!isNumber || number < 1)
-            throw UsageError{
-                tr("--order “%1” is not valid: it must be the numbers of the maps, the one on top "
-                   "first, such as 2,1,3.")
-                    .arg(QString::fromStdString(*arguments.order))};
-        order.push_back(std::size_t(number - 1));
-    }
-    return order;
+document::KeptTheft theftOf(const StealArguments& arguments, const document::Fractal& entry) {
+    document::KeptTheft theft;
+    if (arguments.from)
+        theft.partner = QString::fromStdString(*arguments.from);
+    else if (const auto kept = document::keptTheft(entry))
+        theft = *kept;
+    else
+        throw UsageError{tr("--from NAME is missing, and “%1” keeps no fractal transformation of its own.")
+                             .arg(printableLine(entry.name))};
+    if (arguments.order) theft.order = orderOf(arguments);
+    if (arguments.mode) theft.mode = modeOf(arguments);
+    if (arguments.picture) theft.picture.clear();
+    if (arguments.picture && !arguments.from) theft.view.reset(); // it was of the picture that is kept
+    return theft;
 }
 
 double epsilonOf(const StealArguments& arguments) {
@@ -82,7 +113,9 @@ StealTask checked(const StealArguments& arguments) {
     const StealTask task = taskOf(arguments);
     if (arguments.file == "-" && arguments.fromFile == "-")
         throw UsageError{tr("Only one of the files can be standard input.")};
-    orderOf(arguments);
+    refuseIf(arguments.fromFile && !arguments.from, "--from-file", tr("it goes with --from."));
+    if (arguments.order) orderOf(arguments);
+    if (arguments.mode) modeOf(arguments);
     if (task == StealTask::Picture)
         checkPicture(arguments);
     else
@@ -146,10 +179,13 @@ void addStealOptions(CLI::App& command, StealArguments& arguments) {
     files.add("-o,--output", "OUT.png", arguments.output, "Picture to write; - for standard output");
     files.add("--entry", "NAME", arguments.entry, "The entry that is drawn: its name, or #NUMBER",
               "the first that can be read");
-    files.add("--from", "NAME", arguments.from, "The entry that colours are taken from")->required();
+    files.add("--from", "NAME", arguments.from, "The entry that colours are taken from",
+              "the partner that the entry keeps, with all that it keeps");
     files.add("--from-file", "FILE2", arguments.fromFile, "Collection with that entry", "FILE");
     const OptionGroup group{command, "Transformation"};
     group.add("--order", "I,J,…", arguments.order, "Numbers of the maps, the one on top first", "1,2,…");
+    group.add("--mode", "MODE", arguments.mode,
+              "steal, transform, grid, reduce or posterise, as in the window", "steal");
     group.add("--map", "POINTS", arguments.map,
               "Print where these points of the first entry go, and their addresses: \"x,y x,y …\"");
     group.add("--tear", "EPS", arguments.tear,

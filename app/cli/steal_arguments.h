@@ -3,9 +3,10 @@
 
 #include "render_arguments.h"
 
+#include "document/tops/kept_theft.h"
+
 #include <CLI/CLI.hpp>
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +19,8 @@ struct StealArguments {
 
     std::string file;
     Text fromFile;
-    Text entry;
-    std::string from;
-    Text output, picture, map, tear, order, pictureView;
+    Text entry, from; // without `from`: what the entry keeps
+    Text output, picture, map, tear, order, mode, pictureView;
     bool isExact = false;
     bool isJson = false;
     RenderArguments shown; // --size, --view, --points, --seed, --threads, --simd, --background
@@ -32,7 +32,9 @@ void addStealOptions(CLI::App& command, StealArguments& arguments);
 // Looks at every value before a file is read.
 StealTask checked(const StealArguments& arguments);
 
-std::vector<std::size_t> orderOf(const StealArguments& arguments); // indices; empty: as they are
+// What is asked, or without --from what the entry keeps, with what is asked in its place. A picture that is
+// kept has its path from the folder of the file; it is empty where --picture names another.
+document::KeptTheft theftOf(const StealArguments& arguments, const document::Fractal& entry);
 double epsilonOf(const StealArguments& arguments);
 
 } // namespace cli

@@ -12,8 +12,10 @@
 #include "steal_arguments.h"
 #include "usage_error.h"
 
+#include "attractor/tops/picture_patterns.h"
 #include "document/addresses.h"
 #include "document/edits/coupled_entries.h"
+#include "document/tops/laid_picture.h"
 #include "ifs/tops/fractal_transformation.h"
 #include "ifs/tops/tear.h"
 #include "io/file/standard_output.h"
@@ -23,6 +25,8 @@
 #include "io/tops/steal_export.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <memory>
@@ -42,6 +46,7 @@ struct Sources {
     std::optional<Input> file, fromFile;
     const document::Entry* first = nullptr;
     const document::Entry* second = nullptr;
+    document::KeptTheft theft;
     ExitStatus status = ExitStatus::Done;
 
     const Input& secondFile() const { return fromFile ? *fromFile : *file; }
@@ -68,7 +73,9 @@ Sources readSources(const StealArguments& arguments) {
     const std::vector<std::string> names =
         arguments.entry ? std::vector{*arguments.entry} : std::vector<std::string>{};
     sources.first = entryOf(*sources.file, names, sources.status);
-    sources.second = entryOf(sources.secondFile(), {arguments.from}, sources.status);
+    if (sources.first == nullptr) return sources;
+    sources.theft = theftOf(arguments, *sources.first->fractal);
+    sources.second = entryOf(sources.secondFile(), {sources.theft.partner.toStdString()}, sources.status);
     return sources;
 }
 
@@ -94,6 +101,11 @@ QString sentence(const document::CouplingOutcome& outcome, const QString& name) 
     return {};
 }
 
+QString sentenceOfKeptOrder(const QString& name) {
+    return tr("The order that “%1” keeps does not list every map that takes part once. Give --order.")
+        .arg(name);
+}
+
 QString sentenceOfCounts(const document::CouplingOutcome& outcome, const Sources& sources) {
     return tr("“%1” has %2 active maps and “%3” has %4; they must have as many. Divide maps into several "
               "until they agree.")
@@ -114,7 +126,7 @@ void warnOfMovedBranches(const document::Entry& entry, const QString& fileName) 
 std::optional<document::CoupledEntries> coupledEntries(const Sources& sources,
                                                        const StealArguments& arguments) {
     document::CouplingOutcome outcome =
-        document::coupled(*sources.first->fractal, *sources.second->fractal, orderOf(arguments));
+        document::coupled(*sources.first->fractal, *sources.second->fractal, sources.theft.order);
     if (outcome.entries) {
         warnOfMovedBranches(*sources.first, sources.file->name);
         warnOfMovedBranches(*sources.second, sources.secondFile().name);
@@ -122,11 +134,12 @@ std::optional<document::CoupledEntries> coupledEntries(const Sources& sources,
     }
     const auto& entry = outcome.isOfSecond ? sources.second : sources.first;
     const QString& fileName = outcome.isOfSecond ? sources.secondFile().name : sources.file->name;
-    if (outcome.flaw == document::CouplingFlaw::Order)
+    if (outcome.flaw == document::CouplingFlaw::Order && arguments.order)
         throw UsageError{sentence(outcome, printableLine(entry->fractal->name))};
-    reportError(fileName, outcome.flaw == document::CouplingFlaw::Counts
-                              ? sentenceOfCounts(outcome, sources)
-                              : sentence(outcome, printableLine(entry->fractal->name)));
+    const QString name = printableLine(entry->fractal->name);
+    reportError(fileName, outcome.flaw == document::CouplingFlaw::Counts  ? sentenceOfCounts(outcome, sources)
+                          : outcome.flaw == document::CouplingFlaw::Order ? sentenceOfKeptOrder(name)
+                                                                          : sentence(outcome, name));
     return std::nullopt;
 }
 
@@ -266,22 +279,46 @@ ExitStatus printTear(const document::CoupledEntries& entries, const StealArgumen
                    ExitStatus::Done);
 }
 
-attractor::Camera cameraOfPicture(const attractor::MipPicture& picture,
-                                  const document::CoupledEntries& entries, const StealArguments& arguments) {
-    if (arguments.pictureView)
-        return attractor::cameraOf(viewArgument("--picture-view", *arguments.pictureView),
-                                   {picture.width(), picture.height()});
-    const ViewBox box = boxOfAttractor(entries.to);
-    return io::pictureCamera(picture.width(), picture.height(), box.min, box.max);
+std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
+                                                       const StealArguments& arguments) {
+    const document::KeptTheft& theft = sources.theft;
+    if (!arguments.picture && theft.picture.isEmpty())
+        return std::make_shared<const attractor::MipPicture>(attractor::picture(theft.pattern));
+    const QDir folder = arguments.file == "-" ? QDir() : QFileInfo(fileNameOf(arguments.file)).dir();
+    const QString path =
+        arguments.picture ? fileNameOf(*arguments.picture) : QDir::cleanPath(folder.filePath(theft.picture));
+    const io::Loaded loaded = io::loadFile(path);
+    if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
+    io::ReadPicture read = io::decodePicture(loaded.bytes);
+    if (read.failure) throw InputError{path, *read.failure};
+    return std::make_shared<const attractor::MipPicture>(std::move(read.picture));
 }
 
-attractor::TheftRequest requestOf(const attractor::MipPicture& picture,
-                                  const document::CoupledEntries& entries, const StealArguments& arguments,
+// Where the picture lies on G.
+std::optional<document::LaidPicture> laidPicture(const document::CoupledEntries& entries,
+                                                 const Sources& sources, const StealArguments& arguments,
+                                                 const std::stop_token& stop) {
+    const auto picture = pictureOf(sources, arguments);
+    const document::KeptTheft& theft = sources.theft;
+    const int width = picture->width(), height = picture->height();
+    if (arguments.pictureView && theft.mode == document::TheftMode::StealColours)
+        return document::LaidPicture{
+            picture, attractor::worldToPixel(attractor::cameraOf(
+                         viewArgument("--picture-view", *arguments.pictureView), {width, height}))};
+    if (!theft.view && theft.mode == document::TheftMode::StealColours) {
+        const ViewBox box = boxOfAttractor(entries.to);
+        return document::LaidPicture{
+            picture, attractor::worldToPixel(io::pictureCamera(width, height, box.min, box.max))};
+    }
+    attractor::DeferredTheft there(io::threadsOfThisMachine());
+    return document::laid(entries, picture, theft.mode, theft.view, there, stop);
+}
+
+attractor::TheftRequest requestOf(const document::CoupledEntries& entries, const StealArguments& arguments,
                                   const QString& fileName) {
     const RenderArguments& shown = arguments.shown;
     attractor::TheftRequest request;
     request.camera = cameraOf(Shown{entries.from, entries.from}, shown, fileName);
-    request.toPicture = attractor::worldToPixel(cameraOfPicture(picture, entries, arguments));
     request.isExact = arguments.isExact;
     const auto pixels = std::uint64_t(request.camera.width) * std::uint64_t(request.camera.height);
     request.points = shown.points
@@ -296,16 +333,16 @@ attractor::TheftRequest requestOf(const attractor::MipPicture& picture,
 }
 
 ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArguments& arguments,
-                        const document::Fractal& embedded, const QString& fileName) {
+                        const Sources& sources) {
     const ProgressMode mode = applied(arguments.shown.verbosity);
     const Interrupt interrupt;
-    const QString path = fileNameOf(*arguments.picture), output = fileNameOf(*arguments.output);
-    const io::Loaded loaded = io::loadFile(path);
-    if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
-    io::ReadPicture read = io::decodePicture(loaded.bytes);
-    if (read.failure) throw InputError{path, *read.failure};
-    const attractor::TheftRequest request = requestOf(read.picture, entries, arguments, fileName);
-    const io::StealExport what{embedded, entries.system(), std::move(read.picture), request};
+    const QString& fileName = sources.file->name;
+    const QString output = fileNameOf(*arguments.output);
+    const auto laid = laidPicture(entries, sources, arguments, interrupt.token());
+    if (!laid) return interrupt.status();
+    attractor::TheftRequest request = requestOf(entries, arguments, fileName);
+    request.toPicture = laid->toPicture;
+    const io::StealExport what{*sources.first->fractal, entries.system(), *laid->picture, request};
     ProgressBar bar(mode);
     const io::ExportOutcome outcome = io::exportStolen(
         what, isStandardOutput(output) ? io::standardOutputPath() : output,
@@ -329,10 +366,9 @@ ExitStatus steal(const StealArguments& arguments) {
     const auto entries = coupledEntries(sources, arguments);
     if (!entries) return ExitStatus::InputProblems;
     const QString& fileName = sources.file->name;
-    const ExitStatus status = task == StealTask::Map ? mapPoints(*entries, arguments, fileName)
-                              : task == StealTask::Tear
-                                  ? printTear(*entries, arguments, fileName)
-                                  : stealPicture(*entries, arguments, *sources.first->fractal, fileName);
+    const ExitStatus status = task == StealTask::Map    ? mapPoints(*entries, arguments, fileName)
+                              : task == StealTask::Tear ? printTear(*entries, arguments, fileName)
+                                                        : stealPicture(*entries, arguments, sources);
     return std::max(sources.status, status);
 }
 
@@ -342,7 +378,7 @@ Command stealCommand(CLI::App& program) {
     auto arguments = std::make_shared<StealArguments>();
     CLI::App* command =
         program.add_subcommand("steal", "Paint an entry with the colours of a picture on another entry");
-    command->footer("steal FILE --entry F --from G --picture PICTURE -o OUT.png [OPTION]...");
+    command->footer("steal FILE --entry F [--from G --picture PICTURE] -o OUT.png [OPTION]...");
     addStealOptions(*command, *arguments);
     return {command, [arguments] { return steal(*arguments); }};
 }

@@ -56,9 +56,7 @@ void readLine(const QString& key, const QString& value, KeptTheft& theft, QByteA
     if (key == QLatin1String("-order")) readOrder(value, theft.order);
     if (key == QLatin1String("-picture") && path.size() < maxPath) path += value.toLatin1();
     if (key == QLatin1String("-view")) theft.view = viewOf(value);
-    if (key == QLatin1String("-mode"))
-        for (const auto& [mode, name] : modeNames)
-            if (value == QLatin1String(name)) theft.mode = mode;
+    if (key == QLatin1String("-mode")) theft.mode = theftModeNamed(value).value_or(theft.mode);
     if (key == QLatin1String("-pattern"))
         if (const auto pattern = attractor::patternNamed(value.toStdString())) theft.pattern = *pattern;
 }
@@ -91,6 +89,12 @@ QStringList linesOf(const KeptTheft& theft) {
 }
 
 } // namespace
+
+std::optional<TheftMode> theftModeNamed(const QString& name) {
+    const auto known = std::ranges::find_if(
+        modeNames, [&](const auto& named) { return name == QLatin1String(named.second); });
+    return known == modeNames.end() ? std::nullopt : std::optional(known->first);
+}
 
 std::optional<KeptTheft> keptTheft(const Fractal& fractal) {
     KeptTheft theft;

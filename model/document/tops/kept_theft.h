@@ -21,6 +21,8 @@ enum class TheftMode {
     Posterise,        // the same, and loses shades
 };
 
+std::optional<TheftMode> theftModeNamed(const QString& name); // as it is kept: steal, transform, grid, …
+
 // What an entry keeps of its fractal transformation, in comments "barycage: partner…" of its own.
 // docs/formats.md, "Our own lines".
 struct KeptTheft {

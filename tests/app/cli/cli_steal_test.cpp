@@ -27,6 +27,8 @@ private slots:
     void pictureLiesWhereRenderDrawsG();
     void cagesAreApplied();
     void sameBytes();
+    void drawsWhatTheEntryKeeps();
+    void keptTransformationsAreChecked();
     void readsAnyPicture_data();
     void readsAnyPicture();
     void badPicturesAreErrors_data();
@@ -235,6 +237,59 @@ void CliStealTest::sameBytes() {
     QCOMPARE(run("info a.png --names").out, QByteArray("square\n")); // what is drawn is in the picture
 }
 
+// Without --from: partner, order, mode and picture are those of the entry, and each gives way to an option.
+void CliStealTest::drawsWhatTheEntryKeeps() {
+    const QByteArray kept =
+        " ; barycage: partner uneven\n ; barycage: partner-mode transform\n"
+        " ; barycage: partner-order 4 3 2 1\n ; barycage: partner-picture deep/board.png\n";
+    const QByteArray square = " .5 0 0 .5 0 0 .25\n .5 0 0 .5 0 .5 .25\n .5 0 0 .5 .5 0 .25\n"
+                              " .5 0 0 .5 .5 .5 .25\n}\n";
+    const QByteArray uneven = "uneven {\n .3 0 0 .4 0 0 .25\n .3 0 0 .6 0 .4 .25\n .7 0 0 .4 .3 0 .25\n"
+                              " .7 0 0 .6 .3 .4 .25\n}\n";
+    QVERIFY(QDir().mkpath(path("pictures/deep")));
+    write("pictures/kept.ifs", "square {\n" + kept + square + uneven + "plain {\n" + square);
+    write("pictures/deep/board.png", encoded(board(160, 120), "PNG"));
+    const auto drawn = [&](const QByteArray& options) {
+        const Result result = run("steal pictures/kept.ifs -o - --size 60x60 --points 1M " + options);
+        [&] { QVERIFY2(result.status == 0, result.err.constData()); }();
+        return QImage::fromData(result.out);
+    };
+    const QByteArray picture = "--picture pictures/deep/board.png ";
+    const QImage asKept = drawn("");
+    QVERIFY(!asKept.isNull());
+    QCOMPARE(asKept, drawn("--from uneven --mode transform --order 4,3,2,1 " + picture));
+    QCOMPARE(drawn("--order 1,2,3,4"), drawn("--from uneven --mode transform " + picture));
+    QCOMPARE(drawn("--mode steal"), drawn("--from uneven --order 4,3,2,1 " + picture));
+    QCOMPARE(drawn("--mode grid"), drawn("--from uneven --mode grid --order 4,3,2,1 " + picture));
+    QVERIFY(drawn("--mode posterise") != asKept && drawn("--mode reduce") != asKept);
+
+    const Result points = run("steal pictures/kept.ifs --map 0.5,0.5 --json");
+    QCOMPARE(points.out,
+             run("steal pictures/kept.ifs --from uneven --order 4,3,2,1 --map 0.5,0.5 --json").out);
+}
+
+void CliStealTest::keptTransformationsAreChecked() {
+    const auto fails = [&](const QByteArray& comments, const QByteArray& options, int status,
+                           const QByteArray& sentence) {
+        write("kept.ifs", "halves {\n" + comments +
+                              " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
+                              "thirds {\n .3 0 0 .3 0 0 .5\n .6 0 0 .6 .3 0 .5\n}\n");
+        const Result result = run("steal kept.ifs -o out.png " + options);
+        QCOMPARE(result.status, status);
+        QVERIFY2(result.err.contains(sentence), result.err.constData());
+        QVERIFY(!QFile::exists(path("out.png")));
+    };
+    fails("", "", 2, "--from NAME is missing, and “halves” keeps no fractal transformation of its own.");
+    fails(" ; barycage: partner gone\n", "", 1, "gone");
+    fails(" ; barycage: partner thirds\n ; barycage: partner-order 2 2\n", "", 1,
+          "The order that “halves” keeps does not list every map that takes part once. Give --order.");
+    fails(" ; barycage: partner thirds\n ; barycage: partner-picture lost.png\n", "", 3, "lost.png");
+    fails(" ; barycage: partner thirds\n", "--mode sideways", 2, "--mode “sideways” is not valid");
+    fails(" ; barycage: partner thirds\n", "--from-file kept.ifs", 2, "--from-file");
+    fails(" ; barycage: partner thirds\n", "--mode grid --picture-view 0,0,1", 2, "--picture-view");
+    fails(" ; barycage: partner thirds\n", "--from thirds", 2, "Give one of --picture");
+}
+
 void CliStealTest::readsAnyPicture_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::newRow("jpeg") << encoded(board(64, 64), "JPG");
@@ -305,7 +360,7 @@ void CliStealTest::refuses_data() {
     row("tops.ifs --entry halves --from nothing --map 0,0", 1, "There is no entry “nothing”.");
     row("absent.ifs --from halves --map 0,0", 3, "does not exist");
     row("tops.ifs --from halves --from-file absent.ifs --map 0,0", 3, "does not exist");
-    row("tops.ifs --map 0,0", 2, "--from NAME is missing.");
+    row("tops.ifs --map 0,0", 2, "--from NAME is missing, and “halves” keeps no fractal transformation");
     row("tops.ifs --from halves", 2, "Give one of --picture");
     row("tops.ifs --from halves --map 0,0 --tear .1", 2, "Give one of --picture");
     row("tops.ifs --from halves --picture board.png", 2, "-o OUT.png is missing");
