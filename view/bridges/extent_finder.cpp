@@ -8,17 +8,26 @@ namespace view {
 
 ExtentFinder::ExtentFinder(document::Document* document, QObject* parent)
     : QObject(parent), m_document(document) {
-    connect(document, &document::Document::changed, this, [this](const document::Change& change) {
-        using document::Change;
-        if (change.parts & (Change::System | Change::Current | Change::File)) find();
-    });
+    connect(document, &document::Document::changed, this, &ExtentFinder::follow);
     connect(&m_finding, &QFutureWatcherBase::finished, this, [this] {
         if (document::isSpaceExtentKnown(m_document->fractal()))
-            m_document->announceExtent();
+            announce();
         else if (m_sought != m_document->sharedFractal()) // it has changed meanwhile
             find();
     });
     find();
+}
+
+void ExtentFinder::follow(const document::Change& change) {
+    using document::Change;
+    m_isHeld = change.live && !(change.parts & Change::Time);
+    if (change.parts & (Change::System | Change::Current | Change::File)) find();
+    if (m_isDue && !m_isHeld) QMetaObject::invokeMethod(this, &ExtentFinder::announce, Qt::QueuedConnection);
+}
+
+void ExtentFinder::announce() {
+    m_isDue = m_isHeld;
+    if (!m_isHeld) m_document->announceExtent();
 }
 
 void ExtentFinder::find() {

@@ -19,11 +19,15 @@ public:
     explicit ExtentFinder(document::Document* document, QObject* parent = nullptr);
 
 private:
+    void follow(const document::Change& change);
     void find();
+    void announce();
 
     document::Document* m_document;
     std::shared_ptr<const document::Fractal> m_sought;
     QFutureWatcher<void> m_finding; // one at a time: during a drag, of the newest maps there are
+    bool m_isHeld = false;          // in the middle of a gesture, which an announcement would seem to end
+    bool m_isDue = false;
 };
 
 } // namespace view

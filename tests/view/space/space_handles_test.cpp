@@ -21,6 +21,7 @@ class SpaceHandlesTest : public QObject {
 
 private slots:
     void theCageOfVeryManyMapsIsFoundInTheBackground();
+    void theExtentIsAnnouncedAfterAGesture();
     void aCornerOfAMapIsDraggedInOneStep();
     void theMiddleOfAMapMovesItAsAWhole();
     void aMapIsDraggedNoFartherThanItsAttractor();
@@ -31,12 +32,21 @@ private slots:
 };
 
 // The simplex is not asked for in this thread: the cage comes with the finder, and the view then fits it.
-void SpaceHandlesTest::theCageOfVeryManyMapsIsFoundInTheBackground() {
+namespace {
+
+document::Fractal ofVeryManyMaps() {
     document::Fractal many = cubeOfEight();
     document::System3& system = *document::system3(many);
     const auto eight = system.maps;
     for (std::size_t k = 8; k <= document::manyMapsInSpace; ++k)
         ifs::append<3>(system, eight[k % 8].map);
+    return many;
+}
+
+} // namespace
+
+void SpaceHandlesTest::theCageOfVeryManyMapsIsFoundInTheBackground() {
+    const document::Fractal many = ofVeryManyMaps();
     Window window(many);
     QCOMPARE(window.view->cageItem().count(), std::size_t(0));
     QVERIFY(window.view->cageItem().handlesAt({100, 100}).empty());
@@ -52,6 +62,29 @@ void SpaceHandlesTest::theCageOfVeryManyMapsIsFoundInTheBackground() {
     QCOMPARE(window.handle(1), before);
     QVERIFY(window.document.fractal() == many);
     QVERIFY(document::isSpaceExtentKnown(window.document.fractal()));
+}
+
+// What is told in the middle of a gesture would seem to end it.
+void SpaceHandlesTest::theExtentIsAnnouncedAfterAGesture() {
+    Window window(ofVeryManyMaps());
+    document::Document& document = window.document;
+    const view::ExtentFinder finder(&document);
+    document::EditGesture gesture = document.beginGesture(QStringLiteral("Move"));
+    document::Fractal moved = document.fractal();
+    document::system3(moved)->maps[0].map.translation.x() -= 0.25;
+    gesture.preview(moved);
+    QList<document::Change> changes;
+    connect(&document, &document::Document::changed, this,
+            [&](const document::Change& change) { changes << change; });
+    QTRY_VERIFY_WITH_TIMEOUT(document::isSpaceExtentKnown(document.fractal()), 60000);
+    QTest::qWait(100);
+    QVERIFY(changes.isEmpty());
+    gesture.commit();
+    QTRY_COMPARE(changes.size(), 2);
+    QVERIFY(!changes[0].live && changes[1].parts == document::Change::Cage && !changes[1].live);
+    QTest::qWait(50);
+    QCOMPARE(changes.size(), 2);
+    document.disconnect(this);
 }
 
 void SpaceHandlesTest::aCornerOfAMapIsDraggedInOneStep() {
