@@ -212,12 +212,23 @@ std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
         return true;
     };
     if (allOf(contracts<Dim>)) return CommonNorm<Dim>{};
-    std::vector<ifs::AffineMap<Dim>> maps;
+    // It takes long to find, and one moment of an animation comes after another: the last one is remembered.
+    struct Found {
+        std::vector<ifs::AffineMap<Dim>> maps;
+        std::optional<CommonNorm<Dim>> norm;
+    };
+    thread_local Found last;
+    std::size_t same = 0;
+    const bool isKnown = allOf(
+        [&](const ifs::AffineMap<Dim>& map) { return same < last.maps.size() && last.maps[same++] == map; });
+    if (isKnown && same == last.maps.size()) return last.norm;
+    last.maps.clear();
     allOf([&](const ifs::AffineMap<Dim>& map) {
-        maps.push_back(map);
+        last.maps.push_back(map);
         return true;
     });
-    return commonNorm<Dim>(maps);
+    last.norm = commonNorm<Dim>(last.maps);
+    return last.norm;
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \

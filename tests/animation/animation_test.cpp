@@ -208,6 +208,36 @@ private slots:
         QVERIFY(commonNorm<2>(std::vector{maps[0]}));
     }
 
+    // That of the animation before is remembered, and is not taken for that of another one.
+    void theCommonNormIsThatOfTheKeys() {
+        ifs::IteratedFunctionSystem<2> system;
+        const ifs::MapId id = ifs::append(system, ifs::affineMap(.5, 2, 0, .5, 0, 0), 1);
+        const auto turning = [&](double shear) {
+            Animation<2> animation;
+            animation.length = 2;
+            animation.maps = {{id,
+                               {{0, {ifs::affineMap(.5, shear, 0, .5, 0, 0), 1}, {}},
+                                {2, {ifs::affineMap(.25, shear, 0, .5, 0, 0), 1}, {}}}}};
+            return animation;
+        };
+        const auto normOf = [&](double shear) { return commonNorm(turning(shear), system); };
+        const auto rootOf = [&](double shear) { return normOf(shear)->root; };
+        const Matrix<2> two = rootOf(2), three = rootOf(3);
+        QVERIFY(two != three);
+        QCOMPARE(two, commonNorm<2>(std::vector{ifs::affineMap(.5, 2, 0, .5, 0, 0),
+                                                ifs::affineMap(.25, 2, 0, .5, 0, 0)})
+                          ->root);
+        for (int round = 0; round < 3; ++round) {
+            QVERIFY(rootOf(2) == two);
+            QVERIFY(rootOf(2) == two);
+            QVERIFY(rootOf(3) == three);
+            QVERIFY(normOf(0)->isEuclidean);
+            ifs::IteratedFunctionSystem<2> more = system;
+            ifs::append(more, ifs::affineMap(.5, 0, 2, .5, 0, 0), 1);
+            QVERIFY(!commonNorm(turning(2), more));
+        }
+    }
+
     void halfwayInMaple() {
         ifs::IteratedFunctionSystem<2> system = systemOf<2>(maple());
         Animation<2> animation;
