@@ -401,6 +401,14 @@
         <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
         <translation>Dimension des Randes, wenn alle Abbildungen Ähnlichkeiten mit einem Faktor sind, deren Teile eine Fläche füllen und sich auf endlich viele Arten berühren: aus dem Wachstum der Zahl der Berührungen.</translation>
     </message>
+    <message>
+        <source>Moran equation</source>
+        <translation>Moran-Gleichung</translation>
+    </message>
+    <message>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <translation>Σ sᵢᴰ = 1 mit den Verhältnissen dieser Abbildungen, gleiche zusammengefasst. Ihre Lösung ist die Ähnlichkeitsdimension.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

@@ -401,6 +401,14 @@
         <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
         <translation>Dimensión de la frontera si todas las aplicaciones son semejanzas de una misma razón cuyas piezas llenan un área y se tocan de un número finito de maneras: a partir del crecimiento del número de contactos.</translation>
     </message>
+    <message>
+        <source>Moran equation</source>
+        <translation>Ecuación de Moran</translation>
+    </message>
+    <message>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <translation>Σ sᵢᴰ = 1 con las razones de estas aplicaciones, agrupando las iguales. Su solución es la dimensión de semejanza.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

@@ -401,6 +401,14 @@
         <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
         <translation>Dimension de la frontière si toutes les applications sont des similitudes de même rapport dont les morceaux remplissent une aire et se touchent d’un nombre fini de façons : d’après la croissance du nombre de contacts.</translation>
     </message>
+    <message>
+        <source>Moran equation</source>
+        <translation>Équation de Moran</translation>
+    </message>
+    <message>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <translation>Σ sᵢᴰ = 1 avec les rapports de ces applications, ceux qui sont égaux étant regroupés. Sa solution est la dimension de similitude.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

@@ -402,6 +402,14 @@
         <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
         <translation>Димензија на границата ако сите пресликувања се сличности со ист сооднос чии делови исполнуваат плоштина и се допираат на конечно многу начини: од растот на бројот на допири.</translation>
     </message>
+    <message>
+        <source>Moran equation</source>
+        <translation>Моранова равенка</translation>
+    </message>
+    <message>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <translation>Σ sᵢᴰ = 1 со коефициентите на овие пресликувања, еднаквите земени заедно. Нејзиното решение е димензијата на сличност.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

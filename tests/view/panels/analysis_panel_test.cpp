@@ -2,6 +2,7 @@
 #include "bridges/analysis_bridge.h"
 #include "canvas/items/analysis_item.h"
 #include "document/edit_gesture.h"
+#include "document/edits/link_edits.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
 #include "view/panels/maps_support.h"
@@ -67,6 +68,22 @@ private slots:
         QVERIFY(
             std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).section(u' ', 0, 0).toDouble() -
                      1.585) < 0.1);
+    }
+
+    void writesTheMoranEquationInNumbers() {
+        const auto equation = [](const document::Fractal& fractal) {
+            return valueOf(factsOf(fractal), QStringLiteral("Moran equation"));
+        };
+        QCOMPARE(equation(document::sierpinskiTriangle()), QStringLiteral("3 · 0.5ᴰ = 1 ⇒ D = ln 3 / ln 2"));
+        const double third = 1.0 / 3;
+        QCOMPARE(equation(fractalOf({{third, 0, 0, third, 0, 0, 1}, {0, -third, third, 0, .5, 0, 1}})),
+                 QStringLiteral("2 · 0.3333ᴰ = 1 ⇒ D = ln 2 / ln 3"));
+        QCOMPARE(equation(fractalOf(
+                     {{.25, 0, 0, .25, 0, 0, 1}, {.5, 0, 0, .5, .5, 0, 1}, {-.25, 0, 0, .25, 0, 0, 1}})),
+                 QStringLiteral("0.5ᴰ + 2 · 0.25ᴰ = 1"));
+        QVERIFY(equation(maple()).isEmpty()); // no similarities
+        document::Fractal linked = document::sierpinskiTriangle();
+        QVERIFY(equation(document::withLink(linked, 0, 0, 0)).isEmpty()); // another equation
     }
 
     // By 1 − 10⁻¹¹ in x, so slowly that rounding shows.

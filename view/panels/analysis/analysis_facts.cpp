@@ -2,6 +2,7 @@
 #include "panels/analysis/analysis_facts.h"
 
 #include "document/edits/cage_edits.h"
+#include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "io/report/figure_error.h"
 #include "panels/cage/cage_texts.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -130,6 +132,25 @@ QString signs(const ifs::Orientation<2>& orientation) {
 }
 QString signs(const ifs::Orientation<3>& orientation) {
     return orientationText(orientation);
+}
+
+// Σ sᵢᴰ = 1 with numbers, equal ratios together, and solved where there is one ratio.
+QString moranEquation(std::vector<double> ratios, QString (*number)(double)) {
+    constexpr double apart = 1e-9;
+    std::ranges::sort(ratios, std::greater());
+    QStringList terms;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        ++count;
+        if (i + 1 < ratios.size() && ratios[i + 1] > ratios[i] * (1 - apart)) continue;
+        const QString power = number(ratios[i]) + u'ᴰ';
+        terms << (count == 1 ? power : QStringLiteral("%1 · %2").arg(count).arg(power));
+        count = 0;
+    }
+    QString text = terms.join(QStringLiteral(" + ")) + QStringLiteral(" = 1");
+    if (terms.size() == 1 && ratios.size() > 1)
+        text += QStringLiteral(" ⇒ D = ln %1 / ln %2").arg(ratios.size()).arg(number(1 / ratios.front()));
+    return text;
 }
 
 QList<Fact> Facts::all() {
@@ -324,6 +345,16 @@ template <int Dim> void Facts::addDimensions() {
         facts.similarityDimension.has_value(), [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).similarityDimension) + caveat<Dim>(analysis);
         });
+    constexpr std::size_t maxRatios = 1000;
+    const bool isSum = facts.similarityDimension && !facts.active.isLinked();
+    const auto ratios = isSum && facts.active.maps.size() <= maxRatios
+                            ? ifs::similarityRatios<Dim>(facts.active.maps)
+                            : std::nullopt;
+    add(tr("Moran equation"),
+        tr("Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the "
+           "similarity dimension."),
+        ratios.has_value(),
+        [ratios](const Analysis&, Format number) { return moranEquation(*ratios, number); });
     if constexpr (Dim == 3) return; // the others are worked out in the plane
     add(tr("Affinity dimension"),
         tr("Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions "
