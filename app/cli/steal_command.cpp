@@ -338,6 +338,9 @@ ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArgu
     const Interrupt interrupt;
     const QString& fileName = sources.file->name;
     const QString output = fileNameOf(*arguments.output);
+    if (arguments.picture && !isStandardOutput(output) && QFileInfo(output).exists() &&
+        QFileInfo(output) == QFileInfo(fileNameOf(*arguments.picture)))
+        throw UsageError{tr("-o “%1” is the picture itself; give another name.").arg(output)};
     const auto laid = laidPicture(entries, sources, arguments, interrupt.token());
     if (!laid) return interrupt.status();
     attractor::TheftRequest request = requestOf(entries, arguments, fileName);

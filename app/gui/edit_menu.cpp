@@ -12,6 +12,8 @@
 #include "widgets/icon.h"
 #include "widgets/tooltip_text.h"
 
+#include <QGuiApplication>
+
 namespace {
 
 // The axis along which the shadow of a solid is a system: z, else y, else x.
@@ -56,6 +58,11 @@ void EditMenu::addHistory() {
     undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
     undo->setStatusTip(tr("Undo the last edit"));
+    // In the middle of a drag, it takes back the drag alone.
+    disconnect(undo, nullptr, stack, nullptr);
+    connect(undo, &QAction::triggered, stack, [stack, stage = context().stage] {
+        if (QGuiApplication::mouseButtons() == Qt::NoButton || !stage->cancelGesture()) stack->undo();
+    });
     QAction* redo = stack->createRedoAction(context().window, tr("&Redo"));
     redo->setIconText(tr("&Redo").remove(u'&'));
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});

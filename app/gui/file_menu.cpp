@@ -99,6 +99,8 @@ void FileMenu::fillRecent() {
 }
 
 void FileMenu::exportPicture() {
+    if (auto* transformation = context().stage->transformation(); transformation->isPainted())
+        return transformation->chooseExport(); // what is shown
     if (context().stage->showsSpace()) {
         auto* space = new view::SpaceExportDialog(
             context().document, context().stage->space()->navigation().camera(), context().window);

@@ -66,7 +66,8 @@ QImage Stage::picture() const {
 }
 
 bool Stage::cancelGesture() {
-    return showsSpace() ? m_space->cancelGesture() : m_plane->cancelGesture();
+    if (showsSpace()) return m_space->cancelGesture();
+    return m_plane->cancelGesture() || m_transformation->cancelGesture();
 }
 
 void Stage::takeFocus(Qt::FocusReason reason) {

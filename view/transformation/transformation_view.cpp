@@ -125,13 +125,19 @@ void TransformationView::create() {
     connect(m_theft.get(), &TheftBridge::flawChanged, this, &TransformationView::showProblem);
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
+        m_refusal.clear();
         m_theft->setPicture(picture);
         keepPicture();
         showProblem();
     });
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
-        m_pictureFailure = sentence;
-        keepPicture(); // so that it can be found
+        if (const QString wanted = std::exchange(m_wanted, QString()); !wanted.isEmpty()) {
+            m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(wanted), sentence);
+            showPicture(); // the one before
+        } else {
+            m_pictureFailure = sentence;
+            m_theft->setPicture(nullptr);
+        }
         showProblem();
     });
     connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
@@ -204,6 +210,7 @@ void TransformationView::refresh() {
     EntryId partner =
         kept ? document::entryNamed(file, kept->partner) : document::likelyPartner(file, current);
     if (partner == current) partner = EntryId::None;
+    m_refusal.clear();
     const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));
     if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
         const document::Fractal& fractal = *file.entries[index].fractal;
@@ -243,6 +250,7 @@ void TransformationView::showProblem() {
                 : tr("The partner “%1” is not in this file. Choose another one.").arg(m_kept.partner);
         return m_bar->showProblem(sentence, Remedy::None);
     }
+    if (!m_refusal.isEmpty()) return m_bar->showProblem(m_refusal, Remedy::None);
     if (!m_pictureFailure.isEmpty())
         return m_bar->showProblem(
             tr("%1: %2").arg(QDir::toNativeSeparators(m_kept.picture), m_pictureFailure),
@@ -305,7 +313,7 @@ void TransformationView::keepPicture() {
     KeptTheft theft = m_kept;
     theft.picture = folder().isEmpty() ? path : QDir(folder()).relativeFilePath(path);
     if (theft.mode == document::TheftMode::DeformationGrid) theft.mode = document::TheftMode::StealColours;
-    if (m_pictureFailure.isEmpty()) theft = placed(theft, m_partner->document().fractal());
+    theft = placed(theft, m_partner->document().fractal());
     keep(tr("Choose Picture"), theft);
 }
 
@@ -332,10 +340,20 @@ io::Failure TransformationView::exportTo(const QString& path) const {
     return exportStolenPicture(job(), exportedSide, path, window());
 }
 
+bool TransformationView::cancelGesture() {
+    return m_isShown && m_partnerCanvas->cancelGesture();
+}
+
+bool TransformationView::isPainted() const {
+    return m_isShown && m_render->isSubstituted();
+}
+
 void TransformationView::chooseExport() {
-    const QString path = chooseFileToSave(this, tr("Export Stolen Picture"), m_document->fractal().name,
-                                          tr("Pictures (*.png)"), QStringLiteral("png"));
+    QString path = chooseFileToSave(this, tr("Export Stolen Picture"), m_document->fractal().name,
+                                    tr("Pictures (*.png)"), QStringLiteral("png"));
     if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().toLower() != QStringLiteral("png"))
+        path += QStringLiteral(".png"); // as it is
     if (const io::Failure failure = exportTo(path))
         QMessageBox::warning(this, tr("Export Stolen Picture"), *failure);
     else

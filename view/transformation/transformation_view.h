@@ -39,6 +39,9 @@ public:
 
     // Null or empty before it was shown for the first time:
     CanvasView* partnerCanvas() const { return m_partnerCanvas; }
+    bool cancelGesture();   // on the partner; false when none was under way
+    bool isPainted() const; // the canvases show a fractal transformation
+    void chooseExport();
     const TransformationBar* bar() const { return m_bar; }
     const TheftBridge* theft() const { return m_theft.get(); }
 
@@ -70,7 +73,6 @@ private:
     document::KeptTheft placed(document::KeptTheft theft, const document::Fractal& partner) const;
     void choosePicture();
     void keepPicture();
-    void chooseExport();
     bool isOverPartner(const QPoint& position) const;
     QString folder() const; // of the file; empty while it has none
     document::TheftJob job() const;
@@ -93,8 +95,9 @@ private:
     document::KeptTheft m_kept;                               // of the entry, or what would be likely
     document::EntryId m_guessedFor = document::EntryId::None; // the entry, where nothing is kept
     QString m_wanted;                                         // a picture that is to be kept once it is read
-    QString m_pictureFailure;
-    QTimer m_rest; // runs until the continuity is measured
+    QString m_pictureFailure;                                 // of the one that is kept
+    QString m_refusal;                                        // of one that was chosen
+    QTimer m_rest;                                            // runs until the continuity is measured
     QFutureWatcher<Continuity> m_measuring;
 };
 

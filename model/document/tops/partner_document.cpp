@@ -25,7 +25,7 @@ PartnerDocument::~PartnerDocument() {
 void PartnerDocument::setPartner(EntryId id) {
     if (indexOf(m_host->file(), id) < 0) id = EntryId::None;
     if (std::exchange(m_id, id) == id) return;
-    take();
+    id == EntryId::None ? clear() : take();
     emit partnerChanged();
 }
 
@@ -34,6 +34,7 @@ void PartnerDocument::take() {
     const qsizetype index = indexOf(m_host->file(), m_id);
     if (index < 0) {
         m_id = EntryId::None;
+        clear();
         emit partnerChanged();
         return;
     }
@@ -44,6 +45,13 @@ void PartnerDocument::take() {
         m_document.editEntry(QString(), fractal);
     else
         m_document.setFile(fileOf(fractal));
+    m_isTaking = false;
+}
+
+void PartnerDocument::clear() {
+    m_shown = EntryId::None;
+    m_isTaking = true;
+    m_document.setFile({});
     m_isTaking = false;
 }
 

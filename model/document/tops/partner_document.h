@@ -27,6 +27,7 @@ signals:
 
 private:
     void take(); // from the host
+    void clear();
     void give(); // to the host
 
     Document* m_host;

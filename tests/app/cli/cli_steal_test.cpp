@@ -28,6 +28,7 @@ private slots:
     void cagesAreApplied();
     void sameBytes();
     void drawsWhatTheEntryKeeps();
+    void thePictureIsNotWrittenOver();
     void keptTransformationsAreChecked();
     void readsAnyPicture_data();
     void readsAnyPicture();
@@ -266,6 +267,15 @@ void CliStealTest::drawsWhatTheEntryKeeps() {
     const Result points = run("steal pictures/kept.ifs --map 0.5,0.5 --json");
     QCOMPARE(points.out,
              run("steal pictures/kept.ifs --from uneven --order 4,3,2,1 --map 0.5,0.5 --json").out);
+}
+
+void CliStealTest::thePictureIsNotWrittenOver() {
+    const QByteArray before = read("board.png");
+    const Result result =
+        run("steal tops.ifs --entry square --from uneven --picture board.png -o ./board.png");
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.contains("is the picture itself"), result.err.constData());
+    QCOMPARE(read("board.png"), before);
 }
 
 void CliStealTest::keptTransformationsAreChecked() {

@@ -22,6 +22,7 @@ private slots:
     void cleanup() { closeWindow(); }
 
     void draggingAVertexIsOneStep();
+    void undoInMidDragTakesBackTheDragAlone();
     void draggingAnEdgeMovesBothItsEnds();
     void draggingTheInsideMovesTheWholeCage();
     void theHandlesTurnAndScale();
@@ -90,6 +91,25 @@ void RealCageTest::draggingAVertexIsOneStep() {
     hand().key("Control+z");
     hand().key("Control+Shift+z");
     QTRY_COMPARE(vertices(), moved);
+}
+
+void RealCageTest::undoInMidDragTakesBackTheDragAlone() {
+    dragBy(vertex(1), {60, -55});
+    QTRY_COMPARE(steps(), 1);
+    const std::vector<Vector<2>> moved = vertices();
+    hand().moveTo(vertex(2));
+    hand().press();
+    hand().moveTo(vertex(2) + QPoint(20, 30));
+    QTRY_VERIFY(vertices() != moved);
+    hand().key("Control+z");
+    QTRY_COMPARE(vertices(), moved);
+    hand().moveTo(vertex(2) + QPoint(-30, 10));
+    hand().release();
+    hand().settle();
+    QCOMPARE(vertices(), moved);
+    QCOMPARE(document().undoStack()->index(), 1);
+    hand().key("Control+z");
+    QTRY_COMPARE(document().undoStack()->index(), 0);
 }
 
 void RealCageTest::draggingAnEdgeMovesBothItsEnds() {

@@ -37,6 +37,7 @@ private slots:
     void slidersMoveTheFamily();
     void aDroppedPictureIsKept();
     void aMissingPictureIsSaid();
+    void aDamagedPictureIsNotTaken();
     void otherNumbersAreDivided();
     void theOrderIsKept();
     void exportsThePicture();
@@ -212,25 +213,44 @@ void TransformationWindowTest::aDroppedPictureIsKept() {
 
 void TransformationWindowTest::aMissingPictureIsSaid() {
     openFamily();
+    QTRY_VERIFY_WITH_TIMEOUT(view()->isPainted(), 30000);
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("gone.png"));
-    view()->usePicture(path);
+    QImage green(9, 9, QImage::Format_RGB32);
+    green.fill(Qt::green);
+    document::KeptTheft theft = kept();
+    theft.picture = path; // as an opened file may have it
+    document().editEntry(QStringLiteral("theft"), document::withTheft(document().entryFractal(), theft));
     QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().contains(QStringLiteral("gone.png")), 10000);
+    QTRY_VERIFY(!view()->isPainted()); // nor is another picture shown in its place
     bool canBeFound = false;
     for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
         canBeFound = canBeFound || (button->isVisible() && button->text() == QStringLiteral("Find Picture…"));
     QVERIFY(canBeFound);
-    QImage green(9, 9, QImage::Format_RGB32);
-    green.fill(Qt::green);
     QVERIFY(green.save(path));
     view()->usePicture(path); // found again, at the same place
     QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().isEmpty(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(view()->isPainted(), 30000);
+}
+
+// The entry keeps the picture it has.
+void TransformationWindowTest::aDamagedPictureIsNotTaken() {
+    openFamily();
+    QTRY_VERIFY_WITH_TIMEOUT(view()->isPainted(), 30000);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("damaged.png"));
     QFile damaged(path);
     QVERIFY(damaged.open(QIODevice::WriteOnly) && damaged.write("no picture") > 0);
     damaged.close();
-    view()->usePicture(folder.filePath(QStringLiteral("../") + QFileInfo(folder.path()).fileName() +
-                                       QStringLiteral("/gone.png")));
-    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().contains(QStringLiteral("not a PNG")), 10000);
+    const document::KeptTheft before = kept();
+    const int count = steps();
+    for (const QString& wrong : {path, folder.filePath(QStringLiteral("missing.png"))}) {
+        view()->usePicture(wrong);
+        QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().contains(QFileInfo(wrong).fileName()), 10000);
+        QVERIFY(kept() == before);
+        QCOMPARE(steps(), count);
+        QTRY_VERIFY_WITH_TIMEOUT(view()->isPainted(), 30000);
+    }
 }
 
 void TransformationWindowTest::otherNumbersAreDivided() {

@@ -93,8 +93,12 @@ private slots:
         const EntryId id = m_partner->id();
         m_document.editFile(QStringLiteral("Remove"), document::removed(m_document.file(), {id}));
         QCOMPARE(m_partner->id(), EntryId::None);
-        m_partner->document().edit(QStringLiteral("Pull"), moved(m_partner->document().fractal(), .1));
+        QVERIFY(m_partner->document().file().entries.isEmpty()); // nothing is shown in its place
+        m_partner->document().edit(QStringLiteral("Pull"), Fractal());
         QCOMPARE(m_document.file().entries.size(), 1);
+        m_document.undoStack()->undo();
+        m_partner->setPartner(id);
+        QVERIFY(m_partner->document().entryFractal() == fractalOf(m_document, id));
     }
 
     void numbersOfMapsAgree() {
