@@ -5595,6 +5595,10 @@
         <source>Whether this system has an attractor is undecided.</source>
         <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
+    <message>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>

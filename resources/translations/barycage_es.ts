@@ -5595,6 +5595,10 @@
         <source>Whether this system has an attractor is undecided.</source>
         <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
+    <message>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>

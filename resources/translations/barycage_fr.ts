@@ -5595,6 +5595,10 @@
         <source>Whether this system has an attractor is undecided.</source>
         <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
+    <message>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>

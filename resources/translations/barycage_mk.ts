@@ -5606,6 +5606,10 @@
         <source>Whether this system has an attractor is undecided.</source>
         <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
+    <message>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasMenu</name>

@@ -66,12 +66,15 @@ bool SolidRendering::State::draw(const std::stop_token& stop) {
         const int first = static_cast<int>(job) * rows;
         bands[thread].draw(scene, first, std::min(rows, size.height - first), raster, stop);
     });
+    std::size_t cutShort = 0;
     for (SolidBand& band : bands) {
         const SolidBand::Work done = band.takeWork();
         work.words += done.words;
         work.points += done.points;
-        work.isCutShort = work.isCutShort || done.isCutShort;
+        cutShort += done.cutShort;
     }
+    work.isCutShort = cutShort > 0;
+    work.hasHoles = 2 * cutShort > static_cast<std::size_t>((size.height + rows - 1) / rows);
     return !stop.stop_requested();
 }
 

@@ -76,9 +76,11 @@ void SolidScene::setView(const SpaceView& newView) {
 
 void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
                      const std::stop_token& stop) {
-    constexpr std::size_t budget = 1U << 24;
+    constexpr std::size_t wordsPerPixel = 1024; // leaves that are seen through each other need hundreds
     constexpr std::size_t wideBudget = 1U << 18;
     constexpr std::size_t widePerPixel = 16;
+    const auto pixels = static_cast<std::size_t>(raster.width * rows);
+    std::size_t budget = (1U << 24) + wordsPerPixel * pixels;
     m_job.maps.count = scene.system.maps.size();
     for (std::size_t k = 0; k < 9; ++k)
         m_job.maps.linear[k] = scene.coefficients->coefficients[k].data();
@@ -92,12 +94,13 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
         if (!scene.facing.isEmpty()) m_covers.insert(m_covers.begin(), scene.facing.cover());
         m_job.covers = m_covers;
         m_job.budget = scene.system.contracts ? budget : 0;
-        m_wideBudget = wideBudget + widePerPixel * static_cast<std::size_t>(raster.width * rows);
+        m_wideBudget = wideBudget + widePerPixel * pixels;
         m_keys.reset(raster.width, rows);
         if (!walk(scene, firstRow, stop)) return;
         if (m_job.budget > 0 || m_wideBudget == 0) break;
+        budget = 1U << 24; // more would not help any more
     }
-    m_isCutShort = m_isCutShort || m_job.budget == 0 || m_wideBudget == 0;
+    if (m_job.budget == 0 || m_wideBudget == 0) ++m_cutShort;
     const auto width = static_cast<std::size_t>(raster.width);
     for (int y = 0; y < rows; ++y)
         std::copy_n(m_keys.row(y), width,
@@ -106,8 +109,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
 }
 
 SolidBand::Work SolidBand::takeWork() {
-    return {std::exchange(m_job.words, 0), std::exchange(m_job.points, 0),
-            std::exchange(m_isCutShort, false)};
+    return {std::exchange(m_job.words, 0), std::exchange(m_job.points, 0), std::exchange(m_cutShort, 0)};
 }
 
 void SolidBand::expand(const SolidScene& scene, const Open& open) {

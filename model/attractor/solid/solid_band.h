@@ -54,7 +54,7 @@ public:
     struct Work {
         std::size_t words = 0;
         std::size_t points = 0;
-        bool isCutShort = false;
+        std::size_t cutShort = 0; // bands in which there were more words than are looked at
     };
     Work takeWork(); // since the last call
 
@@ -76,7 +76,7 @@ private:
     std::vector<Open> m_open;
     std::vector<Open> m_children;
     std::vector<std::pair<double, std::size_t>> m_order;
-    bool m_isCutShort = false;
+    std::size_t m_cutShort = 0; // bands
 };
 
 } // namespace attractor

@@ -65,6 +65,7 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     ExportOutcome outcome;
     outcome.stopped = !rendering.draw(stop);
     outcome.note = rendering.note();
+    outcome.hasHoles = rendering.work().hasHoles;
     if (outcome.stopped) return outcome;
     const attractor::DepthRaster& raster = rendering.raster();
     std::vector<std::uint16_t> values(raster.keys.size());

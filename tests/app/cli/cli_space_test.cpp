@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/paths.h"
 
 #include <QFile>
 #include <QImage>
@@ -23,6 +24,8 @@ private slots:
     void stereoShowsBothEyes();
     void aPictureShowsWhatItsEntrySays();
     void theFirstEntryMayLieInSpace();
+    void aLargePictureHasNoHoles();
+    void piecesThatAreMissingAreSaid();
     void optionsThatMakeNoSenseAreRefused_data();
     void optionsThatMakeNoSenseAreRefused();
 
@@ -221,6 +224,36 @@ void CliSpaceTest::theFirstEntryMayLieInSpace() {
     write("both.ifs", read("cube.ifs") + "line {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
     QCOMPARE(run("render both.ifs --size 30x20 --look depth -o first.png").status, 0);
     QCOMPARE(run("render both.ifs --size 30x20 --entry line -o line.png").status, 0);
+}
+
+// Leaves behind leaves take hundreds of words a pixel, in large pictures as in small ones.
+void CliSpaceTest::aLargePictureHasNoHoles() {
+    const QByteArray plants = support::sourcePath(QStringLiteral("ifs_library/space_plants.ifs")).toUtf8();
+    const auto covered = [&](const QByteArray& size) {
+        const Result result =
+            run("render \"" + plants + "\" --entry thuja --background black -o leaf.png --size " + size);
+        [&] { QCOMPARE(result.err, QByteArray()); }();
+        const QImage picture(path("leaf.png"));
+        double count = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                count += qGray(picture.pixel(x, y)) > 60 ? 1 : 0;
+        return count / (double(picture.width()) * picture.height());
+    };
+    const double small = covered("500x500"), large = covered("1500x1500");
+    QVERIFY2(small > 0.05 && large > 0.9 * small && large < 1.1 * small,
+             qPrintable(QStringLiteral("%1 %2").arg(small).arg(large)));
+}
+
+void CliSpaceTest::piecesThatAreMissingAreSaid() {
+    const QByteArray polyhedra =
+        support::sourcePath(QStringLiteral("ifs_library/space_polyhedra.ifs")).toUtf8();
+    QCOMPARE(run("convert \"" + polyhedra + "\" ball.ifs --entry tetrahedron --symmetry icosahedral").status,
+             0);
+    const Result result = run("render ball.ifs -o ball.png --size 200x200");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("parts of the solid are missing"), result.err.constData());
+    QCOMPARE(run("render ball.ifs -o ball.png --size 200x200 --look cloud").err, QByteArray());
 }
 
 void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
