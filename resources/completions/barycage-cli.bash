@@ -130,7 +130,7 @@ _barycage_cli_options() {
     encode) options="--output --fps --progress --quiet --help" ;;
     collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --no-mirrors --angles --stem --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
-    steal) options="--output --entry --from --from-file --order --map --tear --json --picture --picture-view --size --view --background --exact
+    steal) options="--output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact
       --points --seed --threads --simd --progress --quiet --help" ;;
     merge) options="--output --quality --threads --progress --quiet --help" ;;
     gallery) options="--output --entry --palette --colour --color --columns --tile --paper --page --title --progress --quiet --help" ;;
@@ -184,6 +184,7 @@ _barycage_cli_value() {
     --lift) _barycage_cli_offer "$2"auto ;;
     --symmetry) _barycage_cli_offer none mirror c{2..24} d{2..24} tetrahedral octahedral icosahedral ;;
     --budget) _barycage_cli_offer "$2"{1,10,none} ;;
+    --mode) _barycage_cli_offer steal transform grid reduce posterise ;;
     --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --slice | --gamma | --brightness | --iterations | --part | --band | --threads | -j | \
       --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \
       --threshold | --maps | --seconds | --starts | --picture-view | --order | --map | --tear | \

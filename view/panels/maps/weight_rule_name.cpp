@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/weight_rule_name.h"
 
-#include "panels/maps/maps_panel.h"
+#include <QCoreApplication>
 
 namespace view {
 
 QString ruleName(document::WeightRule rule) {
     switch (rule) {
     case document::WeightRule::Determinant:
-        return MapsPanel::tr("By |Determinant|");
+        return QCoreApplication::translate("view::MapsPanel", "By |Determinant|");
     case document::WeightRule::Equal:
-        return MapsPanel::tr("Equal");
+        return QCoreApplication::translate("view::MapsPanel", "Equal");
     case document::WeightRule::Dimension:
-        return MapsPanel::tr("By Dimension");
+        return QCoreApplication::translate("view::MapsPanel", "By Dimension");
     case document::WeightRule::Normalise:
         break;
     }
-    return MapsPanel::tr("Normalise");
+    return QCoreApplication::translate("view::MapsPanel", "Normalise");
 }
 
 } // namespace view
