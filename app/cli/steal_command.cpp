@@ -279,14 +279,20 @@ ExitStatus printTear(const document::CoupledEntries& entries, const StealArgumen
                    ExitStatus::Done);
 }
 
+// Empty where a pattern is drawn.
+QString picturePath(const Sources& sources, const StealArguments& arguments) {
+    if (arguments.picture) return fileNameOf(*arguments.picture);
+    const QString& kept = sources.theft.picture;
+    if (kept.isEmpty()) return {};
+    const QDir folder = arguments.file == "-" ? QDir() : QFileInfo(fileNameOf(arguments.file)).dir();
+    return QDir::cleanPath(folder.filePath(kept));
+}
+
 std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
                                                        const StealArguments& arguments) {
-    const document::KeptTheft& theft = sources.theft;
-    if (!arguments.picture && theft.picture.isEmpty())
-        return std::make_shared<const attractor::MipPicture>(attractor::picture(theft.pattern));
-    const QDir folder = arguments.file == "-" ? QDir() : QFileInfo(fileNameOf(arguments.file)).dir();
-    const QString path =
-        arguments.picture ? fileNameOf(*arguments.picture) : QDir::cleanPath(folder.filePath(theft.picture));
+    const QString path = picturePath(sources, arguments);
+    if (path.isEmpty())
+        return std::make_shared<const attractor::MipPicture>(attractor::picture(sources.theft.pattern));
     const io::Loaded loaded = io::loadFile(path);
     if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
     io::ReadPicture read = io::decodePicture(loaded.bytes);
@@ -338,8 +344,8 @@ ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArgu
     const Interrupt interrupt;
     const QString& fileName = sources.file->name;
     const QString output = fileNameOf(*arguments.output);
-    if (arguments.picture && !isStandardOutput(output) && QFileInfo(output).exists() &&
-        QFileInfo(output) == QFileInfo(fileNameOf(*arguments.picture)))
+    const QString picture = picturePath(sources, arguments);
+    if (!picture.isEmpty() && QFileInfo(output).exists() && QFileInfo(output) == QFileInfo(picture))
         throw UsageError{tr("-o “%1” is the picture itself; give another name.").arg(output)};
     const auto laid = laidPicture(entries, sources, arguments, interrupt.token());
     if (!laid) return interrupt.status();
