@@ -66,15 +66,16 @@ bool SolidRendering::State::draw(const std::stop_token& stop) {
         const int first = static_cast<int>(job) * rows;
         bands[thread].draw(scene, first, std::min(rows, size.height - first), raster, stop);
     });
-    std::size_t cutShort = 0;
+    std::size_t shown = 0, cutShort = 0; // bands
     for (SolidBand& band : bands) {
         const SolidBand::Work done = band.takeWork();
         work.words += done.words;
         work.points += done.points;
+        shown += done.shown;
         cutShort += done.cutShort;
     }
     work.isCutShort = cutShort > 0;
-    work.hasHoles = 2 * cutShort > static_cast<std::size_t>((size.height + rows - 1) / rows);
+    work.hasHoles = 2 * cutShort > shown;
     return !stop.stop_requested();
 }
 

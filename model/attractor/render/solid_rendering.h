@@ -36,7 +36,7 @@ public:
         std::size_t words = 0;   // looked at
         std::size_t points = 0;  // drawn
         bool isCutShort = false; // there were more words than are looked at: holes are possible
-        bool hasHoles = false;   // there were in most of the picture: pieces lie on each other too often
+        bool hasHoles = false;   // there were in most of what is seen: pieces lie on each other too often
     };
     Work work() const; // of the last draw()
 

@@ -80,6 +80,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
     constexpr std::size_t wideBudget = 1U << 18;
     constexpr std::size_t widePerPixel = 16;
     const auto pixels = static_cast<std::size_t>(raster.width * rows);
+    const std::size_t pointsBefore = m_job.points;
     std::size_t budget = (1U << 24) + wordsPerPixel * pixels;
     m_job.maps.count = scene.system.maps.size();
     for (std::size_t k = 0; k < 9; ++k)
@@ -100,6 +101,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
         if (m_job.budget > 0 || m_wideBudget == 0) break;
         budget = 1U << 24; // more would not help any more
     }
+    if (m_job.points > pointsBefore) ++m_shown;
     if (m_job.budget == 0 || m_wideBudget == 0) ++m_cutShort;
     const auto width = static_cast<std::size_t>(raster.width);
     for (int y = 0; y < rows; ++y)
@@ -109,7 +111,8 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
 }
 
 SolidBand::Work SolidBand::takeWork() {
-    return {std::exchange(m_job.words, 0), std::exchange(m_job.points, 0), std::exchange(m_cutShort, 0)};
+    return {std::exchange(m_job.words, 0), std::exchange(m_job.points, 0), std::exchange(m_shown, 0),
+            std::exchange(m_cutShort, 0)};
 }
 
 void SolidBand::expand(const SolidScene& scene, const Open& open) {

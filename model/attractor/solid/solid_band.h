@@ -54,6 +54,7 @@ public:
     struct Work {
         std::size_t words = 0;
         std::size_t points = 0;
+        std::size_t shown = 0;    // bands in which something is drawn
         std::size_t cutShort = 0; // bands in which there were more words than are looked at
     };
     Work takeWork(); // since the last call
@@ -76,7 +77,7 @@ private:
     std::vector<Open> m_open;
     std::vector<Open> m_children;
     std::vector<std::pair<double, std::size_t>> m_order;
-    std::size_t m_cutShort = 0; // bands
+    std::size_t m_shown = 0, m_cutShort = 0; // bands
 };
 
 } // namespace attractor
