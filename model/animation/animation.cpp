@@ -59,12 +59,12 @@ public:
         moveMaps();
         moveCage();
         if (!m_animation.look.empty()) {
-            const auto [from, to, share] = segmentAt(m_animation.look, m_clock);
-            m_pose.appearance = withLook(std::move(m_pose.appearance), between(from, to, share));
+            const auto way = segmentAt(m_animation.look, m_clock);
+            m_pose.appearance = withLook(std::move(m_pose.appearance), between(way.from, way.to, way.share));
         }
         if (!m_animation.camera.empty()) {
-            const auto [from, to, share] = segmentAt(m_animation.camera, m_clock);
-            m_pose.camera = between(from, to, share);
+            const auto way = segmentAt(m_animation.camera, m_clock);
+            m_pose.camera = between(way.from, way.to, way.share);
         }
         for (const Motion<Dim>& motion : m_animation.motions)
             apply(motion);
@@ -78,8 +78,8 @@ private:
         for (const MapTrack<Dim>& track : m_animation.maps) {
             const auto map = std::ranges::find(m_pose.system.maps, track.map, &ifs::WeightedMap<Dim>::id);
             if (map == m_pose.system.maps.end() || track.keys.empty()) continue;
-            const auto [from, to, share] = segmentAt(track.keys, m_clock);
-            const MapPose<Dim> pose = between<Dim>(from, to, share, m_reference, norm);
+            const auto way = segmentAt(track.keys, m_clock);
+            const MapPose<Dim> pose = between<Dim>(way.from, way.to, way.share, m_reference, norm);
             map->map = pose.map;
             map->weight = pose.weight;
         }
@@ -88,8 +88,8 @@ private:
     void moveBranches() {
         for (const BranchTrack<Dim>& track : m_animation.branches) {
             if (track.keys.empty()) continue;
-            const auto [from, to, share] = segmentAt(track.keys, m_clock);
-            const auto change = ifs::interpolated<Dim>(from, to, share,
+            const auto way = segmentAt(track.keys, m_clock);
+            const auto change = ifs::interpolated<Dim>(way.from, way.to, way.share,
                                                        centreOf<Dim>(track.word, m_pose.system, m_reference));
             const auto known = std::ranges::find(m_pose.moved, track.word, &BranchPose<Dim>::word);
             if (known != m_pose.moved.end())
@@ -101,10 +101,10 @@ private:
 
     void moveCage() {
         if (m_animation.cage.empty() || !m_pose.cage) return;
-        const auto [from, to, share] = segmentAt(m_animation.cage, m_clock);
+        const auto way = segmentAt(m_animation.cage, m_clock);
         const std::size_t vertices = m_pose.cage->rest.size();
-        if (from.size() == vertices && to.size() == vertices)
-            m_pose.cage->current = between<Dim>(*m_pose.cage, from, to, share);
+        if (way.from.size() == vertices && way.to.size() == vertices)
+            m_pose.cage->current = between<Dim>(*m_pose.cage, way.from, way.to, way.share);
     }
 
     void apply(const Motion<Dim>& motion) {

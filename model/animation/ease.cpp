@@ -48,6 +48,7 @@ double eased(const Ease& ease, double u) {
     case Ease::Kind::Hold:
         return 0;
     case Ease::Kind::Linear:
+    case Ease::Kind::Smooth:
         break;
     case Ease::Kind::In:
         return u * u;

@@ -10,10 +10,11 @@ struct Ease {
     enum class Kind {
         Hold, // stays until the next key
         Linear,
-        In,    // starts slowly
-        Out,   // ends slowly
-        Both,  // starts and ends slowly
-        Cubic, // the Bézier curve from (0, 0) by (x1, y1) and (x2, y2) to (1, 1)
+        In,     // starts slowly
+        Out,    // ends slowly
+        Both,   // starts and ends slowly
+        Cubic,  // the Bézier curve from (0, 0) by (x1, y1) and (x2, y2) to (1, 1)
+        Smooth, // as Linear in time; the path bends through its keys without a corner
     };
     Kind kind = Kind::Linear;
     double x1 = 0, y1 = 0, x2 = 1, y2 = 1; // of Cubic

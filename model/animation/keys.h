@@ -28,12 +28,21 @@ struct Clock {
     int length = 1;
 };
 
+// A key beside a segment, and where it lies on the time of the segment: below 0, or above 1.
+template <class Value> struct Neighbour {
+    const Value* value = nullptr; // nullptr: there is none
+    double time = 0;
+};
+
 // The two keys that a moment lies between, and the share of the way from one to the other: exactly 0 at a
-// key.
+// key. Only where the way is smooth: the key before the first of them, and the one after the second.
 template <class Value> struct Segment {
     const Value& from;
     const Value& to;
     double share;
+    bool isSmooth = false;
+    Neighbour<Value> before = {};
+    Neighbour<Value> after = {};
 };
 
 // Needs a key. Before the first key and after the last one their values stay; in a cycle, the last key leads
@@ -55,7 +64,22 @@ template <class Value> Segment<Value> segmentAt(const Keys<Value>& keys, const C
     const Moment& at = clock.moment;
     const double time =
         double(at.numerator - begin * at.denominator) / double((end - begin) * at.denominator);
-    return {from.value, to.value, eased(from.ease, time)};
+    Segment<Value> segment{from.value, to.value, eased(from.ease, time)};
+    segment.isSmooth = from.ease.kind == Ease::Kind::Smooth;
+    if (!segment.isSmooth) return segment;
+    const bool isCycle = clock.loop == Loop::Cycle;
+    const auto timeOf = [&](int frame) { return double(frame - begin) / double(end - begin); };
+    const Key<Value>& first = keys.front();
+    const Key<Value>& last = keys.back();
+    if (&from != &first)
+        segment.before = {&(&from - 1)->value, timeOf((&from - 1)->frame - (from.frame - begin))};
+    else if (isCycle)
+        segment.before = {&last.value, timeOf(last.frame - clock.length - (from.frame - begin))};
+    if (&to != &last)
+        segment.after = {&(&to + 1)->value, timeOf((&to + 1)->frame + (end - to.frame))};
+    else if (isCycle)
+        segment.after = {&first.value, timeOf(first.frame + clock.length + (end - to.frame))};
+    return segment;
 }
 
 } // namespace animation

@@ -4,6 +4,7 @@
 #include "animation/animation.h"
 #include "attractor/request/appearance.h"
 #include "attractor/request/space_appearance.h"
+#include "document/map_labels.h"
 #include "document/support_cache.h"
 #include "ifs/cage/control_cage.h"
 #include "ifs/system/iterated_function_system.h"
@@ -43,7 +44,8 @@ struct Fractal {
     std::variant<std::monostate, Shape<2>, Shape<3>> shape;
     attractor::Appearance appearance;
     attractor::SpaceAppearance inSpace{}; // of an entry in space; the fog is in its range, the clip usable
-    SupportCache supports{};              // what functions of the fractal remember; takes no part in ==
+    MapLabels mapLabels{};
+    SupportCache supports{}; // what functions of the fractal remember; takes no part in ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
 };

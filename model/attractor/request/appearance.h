@@ -47,6 +47,8 @@ struct Appearance {
     Rgba background{13, 16, 23, 255}; // alpha 0: transparent
     double brightness = 20;           // κ > 0
     double gamma = 2.2;               // > 0
+    double contrast = 1;              // > 0; above 1, light and dark part from the middle
+    double vibrancy = 1;              // 0 … 1; below 1, the gamma acts in part on each channel, and pales
     int supersample = 1;              // 1 … 4
 
     friend bool operator==(const Appearance&, const Appearance&) = default;
