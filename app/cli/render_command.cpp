@@ -238,9 +238,9 @@ private:
             return ExitStatus::CannotReadOrWrite;
         }
         reportNote(outcome.note, task.input->name);
-        if (outcome.hasHoles)
+        if (outcome.isCoarse)
             reportWarning(task.input->name, tr("So many pieces lie on each other that parts of the solid are "
-                                               "missing. --look cloud shows all of it."));
+                                               "drawn coarsely. --look cloud shows all of it."));
         return ExitStatus::Done;
     }
 

@@ -260,7 +260,7 @@ QByteArray tearText(const ifs::Tear& torn, ifs::Homeomorphism verdict) {
         place = tr(", between %1 and %2")
                     .arg(QString::fromLatin1(pointText(torn.place->front())),
                          QString::fromLatin1(pointText(torn.place->back())));
-    const QString proof = verdict == ifs::Homeomorphism::Proved    ? tr("yes")
+    const QString proof = verdict == ifs::Homeomorphism::Proved    ? tr("yes (the tear vanishes as EPS does)")
                           : verdict == ifs::Homeomorphism::Refuted ? tr("no")
                                                                    : tr("not known");
     return tr("Tear: %1%2\nHomeomorphism: %3\n")

@@ -228,6 +228,7 @@ void MainWindow::connectMaps(view::MapsPanel* maps) {
     });
     m_canvas->selectMaps(maps->selectedMaps());
     connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
+    connect(maps, &view::MapsPanel::symmetryChosen, m_stage, &Stage::keepFitted);
     connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
 }
 

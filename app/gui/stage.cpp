@@ -46,6 +46,13 @@ void Stage::fit() {
         m_plane->fit();
 }
 
+void Stage::keepFitted() {
+    if (showsSpace())
+        m_space->main()->navigation().adoptViewport();
+    else
+        m_plane->navigation().adoptViewport();
+}
+
 void Stage::zoomBy(double factor) {
     view::SpaceNavigation& space = m_space->main()->navigation();
     if (showsSpace())

@@ -24,6 +24,7 @@ public:
 
     // Of the one that is shown:
     void fit();
+    void keepFitted(); // fits again, unless the user has moved the view since the last fit
     void zoomBy(double factor);
     void resetZoom();
     QImage picture() const;

@@ -93,7 +93,7 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 void SpaceView::showNote() {
     const auto frame = m_bridge->frame();
     const QString said = m_definition.isActive() ? m_definition.prompt() : m_stop;
-    m_note->setText(!said.isEmpty() ? said : frame ? noteInSpace(frame->note, frame->hasHoles) : QString());
+    m_note->setText(!said.isEmpty() ? said : frame ? noteInSpace(frame->note, frame->isCoarse) : QString());
 }
 
 void SpaceView::setTarget(Target target) {

@@ -28,7 +28,10 @@ QIcon swatch(const attractor::Rgba& colour, int side) {
 
 std::vector<std::size_t> activeIndices(const document::Fractal& fractal) {
     const document::System2* system = document::system2(fractal);
-    return system ? ifs::activeMaps(*system).index : std::vector<std::size_t>();
+    if (system == nullptr) return {};
+    std::vector<std::size_t> indices = ifs::activeMaps(*system).index;
+    indices.erase(std::ranges::unique(indices).begin(), indices.end()); // copies under a symmetry go together
+    return indices;
 }
 
 } // namespace

@@ -207,8 +207,11 @@ void TransformationView::refresh() {
     const document::FractalFile& file = m_document->file();
     const EntryId current = m_document->currentId();
     const auto kept = document::keptTheft(m_document->entryFractal());
-    EntryId partner =
-        kept ? document::entryNamed(file, kept->partner) : document::likelyPartner(file, current);
+    // A guess holds as long as its entry is there, whatever becomes of the maps.
+    const bool isGuessed = !kept && m_guessedFor == current && document::indexOf(file, m_partner->id()) >= 0;
+    EntryId partner = kept        ? document::entryNamed(file, kept->partner)
+                      : isGuessed ? m_partner->id()
+                                  : document::likelyPartner(file, current);
     if (partner == current) partner = EntryId::None;
     m_refusal.clear();
     const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));

@@ -75,7 +75,7 @@ bool SolidRendering::State::draw(const std::stop_token& stop) {
         cutShort += done.cutShort;
     }
     work.isCutShort = cutShort > 0;
-    work.hasHoles = 2 * cutShort > shown;
+    work.isCoarse = 2 * cutShort > shown;
     return !stop.stop_requested();
 }
 

@@ -151,7 +151,7 @@ std::optional<double> SolidThread::State::show(const Job& job, int step, const s
     frame.eyeShift = eyes.front();
     frame.step = step;
     frame.note = rendering->note();
-    frame.hasHoles = !showsCloud(job.look) && rendering->work().hasHoles;
+    frame.isCoarse = !showsCloud(job.look) && rendering->work().isCoarse;
     frame.raster = rendering->takeRaster();
     if (showsCloud(job.look)) {
         if (!showCloud(job, step, std::move(frame), stop)) return std::nullopt;

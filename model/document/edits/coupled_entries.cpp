@@ -29,14 +29,15 @@ Shown shownOf(const Fractal& fractal) {
     return shown;
 }
 
-// Positions among the maps that take part.
+// Positions among the maps that take part; the copies of a map under a symmetry stay together.
 std::optional<std::vector<std::size_t>> positions(std::span<const std::size_t> order,
                                                   const std::vector<std::size_t>& indices) {
     std::vector<std::size_t> result;
     for (const std::size_t index : order) {
-        const auto found = std::ranges::find(indices, index);
-        if (found == indices.end()) return std::nullopt;
-        result.push_back(std::size_t(found - indices.begin()));
+        const auto copies = std::ranges::equal_range(indices, index);
+        if (copies.empty() || result.size() + copies.size() > indices.size()) return std::nullopt;
+        for (auto copy = copies.begin(); copy != copies.end(); ++copy)
+            result.push_back(std::size_t(copy - indices.begin()));
     }
     for (std::size_t k = 0; order.empty() && k < indices.size(); ++k)
         result.push_back(k);

@@ -40,7 +40,8 @@ struct CouplingOutcome {
     std::size_t fromCount = 0, toCount = 0; // of maps that take part
 };
 
-// `order` lists the maps of the first entry by their indices, the one on top first; empty: as they are.
+// `order` lists the maps of the first entry by their indices, the one on top first; empty: as they are. Under
+// a symmetry, an index stands for all copies of its map, in their order.
 CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order);
 
 } // namespace document

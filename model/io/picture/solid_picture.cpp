@@ -79,7 +79,7 @@ ExportOutcome drawRows(const SolidPicture& picture, Take take, const Progress& p
     }
     if (progress) progress(shareOfDrawing);
     const attractor::RenderNote note = rendering.note();
-    const bool hasHoles = rendering.work().hasHoles;
+    const bool isCoarse = rendering.work().isCoarse;
     const attractor::DepthRaster raster = rendering.takeRaster();
     const auto [lowest, highest] = heights(request);
     attractor::SolidView view = attractor::solidView(request.camera, lowest, highest);
@@ -87,7 +87,7 @@ ExportOutcome drawRows(const SolidPicture& picture, Take take, const Progress& p
     const attractor::SolidLight light(picture.appearance, view);
     outcome = lightRows<Pixel>(raster, light, side, take, progress, stop);
     outcome.note = note;
-    outcome.hasHoles = hasHoles;
+    outcome.isCoarse = isCoarse;
     return outcome;
 }
 

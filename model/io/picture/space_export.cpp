@@ -65,7 +65,7 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     ExportOutcome outcome;
     outcome.stopped = !rendering.draw(stop);
     outcome.note = rendering.note();
-    outcome.hasHoles = rendering.work().hasHoles;
+    outcome.isCoarse = rendering.work().isCoarse;
     if (outcome.stopped) return outcome;
     const attractor::DepthRaster& raster = rendering.raster();
     std::vector<std::uint16_t> values(raster.keys.size());

@@ -123,6 +123,20 @@ private slots:
         QVERIFY(outcome.entries);
     }
 
+    void copiesUnderASymmetryKeepTheirPlaceTogether() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        ifs::Symmetry<2> twice;
+        twice.group = ifs::SymmetryGroup::Rotation;
+        twice.order = 2;
+        fractal = document::withSymmetry(std::move(fractal), twice);
+        const auto outcome = document::coupled(fractal, fractal, std::vector<std::size_t>{2, 0, 1});
+        QVERIFY(outcome.entries);
+        QCOMPARE(outcome.entries->maps, (std::vector<std::size_t>{2, 2, 0, 0, 1, 1}));
+        const std::vector<std::size_t> bad[] = {{0, 1}, {0, 1, 1}, {0, 1, 2, 2}, {0, 1, 3}};
+        for (const std::vector<std::size_t>& order : bad)
+            QVERIFY(document::coupled(fractal, fractal, order).flaw == document::CouplingFlaw::Order);
+    }
+
     void likelyPartnersHaveAsManyMaps() {
         start(TheftFamily::Triangle);
         document::FractalFile file = document::fileOf(document::sierpinskiTriangle());

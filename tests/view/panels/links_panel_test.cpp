@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/links/links_panel.h"
 
+#include "document/edits/link_edits.h"
 #include "document/edits/maps_edits.h"
 #include "ifs/links/linked_systems.h"
 #include "panels/links/link_graph.h"
@@ -44,6 +45,8 @@ class LinksPanelTest : public QObject {
 private slots:
     void showsTheMatrix();
     void anEditIsOneStep();
+    void deleteForbidsTheSelectedLinksInOneStep();
+    void saysWhereOnlyPointsAreDrawn();
     void refusesWhatIsNoWeight();
     void marksWhatTakesNoPart();
     void followsTheMaps();
@@ -71,6 +74,53 @@ void LinksPanelTest::showsTheMatrix() {
     QVERIFY(!(panel.model()->index(0, 3).flags() & Qt::ItemIsEditable));
     QVERIFY(panel.model()->index(0, 2).flags() & Qt::ItemIsEditable);
     QVERIFY(panel.model()->index(0, 1).data(Qt::AccessibleTextRole).toString().contains(u"map 2"_s));
+}
+
+void LinksPanelTest::deleteForbidsTheSelectedLinksInOneStep() {
+    document::Document document; // the Sierpiński triangle
+    LinksPanel panel(&document);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    const document::Fractal before = document.fractal();
+    panel.table()->setFocus();
+    panel.table()->setCurrentIndex(panel.model()->index(0, 1));
+    QTest::keyClick(panel.table(), Qt::Key_Delete);
+    QCOMPARE(text(panel, 0, 1), u"0"_s);
+    QTest::keyClick(panel.table(), Qt::Key_Delete); // already forbidden
+    panel.table()->selectAll();
+    QTest::keyClick(panel.table(), Qt::Key_Backspace);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            QCOMPARE(text(panel, row, column), u"0"_s);
+    document.undoStack()->undo();
+    QCOMPARE(text(panel, 0, 1), u"0"_s);
+    QCOMPARE(text(panel, 1, 2), u"1"_s);
+    document.undoStack()->undo();
+    QVERIFY(document.fractal() == before);
+    QVERIFY(!document.undoStack()->canUndo());
+}
+
+void LinksPanelTest::saysWhereOnlyPointsAreDrawn() {
+    document::Document document;
+    const LinksPanel panel(&document);
+    const auto* notice = panel.findChild<QLabel*>();
+    const auto isSaid = [&] { return notice->text().contains(u"single points"_s); };
+    const auto link = [&](std::initializer_list<double> weights) {
+        document::Fractal fractal = document.fractal();
+        int at = 0;
+        for (const double weight : weights) {
+            fractal = document::withLink(std::move(fractal), at / 3, at % 3, weight);
+            ++at;
+        }
+        document.edit(u"link"_s, fractal);
+    };
+    QVERIFY(!isSaid());
+    link({0, 1, 0, 0, 0, 1, 1, 0, 0}); // one cycle
+    QVERIFY(isSaid());
+    link({0, 1, 0, 0, 0, 1, 1, 0, 1});
+    QVERIFY(!isSaid());
+    link({1, 0, 0, 0, 0, 0, 0, 0, 0}); // one map is left
+    QVERIFY(isSaid());
 }
 
 void LinksPanelTest::anEditIsOneStep() {

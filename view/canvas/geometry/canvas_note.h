@@ -13,7 +13,7 @@ namespace view {
 QString noteOn(const document::Fractal& fractal, attractor::RenderNote note);
 
 // The same of a system in space.
-QString noteInSpace(attractor::RenderNote note, bool hasHoles);
+QString noteInSpace(attractor::RenderNote note, bool isCoarse);
 
 // Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
 // same maps taking part as those of `way`.

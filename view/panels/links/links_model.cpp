@@ -135,6 +135,18 @@ void LinksModel::setWeight(int from, int to, double weight) {
                      document::withLink(m_document->fractal(), from, to, weight));
 }
 
+void LinksModel::forbid(const QModelIndexList& cells) {
+    QModelIndexList links;
+    for (const QModelIndex& cell : cells)
+        if (cell.isValid() && !isState(cell.column()) && weight(cell) > 0) links << cell;
+    if (links.size() == 1) return setWeight(links.front().row(), links.front().column(), 0);
+    if (links.isEmpty()) return;
+    document::Fractal fractal = m_document->fractal();
+    for (const QModelIndex& link : links)
+        fractal = document::withLink(std::move(fractal), link.row(), link.column(), 0);
+    m_document->edit(tr("Remove %n link(s)", nullptr, int(links.size())), std::move(fractal));
+}
+
 QVariant LinksModel::headerData(int section, Qt::Orientation orientation, int role) const {
     const bool isLast = orientation == Qt::Horizontal && isState(section);
     if (role == Qt::DisplayRole) return isLast ? tr("In the chaos game") : QString::number(section + 1);

@@ -8,11 +8,31 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace view {
+
+namespace {
+
+// Whether the chaos game ever draws lots: else only the fixed points of the cycles are drawn.
+bool leavesAChoice(const document::System2& system) {
+    const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
+    const std::size_t count = active.maps.size();
+    if (!active.isLinked()) return count > 1;
+    for (std::size_t row = 0; row < count; ++row) {
+        const auto begin = active.links.begin() + std::ptrdiff_t(row * count);
+        if (std::count_if(begin, begin + std::ptrdiff_t(count), [](double p) { return p > 0; }) > 1)
+            return true;
+    }
+    return false;
+}
+
+} // namespace
 
 LinksPanel::LinksPanel(document::Document* document, QWidget* parent)
     : QWidget(parent),
@@ -48,6 +68,8 @@ LinksPanel::LinksPanel(document::Document* document, QWidget* parent)
     layout->addWidget(m_views, 1);
     layout->addWidget(m_notice);
     layout->addWidget(m_remove, 0, Qt::AlignLeft);
+    for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace})
+        new QShortcut(key, m_table, this, &LinksPanel::forbidSelected, Qt::WidgetShortcut);
     connect(m_model, &LinksModel::refused, this, &LinksPanel::message);
     connect(m_model, &QAbstractItemModel::modelReset, this, &LinksPanel::showState);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &LinksPanel::showState);
@@ -71,6 +93,8 @@ void LinksPanel::showState() {
         notice = tr("Any map may follow any other. Click an arrow and press Delete to forbid it.");
     if (isLinked && ifs::countActive(*system) == 0)
         notice = tr("Every sequence of maps comes to an end, so nothing is drawn.");
+    else if (isLinked && !leavesAChoice(*system))
+        notice = tr("No map has a choice of what follows it, so only single points are drawn.");
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
     m_views->setVisible(obstacle.isEmpty());
@@ -86,6 +110,10 @@ void LinksPanel::selectArrow(int from, int to) {
 
 void LinksPanel::selectCell(const QModelIndex& index) {
     m_graph->select(index.row(), index.column());
+}
+
+void LinksPanel::forbidSelected() {
+    m_model->forbid(m_table->selectionModel()->selectedIndexes());
 }
 
 void LinksPanel::removeLinks() {

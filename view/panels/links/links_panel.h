@@ -35,6 +35,7 @@ private:
     void showState();
     void selectArrow(int from, int to);
     void selectCell(const QModelIndex& index);
+    void forbidSelected();
     void removeLinks();
 
     document::Document* m_document;

@@ -58,6 +58,7 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     m_facts->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto* symmetry = new SymmetryRow(document, content);
     connect(symmetry, &SymmetryRow::message, this, &MapsPanel::message);
+    connect(symmetry, &SymmetryRow::groupChosen, this, &MapsPanel::symmetryChosen);
     contentLayout->addWidget(symmetry);
     contentLayout->addWidget(m_shape);
     contentLayout->addWidget(m_facts);

@@ -54,6 +54,7 @@ public:
 
 signals:
     void message(const QString& text); // a sentence for the status bar
+    void symmetryChosen(); // the attractor may have another size now
     void selectionChanged();
     void mapPointed(ifs::MapId id); // at its row; None: at none
 

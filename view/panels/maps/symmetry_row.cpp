@@ -219,6 +219,7 @@ void SymmetryRow::chooseGroup(ifs::SymmetryGroup group, int order) {
     });
     m_document->edit(group == None ? tr("Remove the symmetry") : tr("Set the symmetry"), std::move(after));
     follow();
+    emit groupChosen();
 }
 
 void SymmetryRow::expand() {

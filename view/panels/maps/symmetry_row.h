@@ -34,6 +34,7 @@ public:
 
 signals:
     void message(const QString& text); // a sentence for the status bar
+    void groupChosen();                // the attractor may have another size now
 
 private:
     QWidget* makeChoice();
