@@ -48,6 +48,8 @@ QByteArray requestHash(const document::Fractal& entry, int frame, const RenderAr
     request.addText("colour", options.colour);
     request.addNumbers("gamma", options.gamma);
     request.addNumbers("brightness", options.brightness);
+    request.addNumbers("contrast", options.contrast);
+    request.addNumbers("vibrancy", options.vibrancy);
     if (options.background)
         request.add("background", io::colourText(colourArgument("--background", *options.background)));
     request.addText("supersample", options.supersample);

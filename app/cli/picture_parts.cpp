@@ -93,6 +93,8 @@ void refuseWhatIsDecided(const RenderArguments& arguments) {
         {&arguments.colour, "--colour"},
         {&arguments.gamma, "--gamma"},
         {&arguments.brightness, "--brightness"},
+        {&arguments.contrast, "--contrast"},
+        {&arguments.vibrancy, "--vibrancy"},
         {&arguments.background, "--background"},
         {&arguments.supersample, "--supersample"},
         {&arguments.bits, "--bits"},

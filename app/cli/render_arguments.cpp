@@ -9,6 +9,7 @@
 
 #include "attractor/kernels/kernels.h"
 #include "io/picture/picture_writers.h"
+#include "io/text/number.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -76,6 +77,13 @@ Steps stepsOf(const std::string& text) {
     return steps;
 }
 
+double vibrancyOf(const std::string& text) {
+    const auto vibrancy = io::parseNumber(QString::fromStdString(text));
+    if (vibrancy && *vibrancy >= 0 && *vibrancy <= 1) return *vibrancy;
+    throw UsageError{tr("--vibrancy “%1” is not valid: it must be a number from 0 to 1.")
+                         .arg(QString::fromStdString(text))};
+}
+
 } // namespace
 
 void selectInstructions(const std::string& name) {
@@ -114,6 +122,8 @@ void applyAppearance(attractor::Appearance& appearance, const RenderArguments& a
     if (arguments.readPalette) appearance.palette = *arguments.readPalette;
     if (arguments.gamma) appearance.gamma = positiveArgument("--gamma", *arguments.gamma);
     if (arguments.brightness) appearance.brightness = positiveArgument("--brightness", *arguments.brightness);
+    if (arguments.contrast) appearance.contrast = positiveArgument("--contrast", *arguments.contrast);
+    if (arguments.vibrancy) appearance.vibrancy = vibrancyOf(*arguments.vibrancy);
     if (arguments.background) {
         putOn(appearance, colourArgument("--background", *arguments.background));
     }
@@ -214,6 +224,8 @@ void refuseUnsupported(const RenderArguments& arguments, Format format) {
         refuseIf(arguments.iterations.has_value(), "--iterations", tr("for vector graphics, use --depth."));
         refuseIf(arguments.gamma.has_value(), "--gamma", reason);
         refuseIf(arguments.brightness.has_value(), "--brightness", reason);
+        refuseIf(arguments.contrast.has_value(), "--contrast", reason);
+        refuseIf(arguments.vibrancy.has_value(), "--vibrancy", reason);
         refuseIf(arguments.supersample.has_value(), "--supersample", reason);
         refuseIf(arguments.bits.has_value(), "--bits", reason);
         refuseIf(arguments.quality.has_value(), "--quality", reason);
@@ -303,6 +315,12 @@ void addColourOptions(CLI::App& command, RenderArguments& arguments) {
     colours.add("--gamma", "G", arguments.gamma, "Gamma of the tone curve", "stored in the entry, else 2.2");
     colours.add("--brightness", "B", arguments.brightness, "Brightness of the tone curve",
                 "stored in the entry, else 20");
+    colours.add("--contrast", "C", arguments.contrast,
+                "Contrast of the tone curve: above 1, light and dark part from the middle",
+                "stored in the entry, else 1");
+    colours.add("--vibrancy", "V", arguments.vibrancy,
+                "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and they pale",
+                "stored in the entry, else 1");
     colours.add("--background", "COLOUR", arguments.background,
                 "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
                 "stored in the entry, else #0d1017");

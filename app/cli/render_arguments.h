@@ -36,7 +36,7 @@ struct Steps {
 using OptionText = std::optional<std::string>; // as typed; nullopt: not given
 
 struct AppearanceOptions {
-    OptionText palette, colour, gamma, brightness, background;
+    OptionText palette, colour, gamma, brightness, contrast, vibrancy, background;
     std::optional<attractor::Palette> readPalette; // that `palette` names
 };
 

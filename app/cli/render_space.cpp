@@ -82,6 +82,8 @@ void refuseNumbers(const RenderArguments& options) {
     refuseIf(options.colour.has_value(), "--colour", reason);
     refuseIf(options.gamma.has_value(), "--gamma", reason);
     refuseIf(options.brightness.has_value(), "--brightness", reason);
+    refuseIf(options.contrast.has_value(), "--contrast", reason);
+    refuseIf(options.vibrancy.has_value(), "--vibrancy", reason);
     refuseIf(options.background.has_value(), "--background", reason);
     refuseIf(options.supersample.has_value(), "--supersample", reason);
     refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));

@@ -58,6 +58,8 @@ void refuseUnlit(LookInSpace look, const document::Fractal& fractal, const Rende
     refuseIf(options.points.has_value(), "--points", solid);
     refuseIf(options.gamma.has_value(), "--gamma", solid);
     refuseIf(options.brightness.has_value(), "--brightness", solid);
+    refuseIf(options.contrast.has_value(), "--contrast", solid);
+    refuseIf(options.vibrancy.has_value(), "--vibrancy", solid);
     if (look == LookInSpace::Ink)
         refuseIf(options.light.has_value(), "--light", tr("ink has only the light of the eye."));
     if (look != LookInSpace::Normals) {

@@ -61,7 +61,9 @@ void check(const document::Fractal& fractal) {
     if (const auto* plane = document::plane(fractal)) checkShape(*plane);
     if (const auto* space = document::space(fractal)) checkShape(*space);
     promise(io::isGradient(fractal.appearance.palette.stops), "a palette is a gradient");
-    promise(fractal.appearance.brightness > 0 && fractal.appearance.gamma > 0, "a picture can be drawn");
+    const attractor::Appearance& look = fractal.appearance;
+    promise(look.brightness > 0 && look.gamma > 0 && look.contrast > 0, "a picture can be drawn");
+    promise(look.vibrancy >= 0 && look.vibrancy <= 1, "a vibrancy is a share");
 }
 
 void check(const document::FractalFile& file) {

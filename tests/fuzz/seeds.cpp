@@ -173,7 +173,8 @@ const QByteArrayList& tokens() {
         "{", "}", ";", "(3D)", "\x1a", "\r", "\n", "\r\n", "\xef\xbb\xbf", "\xff\xfe", " ", "\t", "'", ",",
         "comment", "frm:", "par:", "ifs:", "a=b", "x { .5 0 0 .5 0 0 1 }\n", "barycage: ", "rest ",
         "current ", "branch ", "by ", "stop ", "palette ", "map-colour ", "off ", "unweighted ", "weight ",
-        "all", "#00112233", "gamma ", "supersample ", "deformation bend", QByteArray("\0", 1),
+        "all", "#00112233", "gamma ", "contrast ", "vibrancy ", "supersample ", "deformation bend",
+        QByteArray("\0", 1),
         // tables
         "a b c d e f p\n", "theta", "cumulative", "1;1;1;1;1;1;1\n", "1\t2\t3\t4\t5\t6\n", "0 0 1\n",
         // markup

@@ -95,6 +95,8 @@ Complaint complaintAbout(const document::Fractal& fractal) {
     const attractor::Appearance& look = fractal.appearance;
     if (!(look.brightness > 0) || !(look.gamma > 0) || !std::isfinite(look.brightness * look.gamma))
         return QStringLiteral("brightness %1, gamma %2").arg(look.brightness).arg(look.gamma);
+    if (!(look.contrast > 0) || !std::isfinite(look.contrast) || !(look.vibrancy >= 0 && look.vibrancy <= 1))
+        return QStringLiteral("contrast %1, vibrancy %2").arg(look.contrast).arg(look.vibrancy);
     return {};
 }
 

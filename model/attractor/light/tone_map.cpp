@@ -151,9 +151,7 @@ std::vector<double> lightTable(const Appearance& look, double whitePoint, double
                                std::uint64_t maxSamples) {
     std::vector<double> table(tableSize(maxSamples));
     for (std::size_t i = 0; i < table.size(); ++i)
-        table[i] = i == 0 ? 0
-                          : linearFromEncoded(tone(samplesOf(i) * densityPerSample, look.brightness,
-                                                   whitePoint, look.gamma));
+        table[i] = i == 0 ? 0 : linearFromEncoded(tone(samplesOf(i) * densityPerSample, look, whitePoint));
     return table;
 }
 
@@ -204,12 +202,6 @@ std::size_t twelveBits(double light) {
 
 } // namespace
 
-double tone(double density, double brightness, double whitePoint, double gamma) {
-    const double ratio =
-        naturalLogarithm(1 + brightness * density) / naturalLogarithm(1 + brightness * whitePoint);
-    return std::clamp(power(ratio, 1 / gamma), 0.0, 1.0);
-}
-
 double referenceShare(double pixels, double samples) {
     return samples > 0 ? std::min(1.0, 0.5 * pixels / samples) : 1;
 }
@@ -250,7 +242,8 @@ Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, do
 ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t maxSamples)
     : m_settings(settings),
       m_ownColours(coloursSamples(settings.appearance.colourBy)),
-      m_maxSamples(maxSamples) {
+      m_maxSamples(maxSamples),
+      m_vibrantCodes(settings.appearance) {
     const Appearance& look = m_settings.appearance;
     if (look.colourBy == ColourBy::Plain)
         m_ramp.push_back(look.plain);
@@ -269,15 +262,13 @@ ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t maxSamples)
             continue;
         }
         v = toneOf(samplesOf(i));
-        const Entry& e = m_entries[i] = i == 0 ? Entry{} : entry(v);
-        m_pixels[i] = pixel(e.alpha, codes()[twelveBits(e.red)], codes()[twelveBits(e.green)],
-                            codes()[twelveBits(e.blue)]);
+        m_entries[i] = i == 0 ? Entry{} : entry(v);
+        m_pixels[i] = pixel(m_entries[i]);
     }
 }
 
 double ToneMap::toneOf(double samples) const {
-    const Appearance& look = m_settings.appearance;
-    return tone(samples * m_settings.densityPerSample, look.brightness, m_settings.whitePoint, look.gamma);
+    return tone(samples * m_settings.densityPerSample, m_settings.appearance, m_settings.whitePoint);
 }
 
 ToneMap::Entry ToneMap::entry(double v) const {
@@ -312,8 +303,19 @@ std::uint32_t ToneMap::pixel(const Light& light) const {
     const double alpha = side == 1 ? static_cast<double>(light.alpha)
                                    : alphas()[twelveBits(m_settings.gain * light.weight / (side * side))];
     const double share = 1 / light.weight;
+    if (m_vibrantCodes.changesColours())
+        return pixel(alpha, m_vibrantCodes(light.red * share), m_vibrantCodes(light.green * share),
+                     m_vibrantCodes(light.blue * share));
     const auto code = [&](double sum) { return static_cast<double>(codes()[twelveBits(sum * share)]); };
     return pixel(alpha, code(light.red), code(light.green), code(light.blue));
+}
+
+std::uint32_t ToneMap::pixel(const Entry& entry) const {
+    const auto code = [this](float light) {
+        return m_vibrantCodes.changesColours() ? m_vibrantCodes(static_cast<double>(light))
+                                               : static_cast<double>(codes()[twelveBits(light)]);
+    };
+    return pixel(entry.alpha, code(entry.red), code(entry.green), code(entry.blue));
 }
 
 bool ToneMap::addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/cells/cell_sums.h"
+#include "attractor/light/tone_curve.h"
 #include "attractor/request/render_request.h"
 #include "attractor/threads/workers.h"
 
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace attractor {
-
-// v = [ln(1 + κρ) / ln(1 + κρ_w)]^(1/γ), clamped to [0, 1].
-double tone(double density, double brightness, double whitePoint, double gamma);
 
 // Mean density over the occupied pixels of a picture whose cells have been filled with `samples` samples over
 // the whole attractor, and for every value that `kept` does not give, white point and gain. Independent of
@@ -70,6 +68,7 @@ private:
     Entry entry(double v) const;
     std::uint32_t pixel(double alpha, double red, double green, double blue) const;
     std::uint32_t pixel(const Light& light) const;
+    std::uint32_t pixel(const Entry& entry) const; // of a cell that fills it
     void applyTable(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
     // False where the row is empty.
     bool addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const;
@@ -78,6 +77,7 @@ private:
     ToneSettings m_settings;
     bool m_ownColours; // the sums carry colours
     std::uint64_t m_maxSamples;
+    VibrantCodes m_vibrantCodes;
     std::vector<Rgba> m_ramp; // the palette, or the plain colour
     std::vector<Entry> m_entries;
     std::vector<std::uint32_t> m_pixels; // of a cell without colours that fills its pixel

@@ -32,8 +32,8 @@ ToneMap16::Entry ToneMap16::entry(std::uint64_t samples) const {
     const Appearance& look = m_settings.appearance;
     Entry result;
     if (samples == 0) return result;
-    const double v = tone(static_cast<double>(samples) * m_settings.densityPerSample, look.brightness,
-                          m_settings.whitePoint, look.gamma);
+    const double v =
+        tone(static_cast<double>(samples) * m_settings.densityPerSample, look, m_settings.whitePoint);
     if (look.colourBy == ColourBy::Density) result.colour = linearColourAt(look.palette, v);
     if (look.colourBy == ColourBy::Plain) result.colour = linearColour(look.plain);
     result.alpha = v * result.colour.alpha;
@@ -85,7 +85,9 @@ Rgba16 ToneMap16::pixel(const Light& light) const {
     const double opacity = alpha + behind;
     if (!(opacity > 0)) return {};
     const auto channel = [&](double sum, std::uint8_t back) {
-        const double front = alpha > 0 ? encodedFromLinear(std::clamp(sum / light.weight, 0.0, 1.0)) : 0;
+        const double front = alpha > 0 ? vibrant(encodedFromLinear(std::clamp(sum / light.weight, 0.0, 1.0)),
+                                                 m_settings.appearance)
+                                       : 0;
         return code16((alpha * front + behind * (back / 255.0)) / opacity);
     };
     return {channel(light.red, ground.red), channel(light.green, ground.green),

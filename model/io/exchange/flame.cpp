@@ -526,12 +526,7 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
     xml.writeAttribute(QStringLiteral("center"), QString::fromLatin1(formatNumber(camera.centre.x()) + ' ' +
                                                                      formatNumber(up * camera.centre.y())));
     xml.writeAttribute(QStringLiteral("scale"), QString::fromLatin1(formatNumber(camera.pixelsPerUnit)));
-    const attractor::Rgba ground = fractal.appearance.background;
-    QByteArrayList levels;
-    for (const int level : {ground.red, ground.green, ground.blue})
-        levels << formatNumber(level / 255.0);
-    xml.writeAttribute(QStringLiteral("background"), QString::fromLatin1(levels.join(' ')));
-    xml.writeAttribute(QLatin1String(flameColourByKey), flameColourBy(fractal.appearance.colourBy));
+    writeFlameLook(xml, fractal.appearance);
 
     if (const auto kind = flameKind(system.symmetry)) {
         xml.writeEmptyElement(QStringLiteral("symmetry"));

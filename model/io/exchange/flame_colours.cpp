@@ -5,6 +5,7 @@
 #include "io/text/number.h"
 
 #include <QStringList>
+#include <QXmlStreamWriter>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ using attractor::Palette;
 using attractor::Rgba;
 
 constexpr std::size_t last = flameColours - 1;
+constexpr const char* colourByKey = "barycage_colour"; // which only Barycage reads
 
 struct ColourByName {
     ColourBy colourBy;
@@ -101,9 +103,13 @@ std::array<Rgba, flameColours> spread(const std::vector<Rgba>& colours, FlameCol
 void FlameColourReader::readFlame(const QXmlStreamAttributes& attributes) {
     m_background = colourOf(attributes.value(QLatin1String("background")), 1);
     m_isForeign = attributes.hasAttribute(QLatin1String("palette"));
-    const auto name = attributes.value(QLatin1String(flameColourByKey));
+    const auto name = attributes.value(QLatin1String(colourByKey));
     for (const ColourByName& known : colourByNames)
         if (name == QLatin1String(known.name)) m_colourBy = known.colourBy;
+    const auto contrast = parseNumber(attributes.value(QLatin1String("contrast")));
+    if (contrast && *contrast > 0 && std::isfinite(*contrast)) m_contrast = contrast;
+    const auto vibrancy = parseNumber(attributes.value(QLatin1String("vibrancy")));
+    if (vibrancy && !std::isnan(*vibrancy)) m_vibrancy = std::clamp(*vibrancy, 0.0, 1.0);
 }
 
 void FlameColourReader::readPalette(const QString& hex, int channels) {
@@ -137,6 +143,8 @@ void FlameColourReader::forgetXforms(const std::vector<std::size_t>& indices) {
 void FlameColourReader::applyTo(document::Fractal& fractal) const {
     attractor::Appearance& appearance = fractal.appearance;
     if (m_background) appearance.background = *m_background;
+    appearance.contrast = m_contrast.value_or(appearance.contrast);
+    appearance.vibrancy = m_vibrancy.value_or(appearance.vibrancy);
     if (m_colours.empty()) return;
     appearance.palette = paletteThrough(m_colours, fractal.name);
     if (m_colourBy) appearance.colourBy = *m_colourBy;
@@ -179,10 +187,20 @@ FlameColours flameColoursOf(const document::Fractal& fractal) {
     return flame;
 }
 
-QString flameColourBy(ColourBy colourBy) {
+void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearance) {
+    QByteArrayList levels;
+    for (const int level :
+         {appearance.background.red, appearance.background.green, appearance.background.blue})
+        levels << formatNumber(level / 255.0);
+    const auto write = [&xml](const char* name, const QByteArray& value) {
+        xml.writeAttribute(QLatin1String(name), QString::fromLatin1(value));
+    };
+    write("background", levels.join(' '));
     for (const ColourByName& known : colourByNames)
-        if (known.colourBy == colourBy) return QLatin1String(known.name);
-    return {};
+        if (known.colourBy == appearance.colourBy) write(colourByKey, known.name);
+    const attractor::Appearance usual; // as flames are without these attributes
+    if (appearance.contrast != usual.contrast) write("contrast", formatNumber(appearance.contrast));
+    if (appearance.vibrancy != usual.vibrancy) write("vibrancy", formatNumber(appearance.vibrancy));
 }
 
 } // namespace io

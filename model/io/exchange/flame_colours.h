@@ -10,8 +10,10 @@
 #include <optional>
 #include <vector>
 
-// The colours of flames: <palette> or <color> elements, `background`, and the place of every xform in the
-// palette. docs/formats.md, "Flame XML".
+class QXmlStreamWriter;
+
+// The colours of flames: <palette> or <color> elements, `background`, `contrast` and `vibrancy`, and the
+// place of every xform in the palette. docs/formats.md, "Flame XML".
 namespace io {
 
 constexpr std::size_t flameColours = 256; // in a palette
@@ -19,7 +21,7 @@ constexpr std::size_t flameColours = 256; // in a palette
 // Collects what one flame says, then gives it to the fractal that was read from it.
 class FlameColourReader {
 public:
-    void readFlame(const QXmlStreamAttributes& attributes);  // of <flame>: background
+    void readFlame(const QXmlStreamAttributes& attributes);  // of <flame>
     void readPalette(const QString& hex, int channels);      // the text of <palette>; 3 or 4 channels
     void readColour(const QXmlStreamAttributes& attributes); // of <color>: index, rgb
     void readColours(const QString& data);                   // of <colors>: 00RRGGBB for each
@@ -37,6 +39,8 @@ private:
     std::vector<std::optional<double>> m_positions; // by xform
     std::optional<attractor::Rgba> m_background;
     std::optional<attractor::ColourBy> m_colourBy; // as Barycage writes it
+    std::optional<double> m_contrast;
+    std::optional<double> m_vibrancy;
     bool m_isForeign = false;
 };
 
@@ -49,7 +53,7 @@ struct FlameColours {
 };
 FlameColours flameColoursOf(const document::Fractal& fractal);
 
-QString flameColourBy(attractor::ColourBy colourBy); // for the attribute that only Barycage reads
-inline constexpr const char* flameColourByKey = "barycage_colour";
+// The attributes of <flame> that say how it looks.
+void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearance);
 
 } // namespace io

@@ -81,6 +81,7 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
                 fractal.appearance.background.alpha == 255,
                 true,
                 colours.holdsMapColours,
+                true,
                 flameHoldsSymmetry(fractal),
                 true,
                 false};

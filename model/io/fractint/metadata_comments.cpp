@@ -130,6 +130,10 @@ QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
     if (appearance.brightness != standard.brightness)
         lines << line("brightness", formatNumber(appearance.brightness));
     if (appearance.gamma != standard.gamma) lines << line("gamma", formatNumber(appearance.gamma));
+    if (appearance.contrast != standard.contrast)
+        lines << line("contrast", formatNumber(appearance.contrast));
+    if (appearance.vibrancy != standard.vibrancy)
+        lines << line("vibrancy", formatNumber(appearance.vibrancy));
     if (appearance.supersample != standard.supersample)
         lines << line("supersample", QByteArray::number(appearance.supersample));
     return lines;
@@ -280,11 +284,17 @@ bool MetadataComments::readSetting(const QByteArray& key, const QByteArrayList& 
         return colour.has_value();
     }
     const auto value = number(values[0]);
+    if (value && key == "vibrancy" && *value >= 0 && *value <= 1) {
+        m_appearance.vibrancy = *value;
+        return true;
+    }
     if (!value || !(*value > 0)) return false;
     if (key == "brightness")
         m_appearance.brightness = *value;
     else if (key == "gamma")
         m_appearance.gamma = *value;
+    else if (key == "contrast")
+        m_appearance.contrast = *value;
     else if (key == "supersample" && *value <= 4 && *value == static_cast<int>(*value))
         m_appearance.supersample = static_cast<int>(*value);
     else

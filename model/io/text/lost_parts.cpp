@@ -61,6 +61,10 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     rest.background = usual.background;
     if (kept.colourBy) rest.colourBy = usual.colourBy;
     if (kept.mapColours) rest.mapColours = usual.mapColours;
+    if (kept.tones) {
+        rest.contrast = usual.contrast;
+        rest.vibrancy = usual.vibrancy;
+    }
     if (!(rest == usual)) lost << Text::tr("its other colour settings");
     if (lost.isEmpty()) return std::nullopt;
     const QString last = lost.takeLast();

@@ -231,8 +231,9 @@ void CliAnimateTest::staleAndDamagedFramesAreDrawnAgain() {
     QVERIFY(read("a/f.1.png") != whole);
     QCOMPARE(run(command).status, 0);
     // Another request by its options, by its frame or by its entry.
-    for (const char* option : {"--seed 2", "--gamma 3", "--margin 6", "--background black", "--palette Fern",
-                               "--bits 16", "--supersample 2", "--shutter 180", "--exposure each"}) {
+    for (const char* option :
+         {"--seed 2", "--gamma 3", "--contrast 2", "--vibrancy 0.5", "--margin 6", "--background black",
+          "--palette Fern", "--bits 16", "--supersample 2", "--shutter 180", "--exposure each"}) {
         QCOMPARE(run(command + option).status, 0);
         QVERIFY2(read("a/f.1.png") != whole, option);
         QCOMPARE(run(command).status, 0);

@@ -157,6 +157,10 @@ void CliFilesTest::whatAFormatDropsIsSaid_data() {
                                      << QByteArray("“e” is written without its palette.");
     QTest::newRow("gamma") << QByteArray("; barycage: gamma 3\n") << QByteArray("csv")
                            << QByteArray("“e” is written without its other colour settings.");
+    QTest::newRow("contrast") << QByteArray("; barycage: contrast 3\n") << QByteArray("fractint --strict")
+                              << QByteArray("“e” is written without its other colour settings.");
+    QTest::newRow("vibrancy") << QByteArray("; barycage: vibrancy 0\n") << QByteArray("tex")
+                              << QByteArray("“e” is written without its other colour settings.");
     QTest::newRow("strict") << cage << QByteArray("fractint --strict")
                             << QByteArray(": warning: “e” is written without its cage");
 }

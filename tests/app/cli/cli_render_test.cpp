@@ -26,6 +26,7 @@ private slots:
     void cageOfManyCornersBendsThePicture();
     void drawsShapes();
     void drawsAGallery();
+    void instructionSetsGiveTheSameBytes_data();
     void instructionSetsGiveTheSameBytes();
     void pictureOptionsCount();
 };
@@ -207,9 +208,17 @@ void CliRenderTest::drawsAGallery() {
     QVERIFY(!QFile::exists(path("none.png")));
 }
 
+void CliRenderTest::instructionSetsGiveTheSameBytes_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::newRow("usual") << QByteArray();
+    QTest::newRow("tones") << QByteArray(" --contrast 3 --vibrancy 0.3");
+    QTest::newRow("tones of addresses") << QByteArray(" --colour address --contrast 0.5 --vibrancy 0");
+}
+
 void CliRenderTest::instructionSetsGiveTheSameBytes() {
-    const auto drawn = [this](const char* set) {
-        const Result result = run(QByteArray("render systems.ifs -o set.png --size 100x80 --simd ") + set);
+    QFETCH(QByteArray, options);
+    const auto drawn = [&](const char* set) {
+        const Result result = run("render systems.ifs -o set.png --size 100x80" + options + " --simd " + set);
         if (result.status == 0) return read("set.png");
         if (result.status != 2 || !result.err.contains("scalar")) return QByteArray("wrong message");
         return QByteArray();
@@ -246,6 +255,9 @@ void CliRenderTest::pictureOptionsCount() {
     for (const char* colour : {"density", "map", "address", "none"})
         QCOMPARE(draw(QByteArray("--colour ") + colour).status, 0);
     QCOMPARE(draw("--supersample 3").status, 0);
+    QCOMPARE(draw("--contrast 3").status, 0);
+    QCOMPARE(draw("--vibrancy 0.2").status, 0);
+    QCOMPARE(draw("--colour map --contrast 0.5 --vibrancy 0").status, 0);
     QCOMPARE(draw("--palette ink").status, 0);
     QCOMPARE(draw("--palette p.gpl").status, 0);
     const QImage red = pictures.back();

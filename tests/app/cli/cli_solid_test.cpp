@@ -133,6 +133,8 @@ void CliSolidTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::newRow("palette") << QByteArray("--colour map --palette fern") << QByteArray("--palette");
     QTest::newRow("points") << QByteArray("--points 9") << QByteArray("--points");
     QTest::newRow("gamma") << QByteArray("--look ink --gamma 2") << QByteArray("--gamma");
+    QTest::newRow("contrast") << QByteArray("--contrast 2") << QByteArray("--contrast");
+    QTest::newRow("vibrancy") << QByteArray("--look normals --vibrancy 0") << QByteArray("--vibrancy");
     QTest::newRow("ink") << QByteArray("--look ink --light 0,0") << QByteArray("--light");
     QTest::newRow("normals") << QByteArray("--look normals --fog 1") << QByteArray("--fog");
     QTest::newRow("cloud") << QByteArray("--look cloud --light 0,0") << QByteArray("only to solids");

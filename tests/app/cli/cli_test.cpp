@@ -91,6 +91,11 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --background #ff0000800000");
     row("render systems.ifs -o x.png --gamma -1");
     row("render systems.ifs -o x.png --gamma 2,2");
+    row("render systems.ifs -o x.png --contrast 0");
+    row("render systems.ifs -o x.png --vibrancy 1.5");
+    row("render systems.ifs -o x.png --vibrancy -1");
+    row("render systems.ifs -o x.svg --contrast 2");
+    row("render systems.ifs -o x.pdf --vibrancy 0");
     row("render systems.ifs -o x.png --bits 12");
     row("render systems.ifs -o x.svg --bits 16");
     row("render systems.ifs -o x.png --simd mmx");

@@ -56,11 +56,19 @@ ToneSettings settings(int cellsPerPixel) {
     return result;
 }
 
+// A channel of 256 levels.
+double vibrantByFormula(const ToneSettings& s, double level) {
+    const double kept = s.appearance.vibrancy;
+    return kept * level + (1 - kept) * 255 * std::pow(level / 255, 1 / s.appearance.gamma);
+}
+
 // Alpha of a pixel with these cells.
 double alphaByFormula(const ToneSettings& s, const std::vector<std::uint32_t>& cells) {
     const auto alpha = [&](std::uint32_t count) {
-        return toneByFormula(count * s.densityPerSample, s.appearance.brightness, s.whitePoint,
-                             s.appearance.gamma);
+        const double v = toneByFormula(count * s.densityPerSample, s.appearance.brightness, s.whitePoint,
+                                       s.appearance.gamma);
+        const double light = std::pow(v, s.appearance.contrast);
+        return light / (light + std::pow(1 - v, s.appearance.contrast));
     };
     if (cells.size() == 1) return alpha(cells[0]);
     double light = 0;
@@ -101,9 +109,15 @@ private slots:
 
     void pixelsFollowTheFormula_data() {
         QTest::addColumn<int>("side");
-        QTest::newRow("a cell a pixel") << 1;
-        QTest::newRow("4 cells a pixel") << 2;
-        QTest::newRow("9 cells a pixel") << 3;
+        QTest::addColumn<double>("contrast");
+        QTest::addColumn<double>("vibrancy");
+        QTest::newRow("a cell a pixel") << 1 << 1.0 << 1.0;
+        QTest::newRow("4 cells a pixel") << 2 << 1.0 << 1.0;
+        QTest::newRow("9 cells a pixel") << 3 << 1.0 << 1.0;
+        QTest::newRow("contrast") << 1 << 2.5 << 1.0;
+        QTest::newRow("little contrast, 4 cells a pixel") << 2 << 0.4 << 1.0;
+        QTest::newRow("vibrancy") << 1 << 1.0 << 0.3;
+        QTest::newRow("both, 9 cells a pixel") << 3 << 2.0 << 0.0;
     }
     void pixelsFollowTheFormula() {
         QFETCH(int, side);
@@ -111,7 +125,11 @@ private slots:
         constexpr int height = 30;
         CellSums sums;
         const std::vector<std::uint32_t> counts = fill(sums, width * side, height * side, 120);
-        const ToneSettings s = settings(side);
+        ToneSettings s = settings(side);
+        QFETCH(double, contrast);
+        QFETCH(double, vibrancy);
+        s.appearance.contrast = contrast;
+        s.appearance.vibrancy = vibrancy;
         std::vector<std::uint32_t> pixels(width * height);
         const ToneMap toneMap(s, 1000);
         toneMap.apply(sums, 0, 11, pixels);
@@ -122,7 +140,9 @@ private slots:
             for (int x = 0; x < width; ++x) {
                 const auto cells = cellsOfPixel(counts, width * side, side, x, y);
                 const double alpha = alphaByFormula(s, cells);
-                const auto composed = [&](int front, int back) { return alpha * front + (1 - alpha) * back; };
+                const auto composed = [&](int front, int back) {
+                    return alpha * vibrantByFormula(s, front) + (1 - alpha) * back;
+                };
                 const std::uint32_t pixel = pixels[static_cast<std::size_t>(y * width + x)];
                 QCOMPARE(pixel >> 24, 255U);
                 const Rgba& a = s.appearance.plain;
@@ -131,7 +151,7 @@ private slots:
                 const double green = composed(a.green, b.green);
                 const double blue = composed(a.blue, b.blue);
                 // Light has 12 bits on the way to 8.
-                const double step = side == 1 ? 0.6 : 1.6;
+                const double step = (side == 1 ? 0.6 : 1.6) + (vibrancy < 1 ? 0.5 : 0);
                 QVERIFY(std::abs((pixel >> 16 & 255U) - red) < step);
                 QVERIFY(std::abs((pixel >> 8 & 255U) - green) < step);
                 QVERIFY(std::abs((pixel & 255U) - blue) < step);
@@ -143,6 +163,46 @@ private slots:
             }
     }
 
+    // Colours that samples have of their own: the mean of each cell, in linear light.
+    void ownColoursFollowTheFormula() {
+        constexpr int width = 64;
+        CellSums sums;
+        sums.reset(CellKind::Colour, {width, 0, 1}, 1);
+        std::mt19937 random(22);
+        std::vector<CellSums::Sum> cells(width);
+        for (CellSums::Sum& cell : cells) {
+            cell.samples = 1 + random() % 60;
+            for (std::uint64_t* channel : {&cell.red, &cell.green, &cell.blue})
+                *channel = cell.samples * (random() % 4096);
+        }
+        sums.addSums(0, 0, cells);
+        for (const double vibrancy : {1.0, 0.6, 0.0})
+            for (const ColourBy colourBy : {ColourBy::Map, ColourBy::Address}) {
+                ToneSettings s = settings(1);
+                s.appearance.colourBy = colourBy;
+                s.appearance.contrast = 1.7;
+                s.appearance.vibrancy = vibrancy;
+                std::vector<std::uint32_t> pixels(width);
+                std::vector<Rgba16> deep(width);
+                ToneMap(s, 60).apply(sums, 0, 1, pixels);
+                ToneMap16(s).apply(sums, 0, 1, deep);
+                for (std::size_t x = 0; x < width; ++x) {
+                    const CellSums::Sum& cell = cells[x];
+                    const double alpha = alphaByFormula(s, {static_cast<std::uint32_t>(cell.samples)});
+                    const auto level = [&](std::uint64_t sum, int back) {
+                        const double light = double(sum) / (double(cell.samples) * 4095);
+                        return alpha * vibrantByFormula(s, 255 * codeByFormula(light)) + (1 - alpha) * back;
+                    };
+                    const double red = level(cell.red, s.appearance.background.red);
+                    const double blue = level(cell.blue, s.appearance.background.blue);
+                    QVERIFY(std::abs((pixels[x] >> 16 & 255U) - red) < 1.1);
+                    QVERIFY(std::abs((pixels[x] & 255U) - blue) < 1.1);
+                    QVERIFY(std::abs(deep[x].red - 257 * red) < 0.51);
+                    QVERIFY(std::abs(deep[x].blue - 257 * blue) < 0.51);
+                }
+            }
+    }
+
     // Sums that have been carried over take another way to the same pixels.
     void carriedCountsLookAlike() {
         for (const ColourBy colourBy : {ColourBy::Plain, ColourBy::Density}) {
@@ -151,6 +211,7 @@ private slots:
             ToneSettings s = settings(1);
             s.appearance.colourBy = colourBy;
             s.densityPerSample = 1e-4;
+            s.appearance.vibrancy = colourBy == ColourBy::Plain ? 0.4 : 1;
             const ToneMap toneMap(s, 100'000);
             std::vector<std::uint32_t> before(300 * 40);
             std::vector<std::uint32_t> after(300 * 40);

@@ -367,6 +367,8 @@ void RandomEditsTest::changeLook() {
     look.palette = palettes[std::size_t(any(int(palettes.size())))];
     look.gamma = anyIn(0.2, 5);
     look.brightness = anyIn(0.1, 300);
+    look.contrast = any(3) ? 1 : anyIn(0.2, 5);
+    look.vibrancy = any(3) ? 1 : anyIn(0, 1);
     look.plain = {std::uint8_t(any(256)), std::uint8_t(any(256)), 7, 255};
     look.background.alpha = any(2) ? 255 : 0;
     if (mapCount() > 0)

@@ -2,6 +2,7 @@
 #include "document/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
 #include "io/exchange/flame.h"
+#include "io/exchange/text_formats.h"
 #include "io/picture/png_export.h"
 
 #include <QFile>
@@ -41,6 +42,7 @@ private slots:
     void palettesBackgroundsAndColoursAreRead();
     void coloursComeBack_data();
     void coloursComeBack();
+    void contrastAndVibrancyAreReadAndWritten();
     void namesStayWhole();
     void survivesDamage();
 };
@@ -509,6 +511,36 @@ void FlameTest::coloursComeBack() {
             QVERIFY(attractor::mapColour(back, same.maps[i].id, i) ==
                     attractor::mapColour(fractal.appearance, system.maps[i].id, i));
     }
+}
+
+void FlameTest::contrastAndVibrancyAreReadAndWritten() {
+    const QByteArray map = "<xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/>";
+    const auto lookOf = [&](const QByteArray& attributes) {
+        return io::readFlame("<flame name=\"a\" " + attributes + '>' + map + "</flame>")
+            .entries.first()
+            .fractal->appearance;
+    };
+    const attractor::Appearance read = lookOf("brightness=\"9\" contrast=\"2.5\" vibrancy=\"0.15\"");
+    QCOMPARE(read.contrast, 2.5);
+    QCOMPARE(read.vibrancy, 0.15);
+    QCOMPARE(lookOf("vibrancy=\"7\"").vibrancy, 1.0); // in some programs, up to 30
+    QCOMPARE(lookOf("vibrancy=\"-1\"").vibrancy, 0.0);
+    for (const char* usual :
+         {"", "contrast=\"0\" vibrancy=\"much\"", "contrast=\"-2\"", "contrast=\"inf\""}) {
+        QCOMPARE(lookOf(usual).contrast, 1.0);
+        QCOMPARE(lookOf(usual).vibrancy, 1.0);
+    }
+
+    QRandomGenerator random(3);
+    document::Fractal fractal = randomFractal(random, 0);
+    const auto written = [&] { return io::writeFlame({std::make_shared<const document::Fractal>(fractal)}); };
+    QVERIFY(!written().contains("contrast=") && !written().contains("vibrancy=")); // bytes as they were
+    fractal.appearance.contrast = 1.0 / 3;
+    fractal.appearance.vibrancy = 0;
+    QVERIFY(!io::lossOf(io::TextFormat::Flame, fractal));
+    const attractor::Appearance back = io::readFlame(written()).entries.first().fractal->appearance;
+    QCOMPARE(back.contrast, 1.0 / 3);
+    QCOMPARE(back.vibrancy, 0.0);
 }
 
 void FlameTest::namesStayWhole() {

@@ -192,6 +192,8 @@ void MetadataCommentsTest::everythingComesBack() {
     appearance.background = {1, 1, 1, 128};
     appearance.brightness = 1. / 7;
     appearance.gamma = .3;
+    appearance.contrast = 1. / 3;
+    appearance.vibrancy = 0;
     appearance.supersample = 3;
     appearance.mapColours[map(fractal, 0).id] = {1, 2, 3, 4};
     appearance.mapColours[map(fractal, 3).id] = {5, 6, 7, 255};
@@ -338,6 +340,9 @@ void MetadataCommentsTest::understood_data() {
                              "gamma 2",
                              "  gamma \t 2 ",
                              "brightness 1e3",
+                             "contrast 0.25",
+                             "vibrancy 0",
+                             "vibrancy 1",
                              "supersample 4",
                              "deformation bend",
                              "deformation affine-fit",
@@ -369,6 +374,11 @@ void MetadataCommentsTest::understood_data() {
                              "gamma nan",
                              "gamma 1,5",
                              "gamma 1 2",
+                             "contrast 0",
+                             "contrast inf",
+                             "vibrancy -0.1",
+                             "vibrancy 1.01",
+                             "vibrancy nan",
                              "supersample 5",
                              "supersample 1.5",
                              "supersample 0",

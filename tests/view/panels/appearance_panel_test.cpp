@@ -266,6 +266,51 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 1);
     }
 
+    void contrastAndVibrancyAreSlidersLikeTheOthers() {
+        QCOMPARE(m_panel->contrast()->slider()->value(), 200); // in the middle
+        QCOMPARE(m_panel->vibrancy()->slider()->value(), 400);
+        const auto drag = [](const view::AppearanceSlider* of, int position) {
+            of->slider()->setSliderDown(true);
+            of->slider()->setSliderPosition((of->slider()->value() + position) / 2);
+            of->slider()->setSliderPosition(position);
+            of->slider()->setSliderDown(false);
+        };
+        drag(m_panel->contrast(), 400);
+        drag(m_panel->vibrancy(), 100);
+        QCOMPARE(appearance().contrast, 5.0);
+        QCOMPARE(appearance().vibrancy, 0.25);
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Vibrancy: 0.25"));
+        drag(m_panel->contrast(), 200);
+        QCOMPARE(appearance().contrast, 1.0); // exactly as it was
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QCOMPARE(appearance().vibrancy, 1.0);
+        QCOMPARE(m_panel->vibrancy()->field()->value(), 1.0);
+        m_panel->resetToDefault();
+        QVERIFY(appearance() == Appearance{});
+        for (const view::AppearanceSlider* slider : {m_panel->contrast(), m_panel->vibrancy()}) {
+            QVERIFY(!slider->toolTip().isEmpty());
+            QVERIFY(slider->whatsThis().size() > slider->toolTip().size());
+        }
+    }
+
+    void aTypedVibrancyIsBetweenZeroAndOne() {
+        view::NumberField* field = m_panel->vibrancy()->field();
+        field->setFocus();
+        for (const char* wrong : {"1.5", "-0.1"}) {
+            field->selectAll();
+            QTest::keyClicks(field, QLatin1String(wrong));
+            QVERIFY(!field->problem().isEmpty());
+            QCOMPARE(appearance().vibrancy, 1.0);
+        }
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("0"));
+        QCOMPARE(appearance().vibrancy, 0.0);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
     void choicesAreSteps() {
         choose(m_panel->colourBy(), 1);
         QCOMPARE(appearance().colourBy, attractor::ColourBy::Map);

@@ -53,7 +53,8 @@ private slots:
             QCOMPARE(rows->light()->isVisible(), shown.light);
             QCOMPARE(rows->fog()->isVisible(), shown.fog);
             QCOMPARE(m_panel->gradient()->isVisible(), shown.palette);
-            QCOMPARE(m_panel->brightness()->isVisible(), shown.tone);
+            for (const auto* slider : {m_panel->brightness(), m_panel->contrast(), m_panel->vibrancy()})
+                QCOMPARE(slider->isVisible(), shown.tone);
         }
         QCOMPARE(m_document->undoStack()->count(), 5); // stone was there
         m_document->undoStack()->setIndex(0);

@@ -39,6 +39,8 @@ public:
     QToolButton* browsePalettes() const { return m_browsePalettes; }
     AppearanceSlider* brightness() const { return m_brightness; }
     AppearanceSlider* gamma() const { return m_gamma; }
+    AppearanceSlider* contrast() const { return m_contrast; }
+    AppearanceSlider* vibrancy() const { return m_vibrancy; }
     QCheckBox* transparent() const { return m_transparent; }
     SpaceRows* space() const { return m_space; }
     SliceRows* slice() const { return m_slice; }
@@ -55,10 +57,14 @@ private:
     void makeGradientEditor(QFormLayout* form);
     void choosePalette(); // from all that come with the program
     void makeToneRows(QFormLayout* form);
+    void makeToneSliders(QFormLayout* form);
     void makeMapColours(QFormLayout* form);
     ColourButton* colourButton(const QString& name, attractor::Rgba attractor::Appearance::*member);
-    AppearanceSlider* slider(const QString& name, double min, double max,
-                             double attractor::Appearance::*member);
+    AppearanceSlider* logarithmicSlider(const QString& name, double min, double max,
+                                        double attractor::Appearance::*member);
+    // The slider sets what it is of, live.
+    AppearanceSlider* live(AppearanceSlider* slider, const QString& name,
+                           double attractor::Appearance::*member);
     void follow(const document::Change& change);
     // What the picture shown makes use of.
     struct Uses {
@@ -98,6 +104,8 @@ private:
     QCheckBox* m_transparent;
     AppearanceSlider* m_brightness;
     AppearanceSlider* m_gamma;
+    AppearanceSlider* m_contrast;
+    AppearanceSlider* m_vibrancy;
     QComboBox* m_supersampling;
     QLabel* m_mapColoursLabel;
     QWidget* m_mapColours;

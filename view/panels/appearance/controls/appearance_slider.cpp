@@ -35,6 +35,8 @@ AppearanceSlider::AppearanceSlider(const QString& name, double min, double max, 
     m_field->setAccessibleName(name);
     if (scale == Scale::Logarithmic)
         m_field->setRange({0.0, std::nullopt, NumberRange::Ends::Open});
+    else if (scale == Scale::Bounded)
+        m_field->setRange({min, max, NumberRange::Ends::Closed});
     else
         m_field->setRange(
             {min < 0 ? std::nullopt : std::optional(min), std::nullopt, NumberRange::Ends::Closed});
@@ -59,19 +61,26 @@ void AppearanceSlider::setRange(double min, double max) {
     m_min = min;
     m_max = max > min ? max : min + 1;
     if (m_scale == Scale::Linear) m_field->setStep((m_max - m_min) / 100);
+    if (m_scale == Scale::Bounded) m_field->setRange({m_min, m_max, NumberRange::Ends::Closed});
+}
+
+void AppearanceSlider::explain(const QString& toolTip, const QString& whatsThis) {
+    setToolTip(toolTip);
+    setWhatsThis(whatsThis);
+    m_slider->setWhatsThis(whatsThis + u' ' + m_slider->whatsThis());
 }
 
 int AppearanceSlider::positionOf(double value) const {
     const double within = std::clamp(value, m_min, m_max);
-    const double share = m_scale == Scale::Linear ? (within - m_min) / (m_max - m_min)
-                                                  : std::log(within / m_min) / std::log(m_max / m_min);
+    const double share = m_scale == Scale::Logarithmic ? std::log(within / m_min) / std::log(m_max / m_min)
+                                                       : (within - m_min) / (m_max - m_min);
     return static_cast<int>(std::lround(share * positions));
 }
 
 double AppearanceSlider::valueAt(int position) const {
     const double share = static_cast<double>(position) / positions;
-    const double value =
-        m_scale == Scale::Linear ? m_min + share * (m_max - m_min) : m_min * std::pow(m_max / m_min, share);
+    const double value = m_scale == Scale::Logarithmic ? m_min * std::pow(m_max / m_min, share)
+                                                       : m_min + share * (m_max - m_min);
     return QString::number(value, 'g', 3).toDouble(); // no more digits than a hand has
 }
 

@@ -19,11 +19,14 @@ public:
     enum class Scale {
         Logarithmic, // the slider spans [min, max], 0 < min; the field takes any number > 0
         Linear,      // the slider spans [min, max]; the field takes any number, none below 0 where min is 0
+        Bounded,     // the same, and the field takes no number outside of it
     };
     AppearanceSlider(const QString& name, double min, double max, Scale scale, QWidget* parent = nullptr);
 
     void setRange(double min, double max); // the value is set anew after it
     void setValue(double value);
+    // What the number does: in a few words, and in more of them.
+    void explain(const QString& toolTip, const QString& whatsThis);
     QSlider* slider() const { return m_slider; }
     NumberField* field() const { return m_field; }
 
