@@ -83,7 +83,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
                 colours.holdsMapColours,
                 flameHoldsSymmetry(fractal),
                 true,
-                false};
+                false,
+                true};
     }
     return lossBeside(kept, fractal);
 }
