@@ -2,6 +2,7 @@
 #include "canvas/tools/branch_tool.h"
 
 #include "document/addresses.h"
+#include "document/edits/map_locks.h"
 
 #include <QKeyEvent>
 
@@ -107,7 +108,20 @@ bool BranchTool::keyPress(const QKeyEvent& event) {
     return PolygonTool::keyPress(event); // NOLINT(bugprone-parent-virtual-call): MapsTool selects maps
 }
 
+// The map that would change, or be divided, if it is locked.
+QString BranchTool::lockObstacle() const {
+    const ifs::Word& word = handles().branch();
+    if (word.empty() || m_edit == document::BranchEdit::Display) return {};
+    const bool isFirst = m_edit == document::BranchEdit::OwnMap;
+    return document::lockObstacle(scene().document().fractal(),
+                                  std::vector{std::size_t(isFirst ? word.front() : word.back())});
+}
+
 MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
+    if (const QString locked = m_before ? QString() : lockObstacle(); !locked.isEmpty()) {
+        emit message(locked);
+        return {};
+    }
     if (m_before) {
         select(m_addressAtPress); // begun anew
     } else {
