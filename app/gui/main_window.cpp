@@ -227,6 +227,15 @@ void MainWindow::connectMaps(view::MapsPanel* maps) {
             maps->selectMaps(m_canvas->selectedMaps());
     });
     m_canvas->selectMaps(maps->selectedMaps());
+    const auto showAlone = [this](ifs::MapId map) {
+        m_bridge->setSolo(map);
+        m_solid->setSolo(map);
+        for (auto* bridge : m_stage->views()->findChildren<view::SolidBridge*>())
+            bridge->setSolo(map);
+    };
+    connect(maps, &view::MapsPanel::soloChanged, this, showAlone);
+    connect(m_stage->views(), &view::FourViews::fourShown, maps,
+            [maps, showAlone] { showAlone(maps->model()->solo()); });
     connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
     connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
 }

@@ -5,6 +5,7 @@
 #include "attractor/threads/hardware_threads.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/map_solo.h"
 
 #include <algorithm>
 #include <utility>
@@ -58,6 +59,12 @@ void RenderBridge::showSteps(int iterations) {
 
 void RenderBridge::showChaosGame(std::uint64_t points, std::uint64_t seed) {
     show({attractor::Algorithm::ChaosGame, 0, points, seed});
+}
+
+void RenderBridge::setSolo(ifs::MapId map) {
+    if (std::exchange(m_solo, map) == map) return;
+    m_exposing = Exposing::Measured;
+    request(Haste::Now);
 }
 
 void RenderBridge::show(const Shown& shown) {
@@ -117,7 +124,9 @@ void RenderBridge::submit() {
         emit wanted(m_live);
         return;
     }
-    attractor::RenderRequest request = document::renderRequest(fractal, m_camera);
+    attractor::RenderRequest request =
+        m_solo == ifs::MapId::None ? document::renderRequest(fractal, m_camera)
+                                   : document::renderRequest(document::soloed(fractal, m_solo), m_camera);
     request.revision = ++m_requested;
     request.threads = std::min(attractor::hardwareThreads(), maxThreads);
     request.samples = m_live ? m_liveSamples : most;

@@ -2,6 +2,7 @@
 #include "bridges/solid_bridge.h"
 
 #include "attractor/threads/hardware_threads.h"
+#include "document/map_solo.h"
 #include "document/space_geometry.h"
 
 #include <utility>
@@ -27,6 +28,10 @@ void SolidBridge::setStereo(attractor::Stereo stereo) {
     if (std::exchange(m_stereo, stereo) != stereo) request(false);
 }
 
+void SolidBridge::setSolo(ifs::MapId map) {
+    if (std::exchange(m_solo, map) != map) request(false);
+}
+
 bool SolidBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && m_frame->step == 1;
 }
@@ -38,6 +43,7 @@ void SolidBridge::follow(const document::Change& change) {
 }
 
 void SolidBridge::request(bool isLive) {
+    const bool isSolo = m_solo != ifs::MapId::None;
     const document::Fractal& fractal = m_document->fractal();
     ++m_requested;
     if (!document::space(fractal)) {
@@ -46,11 +52,13 @@ void SolidBridge::request(bool isLive) {
         return;
     }
     if (!attractor::isUsable(m_camera)) return;
-    attractor::SpaceRequest request = document::spaceRequest(fractal, m_camera);
+    const document::Fractal shown = isSolo ? document::soloed(fractal, m_solo) : document::Fractal();
+    const document::Fractal& drawn = isSolo ? shown : fractal;
+    attractor::SpaceRequest request = document::spaceRequest(drawn, m_camera);
     request.revision = m_requested;
     request.threads = attractor::hardwareThreads();
     m_thread->submit(
-        {std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive, m_stereo});
+        {std::move(request), drawn.inSpace.look, document::solidAppearance(drawn), isLive, m_stereo});
 }
 
 void SolidBridge::takeFrame() {
