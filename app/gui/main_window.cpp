@@ -5,6 +5,7 @@
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
+#include "bridges/solo_switch.h"
 #include "cage_menu.h"
 #include "collection_commands.h"
 #include "desktop/preferences.h"
@@ -228,10 +229,8 @@ void MainWindow::connectMaps(view::MapsPanel* maps) {
     });
     m_canvas->selectMaps(maps->selectedMaps());
     const auto showAlone = [this](ifs::MapId map) {
-        m_bridge->setSolo(map);
-        m_solid->setSolo(map);
-        for (auto* bridge : m_stage->views()->findChildren<view::SolidBridge*>())
-            bridge->setSolo(map);
+        for (auto* solo : findChildren<view::SoloSwitch*>())
+            solo->set(map);
     };
     connect(maps, &view::MapsPanel::soloChanged, this, showAlone);
     connect(m_stage->views(), &view::FourViews::fourShown, maps,

@@ -3,6 +3,7 @@
 
 #include "attractor/render/renderer.h"
 #include "attractor/threads/hardware_threads.h"
+#include "bridges/solo_switch.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
 #include "document/map_solo.h"
@@ -32,6 +33,10 @@ RenderBridge::RenderBridge(document::Document* document, QObject* parent)
         if (m_waiting) submit();
     });
     connect(document, &document::Document::changed, this, &RenderBridge::follow);
+    connect(new SoloSwitch(this), &SoloSwitch::changed, this, [this] {
+        m_exposing = Exposing::Measured;
+        request(Haste::Now);
+    });
 }
 
 RenderBridge::~RenderBridge() = default;
@@ -59,12 +64,6 @@ void RenderBridge::showSteps(int iterations) {
 
 void RenderBridge::showChaosGame(std::uint64_t points, std::uint64_t seed) {
     show({attractor::Algorithm::ChaosGame, 0, points, seed});
-}
-
-void RenderBridge::setSolo(ifs::MapId map) {
-    if (std::exchange(m_solo, map) == map) return;
-    m_exposing = Exposing::Measured;
-    request(Haste::Now);
 }
 
 void RenderBridge::show(const Shown& shown) {
@@ -124,9 +123,10 @@ void RenderBridge::submit() {
         emit wanted(m_live);
         return;
     }
+    const ifs::MapId solo = SoloSwitch::of(*this);
     attractor::RenderRequest request =
-        m_solo == ifs::MapId::None ? document::renderRequest(fractal, m_camera)
-                                   : document::renderRequest(document::soloed(fractal, m_solo), m_camera);
+        solo == ifs::MapId::None ? document::renderRequest(fractal, m_camera)
+                                 : document::renderRequest(document::soloed(fractal, solo), m_camera);
     request.revision = ++m_requested;
     request.threads = std::min(attractor::hardwareThreads(), maxThreads);
     request.samples = m_live ? m_liveSamples : most;

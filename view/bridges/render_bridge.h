@@ -34,7 +34,6 @@ public:
     void showDensity();
     void showSteps(int iterations);
     void showChaosGame(std::uint64_t points, std::uint64_t seed);
-    void setSolo(ifs::MapId map); // shown alone where that is possible; None: all of them
 
     // nullptr before the first, and while the entry is not a system of the plane.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
@@ -86,7 +85,6 @@ private:
     attractor::Camera m_camera;
     std::shared_ptr<const attractor::Frame> m_frame;
     Shown m_shown;
-    ifs::MapId m_solo = ifs::MapId::None;
     std::uint64_t m_shownFrom = 1; // requests since this revision ask for it
     std::uint64_t m_quality = 200'000'000;
     std::uint64_t m_liveSamples = 4'000'000;

@@ -2,6 +2,7 @@
 #include "bridges/solid_bridge.h"
 
 #include "attractor/threads/hardware_threads.h"
+#include "bridges/solo_switch.h"
 #include "document/map_solo.h"
 #include "document/space_geometry.h"
 
@@ -14,6 +15,7 @@ SolidBridge::SolidBridge(document::Document* document, QObject* parent)
           QMetaObject::invokeMethod(this, &SolidBridge::takeFrame, Qt::QueuedConnection);
       })) {
     connect(document, &document::Document::changed, this, &SolidBridge::follow);
+    connect(new SoloSwitch(this), &SoloSwitch::changed, this, [this] { request(false); });
 }
 
 SolidBridge::~SolidBridge() = default;
@@ -28,10 +30,6 @@ void SolidBridge::setStereo(attractor::Stereo stereo) {
     if (std::exchange(m_stereo, stereo) != stereo) request(false);
 }
 
-void SolidBridge::setSolo(ifs::MapId map) {
-    if (std::exchange(m_solo, map) != map) request(false);
-}
-
 bool SolidBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && m_frame->step == 1;
 }
@@ -43,7 +41,8 @@ void SolidBridge::follow(const document::Change& change) {
 }
 
 void SolidBridge::request(bool isLive) {
-    const bool isSolo = m_solo != ifs::MapId::None;
+    const ifs::MapId solo = SoloSwitch::of(*this);
+    const bool isSolo = solo != ifs::MapId::None;
     const document::Fractal& fractal = m_document->fractal();
     ++m_requested;
     if (!document::space(fractal)) {
@@ -52,7 +51,7 @@ void SolidBridge::request(bool isLive) {
         return;
     }
     if (!attractor::isUsable(m_camera)) return;
-    const document::Fractal shown = isSolo ? document::soloed(fractal, m_solo) : document::Fractal();
+    const document::Fractal shown = isSolo ? document::soloed(fractal, solo) : document::Fractal();
     const document::Fractal& drawn = isSolo ? shown : fractal;
     attractor::SpaceRequest request = document::spaceRequest(drawn, m_camera);
     request.revision = m_requested;

@@ -23,7 +23,6 @@ public:
     void setCamera(const attractor::OrbitCamera& camera, bool isMoving);
     const attractor::OrbitCamera& camera() const { return m_camera; }
     void setStereo(attractor::Stereo stereo); // then the camera is that of each eye
-    void setSolo(ifs::MapId map);             // shown alone where that is possible; None: all of them
 
     // nullptr before the first, and while the entry is not in space.
     std::shared_ptr<const attractor::SolidFrame> frame() const { return m_frame; }
@@ -40,7 +39,6 @@ private:
     document::Document* m_document;
     attractor::OrbitCamera m_camera;
     attractor::Stereo m_stereo = attractor::Stereo::None;
-    ifs::MapId m_solo = ifs::MapId::None;
     std::shared_ptr<const attractor::SolidFrame> m_frame;
     std::uint64_t m_requested = 0;                    // revision of the newest request
     std::unique_ptr<attractor::SolidThread> m_thread; // last: stops before the rest goes

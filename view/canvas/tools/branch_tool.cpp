@@ -18,6 +18,14 @@ namespace {
 
 constexpr std::size_t maxSelected = 200; // a hundred drags
 
+// The sentence of the map that would change, or be divided, if it is locked.
+QString lockObstacle(const document::Fractal& fractal, const ifs::Word& branch, document::BranchEdit edit) {
+    if (branch.empty() || edit == document::BranchEdit::Display) return {};
+    const bool isFirst = edit == document::BranchEdit::OwnMap;
+    return document::lockObstacle(fractal,
+                                  std::vector{std::size_t(isFirst ? branch.front() : branch.back())});
+}
+
 } // namespace
 
 BranchTool::BranchTool(CanvasScene& scene) : MapsTool(scene) {
@@ -108,17 +116,10 @@ bool BranchTool::keyPress(const QKeyEvent& event) {
     return PolygonTool::keyPress(event); // NOLINT(bugprone-parent-virtual-call): MapsTool selects maps
 }
 
-// The map that would change, or be divided, if it is locked.
-QString BranchTool::lockObstacle() const {
-    const ifs::Word& word = handles().branch();
-    if (word.empty() || m_edit == document::BranchEdit::Display) return {};
-    const bool isFirst = m_edit == document::BranchEdit::OwnMap;
-    return document::lockObstacle(scene().document().fractal(),
-                                  std::vector{std::size_t(isFirst ? word.front() : word.back())});
-}
-
 MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
-    if (const QString locked = m_before ? QString() : lockObstacle(); !locked.isEmpty()) {
+    const QString locked =
+        m_before ? QString() : lockObstacle(scene().document().fractal(), handles().branch(), m_edit);
+    if (!locked.isEmpty()) {
         emit message(locked);
         return {};
     }

@@ -43,7 +43,6 @@ private:
     void select(const ifs::Word& address);
     void selectAt(const QPointF& position);
     void follow(const document::Change& change);
-    QString lockObstacle() const;
     void ask();
     void say();
 
