@@ -77,9 +77,27 @@ constexpr Detail details[] = {
      QT_TRANSLATE_NOOP("ActionDetails",
                        "As placement, the coefficients stay; as code, they become those of the transformed "
                        "fractal. The canvas shows the result before you accept it.")},
-    {"paste", QT_TRANSLATE_NOOP("ActionDetails",
-                                "If a table does not name its columns, you are asked for their order. In the "
-                                "Maps panel, Paste replaces the selected maps instead.")},
+    {"paste",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "If a table does not name its columns, you are asked for their order. In the "
+                       "Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.")},
+    {"cut",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "What has the focus decides: the table of maps and the canvas with the Maps tool "
+                       "move maps, the list of entries moves entries.")},
+    {"copy",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "Maps are copied with their names and as rows of numbers, entries as .ifs text "
+                       "that other programs can read.")},
+    {"lock",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes "
+         "the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.")},
+    {"solo",
+     QT_TRANSLATE_NOOP("ActionDetails",
+                       "Only the part of the attractor that the map makes is drawn. The file does not "
+                       "change, and another entry is shown whole again.")},
     {"settings",
      QT_TRANSLATE_NOOP(
          "ActionDetails",

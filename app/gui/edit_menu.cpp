@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "edit_menu.h"
 
+#include "clipboard_commands.h"
 #include "desktop/theme.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/transform_dialog.h"
 #include "document/edits/cage_edits.h"
 #include "document/edits/dimension_edits.h"
-#include "panels/entries/entries_panel.h"
 #include "session.h"
 #include "stage.h"
 #include "widgets/icon.h"
@@ -33,6 +33,8 @@ QString shadowObstacle(const document::Fractal& fractal) {
 
 EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")) {
     addHistory();
+    addSeparator();
+    addClipboard();
     addSeparator();
     addFractals();
     addDimensions();
@@ -81,11 +83,32 @@ void EditMenu::addHistory() {
     addToolBarGroup({undo, redo});
 }
 
-void EditMenu::addFractals() {
+// Of the maps or the entries, whichever have the focus. The keys that many widgets take for themselves are
+// shown here and left to them.
+void EditMenu::addClipboard() {
+    const ClipboardCommands commands(context());
+    add({"cut", tr("&Cut"), QKeySequence::Cut, tr("Move the selected maps or entries to the clipboard")},
+        [commands] { commands.cut(); });
+    add({"copy", tr("Cop&y"), QKeySequence::Copy, tr("Copy the selected maps or entries")},
+        [commands] { commands.copy(); });
     add({"paste", tr("P&aste"), QKeySequence::Paste,
          tr("Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of "
-            "numbers")},
-        [this] { context().window->findChild<view::EntriesPanel*>()->paste(); });
+            "numbers; or maps to the fractal")},
+        [commands] { commands.paste(); });
+    QAction* duplicate = add({"duplicate", tr("Dupl&icate"), QKeySequence(Qt::Key_Insert),
+                              tr("Duplicate the selected maps or entries")},
+                             [commands] { commands.duplicate(); });
+    QAction* remove =
+        add({"remove", tr("&Delete"), QKeySequence::Delete, tr("Delete the selected maps or entries")},
+            [commands] { commands.remove(); });
+    QAction* all =
+        add({nullptr, tr("&Select All"), QKeySequence::SelectAll, tr("Select all maps or all entries")},
+            [commands] { commands.selectAll(); });
+    for (QAction* action : {duplicate, remove, all})
+        action->setShortcutContext(Qt::WidgetShortcut);
+}
+
+void EditMenu::addFractals() {
     QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
                               tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
                              [this] { openTransform(); });

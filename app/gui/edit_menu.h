@@ -14,6 +14,7 @@ public:
 
 private:
     void addHistory();
+    void addClipboard();
     void addFractals();
     void addDimensions();
     void openTransform();

@@ -5,6 +5,7 @@
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
+#include "bridges/solo_switch.h"
 #include "cage_menu.h"
 #include "collection_commands.h"
 #include "desktop/preferences.h"
@@ -227,6 +228,13 @@ void MainWindow::connectMaps(view::MapsPanel* maps) {
             maps->selectMaps(m_canvas->selectedMaps());
     });
     m_canvas->selectMaps(maps->selectedMaps());
+    const auto showAlone = [this](ifs::MapId map) {
+        for (auto* solo : findChildren<view::SoloSwitch*>())
+            solo->set(map);
+    };
+    connect(maps, &view::MapsPanel::soloChanged, this, showAlone);
+    connect(m_stage->views(), &view::FourViews::fourShown, maps,
+            [maps, showAlone] { showAlone(maps->model()->solo()); });
     connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
     connect(maps, &view::MapsPanel::symmetryChosen, m_stage, &Stage::keepFitted);
     connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);

@@ -3,12 +3,16 @@
 
 #include "canvas/scene/canvas_scene.h"
 #include "document/edits/cage_edits.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
+#include "panels/maps/maps_panel.h"
 
 using Arrangement = document::MapsArrangement;
 
 MapsMenu::MapsMenu(const MenuContext& context) : ActionMenu(context, tr("&Maps")) {
     addList();
+    addSeparator();
+    addLayers();
     addSeparator();
     addArrangement(this, Arrangement::FlipLeftRight, tr("Flip &Horizontally"),
                    tr("Mirror the selected maps about the vertical line through their centre"));
@@ -52,9 +56,17 @@ void MapsMenu::addList() {
     QAction* duplicate =
         add({"duplicate", tr("&Duplicate Maps"), {}, tr("Duplicate the selected maps")},
             withSelected([document](const document::Rows& rows) { return duplicateMaps(*document, rows); }));
-    QAction* remove =
-        add({"remove", tr("D&elete Maps"), {}, tr("Delete the selected maps")},
-            withSelected([document](const document::Rows& rows) { return deleteMaps(*document, rows); }));
+    QAction* remove = add({"remove", tr("D&elete Maps"), {}, tr("Delete the selected maps")},
+                          withSelected([document, messages = context().messages](const document::Rows& rows) {
+                              const QString locked = document::lockObstacle(document->fractal(), rows);
+                              if (locked.isEmpty()) return deleteMaps(*document, rows);
+                              messages->say(locked);
+                              const document::System2& system = *document::system2(document->fractal());
+                              std::vector<ifs::MapId> selected;
+                              for (const int row : rows)
+                                  selected.push_back(system.maps[std::size_t(row)].id);
+                              return selected;
+                          }));
     QAction* all = add({nullptr, tr("Select &All Maps"), {}, tr("Select all maps")}, [canvas, document] {
         std::vector<ifs::MapId> maps;
         if (const document::System2* system = document::system2(document->fractal()))
@@ -64,6 +76,20 @@ void MapsMenu::addList() {
     });
     for (QAction* action : {duplicate, remove, all})
         disableWhen(action, &document::planeObstacle);
+}
+
+// In the plane and in space: of the maps that are selected in their panel.
+void MapsMenu::addLayers() {
+    const auto panel = [window = context().window] { return window->findChild<view::MapsPanel*>(); };
+    add({"edit", tr("Re&name Map"), {}, tr("Give the current map a name")},
+        [panel] { panel()->renameMap(); });
+    add({"lock",
+         tr("Loc&k or Unlock Maps"),
+         {},
+         tr("Protect the selected maps against edits, or stop doing so")},
+        [panel] { panel()->toggleLock(); });
+    add({"solo", tr("Show Map Al&one"), {}, tr("Show the current map alone, or all of them again")},
+        [panel] { panel()->toggleSolo(); });
 }
 
 void MapsMenu::addArrangement(ActionMenu* menu, Arrangement arrangement, const QString& text,

@@ -13,6 +13,7 @@ public:
 
 private:
     void addList();
+    void addLayers();
     void addArrangement(ActionMenu* menu, document::MapsArrangement arrangement, const QString& text,
                         const QString& tip);
 };

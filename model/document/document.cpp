@@ -100,8 +100,8 @@ Change::Parts difference(const Fractal& a, const Fractal& b) {
     parts.setFlag(Change::System, !isSameSystem(a, b));
     parts.setFlag(Change::Cage, !isHeldAlike(plane(a), plane(b)) || !isHeldAlike(space(a), space(b)));
     parts.setFlag(Change::Appearance, !(a.appearance == b.appearance) || !(a.inSpace == b.inSpace));
-    parts.setFlag(Change::Name,
-                  a.name != b.name || a.headerComment != b.headerComment || a.comments != b.comments);
+    parts.setFlag(Change::Name, a.name != b.name || a.headerComment != b.headerComment ||
+                                    a.comments != b.comments || !(a.mapLabels == b.mapLabels));
     return parts;
 }
 

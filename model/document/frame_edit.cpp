@@ -68,6 +68,7 @@ public:
         m_entry.fractal.name = m_after.name;
         m_entry.fractal.headerComment = m_after.headerComment;
         m_entry.fractal.comments = m_after.comments;
+        m_entry.fractal.mapLabels = m_after.mapLabels;
         if (!(after.system == before.system)) {
             forgetMaps(after.system);
             putMaps(before.system, after.system);

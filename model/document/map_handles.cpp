@@ -190,8 +190,8 @@ Fractal MapHandles::withMapsSwung(std::span<const std::size_t> indices, const Ve
 
 namespace {
 
-// The system over the cut set of the branch, whose maps have the colours of the maps they begin with. Maps
-// that take no part stay, at the end.
+// The system over the cut set of the branch, whose maps have the colours and the labels of the maps they
+// begin with. Maps that take no part stay, at the end.
 Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     const System2& before = *system2(fractal);
     const ifs::ActiveMaps<2> active = ifs::activeMaps(before);
@@ -199,10 +199,12 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     System2 system = ifs::withBranchChanged<2>(before, letters, {});
     attractor::MapColours& colours = result.appearance.mapColours = {};
     colours.reserve(system.maps.size());
+    result.mapLabels = {};
     std::size_t made = 0;
     const auto keepColour = [&](std::size_t index) { // for the next map
-        colours[system.maps[made++].id] =
-            attractor::mapColour(fractal.appearance, before.maps[index].id, index);
+        const ifs::MapId id = system.maps[made++].id, of = before.maps[index].id;
+        colours[id] = attractor::mapColour(fractal.appearance, of, index);
+        result.mapLabels.set(id, fractal.mapLabels.of(of));
     };
     const auto keepColourOf = [&](int letter) { keepColour(active.index[std::size_t(letter)]); };
     keepColourOf(letters.front());

@@ -2,6 +2,7 @@
 #include "bars/branch_bar.h"
 
 #include "document/addresses.h"
+#include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
 
 #include <QApplication>
@@ -197,7 +198,13 @@ void BranchBar::swingTo(int degrees) {
     if (!document::system2(before) || !root) return;
     const document::MapHandles handles(std::make_shared<const document::Fractal>(before),
                                        document::effectiveCage(before));
-    const std::vector<std::size_t> indices = m_canvas->canvas().selection().mapIndices();
+    std::vector<std::size_t> indices = m_canvas->canvas().selection().mapIndices();
+    const QString locked = document::lockObstacle(before, indices);
+    std::erase_if(indices, [&](std::size_t index) { return document::isLocked(before, index); });
+    if (indices.empty()) {
+        emit m_canvas->message(locked);
+        return centre();
+    }
     document::Fractal swung;
     const auto swing = [&](double angle) -> const document::Fractal& {
         return swung = handles.withMapsSwung(indices, *root, angle * std::numbers::pi / 180);

@@ -3,8 +3,10 @@
 
 #include "attractor/render/renderer.h"
 #include "attractor/threads/hardware_threads.h"
+#include "bridges/solo_switch.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/map_solo.h"
 
 #include <algorithm>
 #include <utility>
@@ -31,6 +33,10 @@ RenderBridge::RenderBridge(document::Document* document, QObject* parent)
         if (m_waiting) submit();
     });
     connect(document, &document::Document::changed, this, &RenderBridge::follow);
+    connect(new SoloSwitch(this), &SoloSwitch::changed, this, [this] {
+        m_exposing = Exposing::Measured;
+        request(Haste::Now);
+    });
 }
 
 RenderBridge::~RenderBridge() = default;
@@ -117,7 +123,10 @@ void RenderBridge::submit() {
         emit wanted(m_live);
         return;
     }
-    attractor::RenderRequest request = document::renderRequest(fractal, m_camera);
+    const ifs::MapId solo = SoloSwitch::of(*this);
+    attractor::RenderRequest request =
+        solo == ifs::MapId::None ? document::renderRequest(fractal, m_camera)
+                                 : document::renderRequest(document::soloed(fractal, solo), m_camera);
     request.revision = ++m_requested;
     request.threads = std::min(attractor::hardwareThreads(), maxThreads);
     request.samples = m_live ? m_liveSamples : most;

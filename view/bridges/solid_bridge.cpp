@@ -2,6 +2,8 @@
 #include "bridges/solid_bridge.h"
 
 #include "attractor/threads/hardware_threads.h"
+#include "bridges/solo_switch.h"
+#include "document/map_solo.h"
 #include "document/space_geometry.h"
 
 #include <utility>
@@ -13,6 +15,7 @@ SolidBridge::SolidBridge(document::Document* document, QObject* parent)
           QMetaObject::invokeMethod(this, &SolidBridge::takeFrame, Qt::QueuedConnection);
       })) {
     connect(document, &document::Document::changed, this, &SolidBridge::follow);
+    connect(new SoloSwitch(this), &SoloSwitch::changed, this, [this] { request(false); });
 }
 
 SolidBridge::~SolidBridge() = default;
@@ -38,6 +41,8 @@ void SolidBridge::follow(const document::Change& change) {
 }
 
 void SolidBridge::request(bool isLive) {
+    const ifs::MapId solo = SoloSwitch::of(*this);
+    const bool isSolo = solo != ifs::MapId::None;
     const document::Fractal& fractal = m_document->fractal();
     ++m_requested;
     if (!document::space(fractal)) {
@@ -46,11 +51,13 @@ void SolidBridge::request(bool isLive) {
         return;
     }
     if (!attractor::isUsable(m_camera)) return;
-    attractor::SpaceRequest request = document::spaceRequest(fractal, m_camera);
+    const document::Fractal shown = isSolo ? document::soloed(fractal, solo) : document::Fractal();
+    const document::Fractal& drawn = isSolo ? shown : fractal;
+    attractor::SpaceRequest request = document::spaceRequest(drawn, m_camera);
     request.revision = m_requested;
     request.threads = attractor::hardwareThreads();
     m_thread->submit(
-        {std::move(request), fractal.inSpace.look, document::solidAppearance(fractal), isLive, m_stereo});
+        {std::move(request), drawn.inSpace.look, document::solidAppearance(drawn), isLive, m_stereo});
 }
 
 void SolidBridge::takeFrame() {

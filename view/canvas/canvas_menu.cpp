@@ -4,8 +4,10 @@
 #include "canvas/tools/vertex_dialog.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/cage_edits.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
 #include "document/fractal.h"
+#include "document/map_names.h"
 
 #include <QAbstractScrollArea>
 #include <QCoreApplication>
@@ -14,6 +16,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace view {
@@ -93,7 +96,8 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
 void addMapActions(QMenu& menu, const MenuContext& context, int index) {
     document::Document& document = context.scene.document();
     const QString number = QString::number(index + 1);
-    menu.addSection(Menu::tr("Map %1").arg(number));
+    const QString title = document::mapTitle(document.fractal(), std::size_t(index));
+    menu.addSection(Menu::tr("Map %1").arg(QString(title).replace(QLatin1String("&"), QLatin1String("&&"))));
     document::Fractal switched = document.fractal();
     bool& enabled = document::system2(switched)->maps[std::size_t(index)].enabled;
     enabled = !enabled;
@@ -108,8 +112,19 @@ void addMapActions(QMenu& menu, const MenuContext& context, int index) {
             context.scene.selection().setMaps(duplicateMaps(context.scene.document(), {index}));
         });
     add(menu, withKey(Menu::tr("&Delete"), Qt::Key_Delete), Menu::tr("Removes this map from the system"),
-        [context, index] {
-            context.scene.selection().setMaps(deleteMaps(context.scene.document(), {index}));
+        attempt(context, [context, index]() -> std::optional<QString> {
+            document::Document& file = context.scene.document();
+            const QString locked = document::lockObstacle(file.fractal(), document::Rows{index});
+            if (!locked.isEmpty()) return locked;
+            context.scene.selection().setMaps(deleteMaps(file, {index}));
+            return std::nullopt;
+        }));
+    const bool isLocked = document::isLocked(document.fractal(), std::size_t(index));
+    add(menu, isLocked ? Menu::tr("Un&lock") : Menu::tr("&Lock"),
+        isLocked ? Menu::tr("Lets this map be edited again") : Menu::tr("Protects this map against edits"),
+        [&document, index, isLocked] {
+            const ifs::MapId id = document::system2(document.fractal())->maps[std::size_t(index)].id;
+            document::lockMaps(document, std::span(&id, 1), !isLocked);
         });
 }
 

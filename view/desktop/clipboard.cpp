@@ -79,15 +79,23 @@ public:
 
 class MapsMimeData : public LateText {
 public:
-    explicit MapsMimeData(std::vector<ifs::WeightedMap<2>> maps)
-        : LateText(mapsType, [this] { return io::writeTable(m_maps).toUtf8(); }), m_maps(std::move(maps)) {
-        for (auto& map : m_maps)
+    explicit MapsMimeData(CopiedMaps maps)
+        : LateText(mapsType, [this] { return tableOf(m_maps); }), m_maps(std::move(maps)) {
+        for (auto& map : m_maps.plane)
+            map.id = ifs::MapId::None;
+        for (auto& map : m_maps.space)
             map.id = ifs::MapId::None;
     }
-    const std::vector<ifs::WeightedMap<2>>& maps() const { return m_maps; }
+    const CopiedMaps& maps() const { return m_maps; }
 
 private:
-    std::vector<ifs::WeightedMap<2>> m_maps;
+    static QByteArray tableOf(const CopiedMaps& maps) {
+        if (maps.space.empty()) return io::writeTable(maps.plane).toUtf8();
+        const QByteArray table = io::writeTable(document::System3{maps.space}, io::TableSeparator::Tab);
+        return table.sliced(table.indexOf('\n') + 1); // without the header
+    }
+
+    CopiedMaps m_maps;
 };
 
 } // namespace
@@ -96,7 +104,7 @@ std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries
     return std::make_unique<EntriesMimeData>(entries);
 }
 
-std::unique_ptr<QMimeData> mapsMimeData(std::vector<ifs::WeightedMap<2>> maps) {
+std::unique_ptr<QMimeData> mapsMimeData(CopiedMaps maps) {
     return std::make_unique<MapsMimeData>(std::move(maps));
 }
 
@@ -109,7 +117,7 @@ bool holdsOurMaps(const QMimeData& mimeData) {
     return mimeData.hasFormat(mapsType);
 }
 
-const std::vector<ifs::WeightedMap<2>>* ourMaps(const QMimeData& mimeData) {
+const CopiedMaps* ourMaps(const QMimeData& mimeData) {
     const auto* ours = dynamic_cast<const MapsMimeData*>(&mimeData);
     return ours ? &ours->maps() : nullptr;
 }

@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -37,9 +38,14 @@ std::function<QByteArray()> entriesTextIn(const QMimeData& mimeData); // called 
 FoundEntries entriesIn(const QMimeData& mimeData);
 
 // Rows of maps likewise, as a table; those copied in this process are there as they were.
-std::unique_ptr<QMimeData> mapsMimeData(std::vector<ifs::WeightedMap<2>> maps);
-const std::vector<ifs::WeightedMap<2>>* ourMaps(const QMimeData& mimeData); // nullptr: not of this process
-bool holdsOurMaps(const QMimeData& mimeData); // of any process: the columns are known
+struct CopiedMaps {
+    std::vector<ifs::WeightedMap<2>> plane;
+    std::vector<ifs::WeightedMap<3>> space; // one of the two
+    QStringList names;                      // of each; empty: none
+};
+std::unique_ptr<QMimeData> mapsMimeData(CopiedMaps maps);
+const CopiedMaps* ourMaps(const QMimeData& mimeData); // nullptr: not of this process
+bool holdsOurMaps(const QMimeData& mimeData);         // of any process: the columns are known
 struct FoundMaps {
     io::Table table;
     bool isOrderOpen = false; // the text does not say what its columns are

@@ -98,6 +98,12 @@ void addGestures(QTreeWidget* tree) {
         addLine(tree, ShortcutsDialog::tr("On the strip of the gradient"), line);
 }
 
+void addTableGestures(QTreeWidget* tree) {
+    addLine(tree, ShortcutsDialog::tr("In the table of maps"),
+            {ShortcutsDialog::tr("Show one map alone, or all of them again"),
+             ShortcutsDialog::tr("Alt + click on its eye")});
+}
+
 void addActions(QTreeWidget* tree, const QList<NamedAction>& actions) {
     for (const auto& [action, path, panel] : actions) {
         QStringList keys;
@@ -139,6 +145,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     tree->setRootIsDecorated(false);
     tree->setSelectionMode(QAbstractItemView::NoSelection);
     addGestures(tree);
+    addTableGestures(tree);
     view::addActions(tree, actions);
     tree->expandAll();
     tree->header()->setStretchLastSection(false);

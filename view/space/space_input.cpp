@@ -4,6 +4,7 @@
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/edits/cage_actions.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
@@ -124,6 +125,11 @@ SpaceInput::After SpaceInput::afterCage() const {
 
 SpaceInput::After SpaceInput::afterMap() {
     const auto map = m_maps.selected();
+    const QString locked = map ? document::lockObstacle(m_document->fractal(), std::vector{*map}) : QString();
+    if (!locked.isEmpty()) {
+        emit message(locked);
+        return nullptr;
+    }
     const auto drag = map ? SpaceMapDrag::of(*m_document, *map) : std::nullopt;
     if (!drag) {
         emit message(tr("Maps cannot be dragged while the cage is flat or bends the picture. First open or "
@@ -456,12 +462,15 @@ bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
         return true;
     }
     if (modifiers != Qt::NoModifier) return false;
-    if (event.key() == Qt::Key_Delete)
+    if (event.key() == Qt::Key_Delete) {
+        const QString locked = document::lockObstacle(m_document->fractal(), std::vector{*map});
+        if (!locked.isEmpty()) emit message(locked);
         document::deleteMaps(*m_document, {int(*map)});
-    else if (event.key() == Qt::Key_Insert && !document::duplicateMaps(*m_document, {int(*map)}).empty())
+    } else if (event.key() == Qt::Key_Insert && !document::duplicateMaps(*m_document, {int(*map)}).empty()) {
         selectMap(*map + 1);
-    else
+    } else {
         return false;
+    }
     return true;
 }
 

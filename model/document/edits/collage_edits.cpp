@@ -131,6 +131,7 @@ Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion) {
     for (std::size_t i = 0; i < suggestion.maps.size(); ++i)
         ifs::append<2>(shape.system, suggestion.maps[i], suggestion.weights[i]);
     fractal.shape = std::move(shape);
+    fractal.mapLabels = {}; // of other maps
     return fractal;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/link_expansion.h"
 
+#include "document/edits/map_locks.h"
 #include "ifs/links/plain_words.h"
 #include "ifs/system/links.h"
 
@@ -43,6 +44,7 @@ void listWords(Fractal& fractal, const ifs::ActiveMaps<2>& active, const ifs::Pl
     const bool isByMap = appearance.colourBy == attractor::ColourBy::Map;
     System2 listed;
     attractor::MapColours colours;
+    MapLabels labels;
     for (std::size_t k = 0; k < plain.words.size(); ++k) {
         ifs::AffineMap<2> map = active.maps[plain.words[k].front()];
         for (std::size_t m = 1; m < plain.words[k].size(); ++m)
@@ -52,7 +54,9 @@ void listWords(Fractal& fractal, const ifs::ActiveMaps<2>& active, const ifs::Pl
         const ifs::MapId id = system.maps[outermost].id;
         if (isByMap || appearance.mapColours.find(id) != nullptr)
             colours[made] = attractor::mapColour(appearance, id, outermost);
+        copyLabel(fractal.mapLabels, id, labels, made, CopyLock::Keep);
     }
+    fractal.mapLabels = std::move(labels);
     appearance.mapColours = std::move(colours);
     system = std::move(listed);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/maps_arrange.h"
 
+#include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
 
@@ -154,6 +155,7 @@ std::optional<QString> arrangeMaps(Document& document, std::span<const std::size
     default:
         break;
     }
+    if (QString locked = lockObstacle(document.fractal(), indices); !locked.isEmpty()) return locked;
     const ifs::ControlCage<2> cage = effectiveCage(document.fractal());
     if (!handlesOf(document.fractal(), cage).canBeMoved())
         return Steps::tr("The cage is flat, so maps cannot be moved in it. Reset the cage first.");

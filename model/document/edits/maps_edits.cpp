@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/maps_edits.h"
 
+#include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "ifs/system/links.h"
@@ -136,15 +137,20 @@ MapsEdit withNewMap(Fractal fractal) {
 
 MapsEdit withDuplicates(Fractal fractal, const Rows& rows) {
     if (rows.empty()) return {std::move(fractal), {}};
-    return edited(std::move(fractal), [&](auto& system) {
+    std::vector<ifs::MapId> ids;
+    MapsEdit result = edited(std::move(fractal), [&](auto& system) {
         const auto originals = rowsOf(system, rows);
         auto copies = insert(system, static_cast<std::size_t>(rows.back()) + 1, originals);
-        std::vector<ifs::MapId> ids;
         for (const auto& map : originals)
             ids.push_back(map.id);
         ifs::copyLinks(system, ids, copies);
         return copies;
     });
+    MapLabels& labels = result.fractal.mapLabels;
+    const MapLabels before = labels;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        copyLabel(before, ids[i], labels, result.touched[i], CopyLock::Drop);
+    return result;
 }
 
 MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
@@ -166,8 +172,9 @@ MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
         return touched;
     });
     std::ranges::sort(gone);
-    result.fractal.appearance.mapColours.eraseIf( // a later map may get the id
-        [&](ifs::MapId id) { return std::ranges::binary_search(gone, id); });
+    const auto isGone = [&](ifs::MapId id) { return std::ranges::binary_search(gone, id); };
+    result.fractal.appearance.mapColours.eraseIf(isGone); // a later map may get the id
+    result.fractal.mapLabels.eraseIf(isGone);
     return result;
 }
 
@@ -189,8 +196,10 @@ MapsEdit withMapsMoved(Fractal fractal, const Rows& rows, int before) {
     });
 }
 
-MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted) {
-    System2& system = *system2(fractal);
+namespace {
+
+template <int Dim> MapsEdit withPasted(Fractal fractal, const Rows& rows, const MapsOf<Dim>& pasted) {
+    auto& system = std::get<Shape<Dim>>(fractal.shape).system;
     const std::size_t replaced = std::min(rows.size(), pasted.size());
     std::vector<ifs::MapId> ids;
     for (std::size_t i = 0; i < replaced; ++i) {
@@ -203,14 +212,24 @@ MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted
     if (pasted.size() > replaced) {
         const std::size_t at =
             replaced == 0 ? system.maps.size() : static_cast<std::size_t>(rows[replaced - 1]) + 1;
-        const auto added =
-            insert(system, at, MapRows(pasted.begin() + static_cast<std::ptrdiff_t>(replaced), pasted.end()));
+        const auto added = insert(
+            system, at, MapsOf<Dim>(pasted.begin() + static_cast<std::ptrdiff_t>(replaced), pasted.end()));
         ids.insert(ids.end(), added.begin(), added.end());
     } else if (rows.size() > replaced) {
         const Rows surplus(rows.begin() + static_cast<std::ptrdiff_t>(replaced), rows.end());
         return {withoutMaps(std::move(fractal), surplus).fractal, std::move(ids)};
     }
     return {std::move(fractal), std::move(ids)};
+}
+
+} // namespace
+
+MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted) {
+    return withPasted<2>(std::move(fractal), rows, pasted);
+}
+
+MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const SpaceMapRows& pasted) {
+    return withPasted<3>(std::move(fractal), rows, pasted);
 }
 
 namespace {
@@ -234,6 +253,7 @@ std::vector<ifs::MapId> duplicateMaps(Document& document, const Rows& rows) {
 }
 
 std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows) {
+    if (!lockObstacle(document.fractal(), rows).isEmpty()) return {};
     return applied(
         document, rows.size() == 1 ? Steps::tr("Delete a map") : Steps::tr("Delete %1 maps").arg(rows.size()),
         withoutMaps(document.fractal(), rows));

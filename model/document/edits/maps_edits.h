@@ -11,6 +11,7 @@ namespace document {
 
 using Rows = std::vector<int>;
 using MapRows = std::vector<ifs::WeightedMap<2>>;
+using SpaceMapRows = std::vector<ifs::WeightedMap<3>>;
 
 struct MapsEdit {
     Fractal fractal;
@@ -24,12 +25,14 @@ MapsEdit withDuplicates(Fractal fractal, const Rows& rows);
 MapsEdit withoutMaps(Fractal fractal, const Rows& rows);
 // The rows as one block, before the row that now is at `before` (the number of maps: at the end).
 MapsEdit withMapsMoved(Fractal fractal, const Rows& rows, int before);
-// In the plane only: the pasted maps in place of the rows, which keep their ids as far as they go; appended
-// when there are no rows.
+// The pasted maps, of the dimension of the fractal, in place of the rows, which keep their ids and names as
+// far as they go; appended when there are no rows.
 MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted);
+MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const SpaceMapRows& pasted);
 
 // As one step of the document; returns the maps to select afterwards.
 std::vector<ifs::MapId> duplicateMaps(Document& document, const Rows& rows);
+// None, and nothing happens, where one of them is locked: lockObstacle() has the sentence for that.
 std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows);
 
 // The weight of one map. Where none were given, the others get the probability they have now: a single weight

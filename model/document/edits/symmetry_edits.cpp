@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/symmetry_edits.h"
 
+#include "document/edits/map_locks.h"
+
 #include <QCoreApplication>
 
 #include <utility>
@@ -24,18 +26,23 @@ template <int Dim> Fractal withSymmetryIn(Fractal fractal, const ifs::Symmetry<D
     return fractal;
 }
 
-template <int Dim> void expand(Shape<Dim>& shape, attractor::Appearance& appearance) {
+template <int Dim> void expand(Shape<Dim>& shape, attractor::Appearance& appearance, MapLabels& mapLabels) {
     const std::size_t copies = ifs::copiesOfEachMap(shape.system);
     ifs::IteratedFunctionSystem<Dim> listed = ifs::expanded(shape.system);
     const bool isByMap = appearance.colourBy == attractor::ColourBy::Map;
     attractor::MapColours colours;
+    MapLabels labels;
     for (std::size_t i = 0; copies > 1 && i < listed.maps.size(); ++i) {
         const std::size_t of = i / copies;
         const ifs::MapId id = shape.system.maps[of].id;
         if (isByMap || appearance.mapColours.find(id) != nullptr)
             colours[listed.maps[i].id] = attractor::mapColour(appearance, id, of);
+        copyLabel(mapLabels, id, labels, listed.maps[i].id, CopyLock::Keep);
     }
-    if (copies > 1) appearance.mapColours = std::move(colours);
+    if (copies > 1) {
+        appearance.mapColours = std::move(colours);
+        mapLabels = std::move(labels);
+    }
     shape.system = std::move(listed);
 }
 
@@ -85,9 +92,9 @@ QString expandObstacle(const Fractal& fractal) {
 
 Fractal expanded(Fractal fractal) {
     if (auto* shape = plane(fractal))
-        expand(*shape, fractal.appearance);
+        expand(*shape, fractal.appearance, fractal.mapLabels);
     else if (auto* solid = space(fractal))
-        expand(*solid, fractal.appearance);
+        expand(*solid, fractal.appearance, fractal.mapLabels);
     return fractal;
 }
 

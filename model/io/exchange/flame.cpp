@@ -538,6 +538,7 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         const ifs::AffineMap<2>& map = system.maps[i].map;
         xml.writeEmptyElement(QStringLiteral("xform"));
+        writeFlameName(xml, fractal, i);
         xml.writeAttribute(QStringLiteral("weight"), QString::fromLatin1(formatNumber(weights[i])));
         xml.writeAttribute(QStringLiteral("color"), QString::fromLatin1(formatNumber(colours.positions[i])));
         xml.writeAttribute(QStringLiteral("linear"), QStringLiteral("1"));

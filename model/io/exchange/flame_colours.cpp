@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame_colours.h"
 
+#include "document/map_names.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
 
@@ -133,14 +134,33 @@ void FlameColourReader::readXform(const QXmlStreamAttributes& attributes) {
     const QStringView text = attributes.value(QLatin1String("color")).trimmed();
     const qsizetype end = text.indexOf(u' ');
     m_positions.push_back(parseNumber(end < 0 ? text : text.first(end)));
+    m_names.push_back(document::mapNameOf(attributes.value(QLatin1String("name")).toString()));
 }
 
 void FlameColourReader::forgetXforms(const std::vector<std::size_t>& indices) {
-    for (auto index = indices.rbegin(); index != indices.rend(); ++index)
+    for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
         m_positions.erase(m_positions.begin() + std::ptrdiff_t(*index));
+        m_names.erase(m_names.begin() + std::ptrdiff_t(*index));
+    }
+}
+
+void FlameColourReader::nameMaps(document::Fractal& fractal) const {
+    const auto name = [&](const auto& maps) {
+        for (std::size_t i = 0; i < std::min(m_names.size(), maps.size()); ++i)
+            if (!m_names[i].isEmpty()) fractal.mapLabels.set(maps[i].id, {m_names[i], false});
+    };
+    if (const document::System2* system = document::system2(fractal)) name(system->maps);
+    if (const document::System3* solid = document::system3(fractal)) name(solid->maps);
+}
+
+void writeFlameName(QXmlStreamWriter& xml, const document::Fractal& fractal, std::size_t index) {
+    const ifs::MapId id = document::system2(fractal)->maps[index].id;
+    const QString name = document::mapNameOf(fractal.mapLabels.of(id).name);
+    if (!name.isEmpty()) xml.writeAttribute(QStringLiteral("name"), name);
 }
 
 void FlameColourReader::applyTo(document::Fractal& fractal) const {
+    nameMaps(fractal);
     attractor::Appearance& appearance = fractal.appearance;
     if (m_background) appearance.background = *m_background;
     appearance.contrast = m_contrast.value_or(appearance.contrast);

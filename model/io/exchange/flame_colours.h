@@ -13,7 +13,7 @@
 class QXmlStreamWriter;
 
 // The colours of flames: <palette> or <color> elements, `background`, `contrast` and `vibrancy`, and the
-// place of every xform in the palette. docs/formats.md, "Flame XML".
+// place of every xform in the palette; and the names of xforms. docs/formats.md, "Flame XML".
 namespace io {
 
 constexpr std::size_t flameColours = 256; // in a palette
@@ -25,7 +25,7 @@ public:
     void readPalette(const QString& hex, int channels);      // the text of <palette>; 3 or 4 channels
     void readColour(const QXmlStreamAttributes& attributes); // of <color>: index, rgb
     void readColours(const QString& data);                   // of <colors>: 00RRGGBB for each
-    void readXform(const QXmlStreamAttributes& attributes);  // the next xform: color
+    void readXform(const QXmlStreamAttributes& attributes);  // the next xform: color, name
     // Ascending: those of xforms that turned out to be no maps.
     void forgetXforms(const std::vector<std::size_t>& indices);
 
@@ -35,8 +35,11 @@ public:
     bool namesForeignPalette() const { return m_isForeign && m_colours.empty(); }
 
 private:
+    void nameMaps(document::Fractal& fractal) const;
+
     std::vector<attractor::Rgba> m_colours;
     std::vector<std::optional<double>> m_positions; // by xform
+    std::vector<QString> m_names;                   // likewise; empty: none
     std::optional<attractor::Rgba> m_background;
     std::optional<attractor::ColourBy> m_colourBy; // as Barycage writes it
     std::optional<double> m_contrast;
@@ -55,5 +58,7 @@ FlameColours flameColoursOf(const document::Fractal& fractal);
 
 // The attributes of <flame> that say how it looks.
 void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearance);
+// The name of a map of the plane as an attribute of its xform, if it has one.
+void writeFlameName(QXmlStreamWriter& xml, const document::Fractal& fractal, std::size_t index);
 
 } // namespace io

@@ -84,7 +84,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
                 true,
                 flameHoldsSymmetry(fractal),
                 true,
-                false};
+                false,
+                true};
     }
     return lossBeside(kept, fractal);
 }

@@ -171,18 +171,22 @@ void append(std::vector<std::size_t>& lines, const std::vector<std::size_t>& mor
     lines.insert(lines.end(), more.begin(), more.end());
 }
 
-template <int Dim> void renumber(document::Shape<Dim>& shape, attractor::MapColours& colours) {
+template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal& fractal) {
+    attractor::MapColours& colours = fractal.appearance.mapColours;
     attractor::MapColours kept;
+    document::MapLabels labels;
     std::map<ifs::MapId, ifs::MapId> ids;
     std::uint32_t number = 0;
     for (auto& map : shape.system.maps) {
         const auto id = static_cast<ifs::MapId>(++number);
         if (const auto* colour = colours.find(map.id)) kept[id] = *colour;
+        if (!fractal.mapLabels.isEmpty()) labels.set(id, storedLabel(fractal.mapLabels.of(map.id)));
         ids[map.id] = id;
         map.id = id;
     }
     ifs::renumberLinks(shape.system, ids);
     colours = std::move(kept);
+    fractal.mapLabels = std::move(labels);
     std::erase_if(shape.moved, [&](document::MovedBranch<Dim>& branch) {
         return !std::ranges::all_of(branch.word, [&](ifs::MapId& id) {
             const auto known = ids.find(id);
@@ -199,7 +203,7 @@ QByteArrayList metadataComments(const document::Fractal& fractal) {
     const QByteArrayList appearance = appearanceLines(fractal.appearance) + spaceComments(fractal.inSpace);
     const auto linesOf = [&](const auto& shape) {
         return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance) +
-               linkLines(shape.system);
+               labelComments(fractal) + linkLines(shape.system);
     };
     QByteArrayList lines = appearance;
     if (const auto* plane = document::plane(fractal))
@@ -212,9 +216,9 @@ QByteArrayList metadataComments(const document::Fractal& fractal) {
 
 document::Fractal asStored(document::Fractal fractal) {
     if (auto* plane = document::plane(fractal))
-        renumber(*plane, fractal.appearance.mapColours);
+        renumber(*plane, fractal);
     else if (auto* space = document::space(fractal))
-        renumber(*space, fractal.appearance.mapColours);
+        renumber(*space, fractal);
     const attractor::Palette* builtIn = attractor::findPalette(fractal.appearance.palette.name);
     if (builtIn == nullptr || !(*builtIn == fractal.appearance.palette))
         fractal.appearance.palette.name = storableText("palette", fractal.appearance.palette.name);
@@ -237,7 +241,8 @@ bool MetadataComments::read(QByteArrayView comment) {
     const QByteArray key = values.takeFirst();
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
            readPalette(key, values) || readBranch(key, values) || readLinks(key, values) ||
-           m_inSpace.read(key, values) || m_symmetry.read(key, values, m_ownComments - 1) ||
+           m_labels.read(key, values) || m_inSpace.read(key, values) ||
+           m_symmetry.read(key, values, m_ownComments - 1) ||
            m_animations.read(key, values, m_ownComments - 1);
 }
 
@@ -556,6 +561,7 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
                                              "kept.")
                                      .arg(document::dimension(fractal));
         applyToMaps(shape.system, fractal.appearance.mapColours, outcome.sentences);
+        m_labels.applyTo(fractal);
         if (const auto flaw = m_symmetry.applyTo(shape.system)) {
             outcome.sentences << *flaw;
             append(outcome.kept, m_symmetry.lines());

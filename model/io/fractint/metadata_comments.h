@@ -3,6 +3,7 @@
 
 #include "document/fractal.h"
 #include "io/fractint/animation_comments.h"
+#include "io/fractint/label_comments.h"
 #include "io/fractint/space_comments.h"
 #include "io/fractint/symmetry_comments.h"
 
@@ -20,8 +21,8 @@ namespace io {
 // Lines without line ends, each under 70 bytes; none when everything is as in a new entry.
 QByteArrayList metadataComments(const document::Fractal& fractal);
 
-// What of `fractal` survives being written and read: maps renumbered in their order, colours of maps that are
-// gone dropped, texts cut to what a line can hold.
+// What of `fractal` survives being written and read: maps renumbered in their order, colours and labels of
+// maps that are gone dropped, texts cut to what a line can hold.
 document::Fractal asStored(document::Fractal fractal);
 
 // Whether a comment (what follows the semicolon) is one of ours, whatever its key, apart from those that
@@ -86,6 +87,7 @@ private:
     Lines m_deformationLines;
     std::vector<Branch> m_branches;
     SymmetryComments m_symmetry;
+    LabelComments m_labels;
     AnimationComments m_animations;
     std::map<int, std::vector<double>> m_links; // rows by map, 1-based
     Lines m_linkLines;

@@ -2,12 +2,15 @@
 #include "io/text/lost_parts.h"
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/tops/kept_theft.h"
 
 #include <QCoreApplication>
 #include <QStringList>
+
+#include <algorithm>
 
 namespace io {
 
@@ -21,6 +24,7 @@ struct Held {
     bool cage = false;
     bool moved = false;
     bool linked = false;
+    bool named = false; // any of its maps
 };
 
 // Whether they make a difference: between the maps that take part, or in which these are.
@@ -33,8 +37,12 @@ template <int Dim> bool linksMatter(const ifs::IteratedFunctionSystem<Dim>& syst
 }
 
 Held heldBy(const document::Fractal& fractal) {
-    const auto of = [](const auto& shape) {
-        return Held{shape.cage.has_value(), !shape.moved.empty(), linksMatter(shape.system)};
+    const auto of = [&labels = fractal.mapLabels](const auto& shape) {
+        const bool isNamed =
+            !labels.isEmpty() && std::ranges::any_of(shape.system.maps, [&](const auto& map) {
+                return !labels.of(map.id).name.isEmpty();
+            });
+        return Held{shape.cage.has_value(), !shape.moved.empty(), linksMatter(shape.system), isNamed};
     };
     if (const auto* plane = document::plane(fractal)) return of(*plane);
     if (const auto* space = document::space(fractal)) return of(*space);
@@ -55,6 +63,8 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     const bool losesLinks = held.linked && !kept.links;
     if (document::keptTheft(fractal) && !kept.transformation) lost << Text::tr("its fractal transformation");
     if (losesLinks) lost << Text::tr("the links of its maps");
+    if (held.named && !kept.mapNames) lost << Text::tr("the names of its maps");
+    if (!document::lockedMaps(fractal).empty()) lost << Text::tr("the locks of its maps");
     if (!kept.palette && !(rest.palette == usual.palette)) lost << Text::tr("its palette");
     if (!kept.background && !(rest.background == usual.background)) lost << Text::tr("its background");
     rest.palette = usual.palette;

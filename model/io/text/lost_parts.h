@@ -19,6 +19,7 @@ struct KeptParts {
     bool symmetry = false; // as a group, not as the maps it stands for
     bool links = false;
     bool transformation = false; // partner, order, mode and picture
+    bool mapNames = false;
 };
 
 // What is lost, in sentences; nullopt when nothing is, or only what is as in a new entry.

@@ -6,6 +6,7 @@
 #include "document/edits/dimension_edits.h"
 #include "document/edits/entries_edits.h"
 #include "document/edits/link_edits.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/maps_arrange.h"
 #include "document/edits/maps_edits.h"
 #include "document/edits/motion_edits.h"
@@ -25,6 +26,7 @@
 
 #include <QUndoStack>
 
+#include <array>
 #include <iterator>
 #include <memory>
 #include <random>
@@ -86,6 +88,7 @@ private:
     void animate();
     void editKeys();
     void changeLook();
+    void label();
     void editEntries();
     void steal();
     void travel();
@@ -148,13 +151,13 @@ void RandomEditsTest::whatIsEditedIsReadAgain() {
 
 void RandomEditsTest::step() {
     static const Edit edits[] = {
-        &RandomEditsTest::editMaps,    &RandomEditsTest::switchMap,      &RandomEditsTest::editWeights,
-        &RandomEditsTest::moveMaps,    &RandomEditsTest::moveBranch,     &RandomEditsTest::arrange,
-        &RandomEditsTest::moveCage,    &RandomEditsTest::changeCage,     &RandomEditsTest::fitCage,
-        &RandomEditsTest::link,        &RandomEditsTest::makeSymmetric,  &RandomEditsTest::transform,
-        &RandomEditsTest::animate,     &RandomEditsTest::editKeys,       &RandomEditsTest::changeLook,
-        &RandomEditsTest::editEntries, &RandomEditsTest::travel,         &RandomEditsTest::save,
-        &RandomEditsTest::steal,       &RandomEditsTest::changeDimension};
+        &RandomEditsTest::editMaps,    &RandomEditsTest::switchMap,       &RandomEditsTest::editWeights,
+        &RandomEditsTest::moveMaps,    &RandomEditsTest::moveBranch,      &RandomEditsTest::arrange,
+        &RandomEditsTest::moveCage,    &RandomEditsTest::changeCage,      &RandomEditsTest::fitCage,
+        &RandomEditsTest::link,        &RandomEditsTest::makeSymmetric,   &RandomEditsTest::transform,
+        &RandomEditsTest::animate,     &RandomEditsTest::editKeys,        &RandomEditsTest::changeLook,
+        &RandomEditsTest::editEntries, &RandomEditsTest::travel,          &RandomEditsTest::save,
+        &RandomEditsTest::steal,       &RandomEditsTest::changeDimension, &RandomEditsTest::label};
     const Edit edit = edits[any(int(std::size(edits)))];
     // An entry that could not be read offers nothing to edit.
     if (document::dimension(m_document->fractal()) != 0)
@@ -375,6 +378,20 @@ void RandomEditsTest::changeLook() {
         look.mapColours[document::system2(after)->maps[std::size_t(any(mapCount()))].id] = {
             std::uint8_t(any(256)), 1, 2, 255};
     put("look", std::move(after));
+}
+
+void RandomEditsTest::label() {
+    if (mapCount() == 0) return;
+    const auto& maps = document::system2(m_document->fractal())->maps;
+    const auto index = std::size_t(any(mapCount()));
+    m_last = "label";
+    if (any(2)) {
+        const std::array ids{maps[index].id};
+        return document::lockMaps(*m_document, ids, any(3) != 0);
+    }
+    static const char* const names[] = {"", "stem", "left } leaf {", "100 %", "лист 🌿", "a  b\nc \\"};
+    const QString name = QString::fromUtf8(names[any(int(std::size(names)))]);
+    document::renameMap(*m_document, index, name.repeated(1 + any(12)));
 }
 
 void RandomEditsTest::editEntries() {

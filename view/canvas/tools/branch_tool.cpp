@@ -2,6 +2,7 @@
 #include "canvas/tools/branch_tool.h"
 
 #include "document/addresses.h"
+#include "document/edits/map_locks.h"
 
 #include <QKeyEvent>
 
@@ -16,6 +17,14 @@ using Mode = PolygonDrag::Mode;
 namespace {
 
 constexpr std::size_t maxSelected = 200; // a hundred drags
+
+// The sentence of the map that would change, or be divided, if it is locked.
+QString lockObstacle(const document::Fractal& fractal, const ifs::Word& branch, document::BranchEdit edit) {
+    if (branch.empty() || edit == document::BranchEdit::Display) return {};
+    const bool isFirst = edit == document::BranchEdit::OwnMap;
+    return document::lockObstacle(fractal,
+                                  std::vector{std::size_t(isFirst ? branch.front() : branch.back())});
+}
 
 } // namespace
 
@@ -108,6 +117,12 @@ bool BranchTool::keyPress(const QKeyEvent& event) {
 }
 
 MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
+    const QString locked =
+        m_before ? QString() : lockObstacle(scene().document().fractal(), handles().branch(), m_edit);
+    if (!locked.isEmpty()) {
+        emit message(locked);
+        return {};
+    }
     if (m_before) {
         select(m_addressAtPress); // begun anew
     } else {

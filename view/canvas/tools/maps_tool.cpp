@@ -2,6 +2,7 @@
 #include "canvas/tools/maps_tool.h"
 
 #include "canvas/geometry/canvas_note.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
 #include "ifs/cage/map_handles.h"
 
@@ -63,8 +64,19 @@ std::vector<std::size_t> MapsTool::enclosedBy(const QRectF& band) const {
 
 MapsTool::HeldMaps MapsTool::hold(const CanvasPart& part) {
     if (part.map >= 0 && !selection().isMapSelected(part.map)) selectOnly(part.map);
-    return {document::MapHandles(scene().document().sharedFractal(), *handles().cage()),
-            selection().mapIndices()};
+    const auto fractal = scene().document().sharedFractal();
+    std::vector<std::size_t> indices = selection().mapIndices();
+    const std::vector<std::size_t> pressed(part.map >= 0 ? 1 : 0, std::size_t(std::max(part.map, 0)));
+    QString locked = document::lockObstacle(*fractal, pressed);
+    const auto isLocked = [&](std::size_t index) { return document::isLocked(*fractal, index); };
+    if (std::ranges::all_of(indices, isLocked) && locked.isEmpty())
+        locked = document::lockObstacle(*fractal, indices);
+    if (!locked.isEmpty()) {
+        emit message(locked);
+        return {};
+    }
+    std::erase_if(indices, isLocked); // the others of a selection move
+    return {document::MapHandles(fractal, *handles().cage()), std::move(indices)};
 }
 
 QString MapsTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
@@ -158,11 +170,15 @@ bool MapsTool::keyPress(const QKeyEvent& event) {
         const std::vector<std::size_t> indices = selection().mapIndices();
         const document::Rows rows(indices.begin(), indices.end());
         document::Document& document = scene().document();
+        const QString locked = document::lockObstacle(document.fractal(), rows);
         if (rows.empty())
             emit message(tr("Select a map first."));
+        else if (event.key() == Qt::Key_Insert)
+            selection().setMaps(duplicateMaps(document, rows));
+        else if (!locked.isEmpty())
+            emit message(locked);
         else
-            selection().setMaps(event.key() == Qt::Key_Delete ? deleteMaps(document, rows)
-                                                              : duplicateMaps(document, rows));
+            selection().setMaps(deleteMaps(document, rows));
         return true;
     }
     const int digit = event.key() - Qt::Key_1;

@@ -4,6 +4,7 @@
 #include "canvas/canvas_view.h"
 #include "document/edits/cage_edits.h"
 #include "document/edits/collage_edits.h"
+#include "document/edits/map_locks.h"
 #include "panels/collage/collage_layer.h"
 #include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
@@ -27,6 +28,7 @@ using Task = FitBox::Task;
 constexpr int progressInterval = 100; // milliseconds
 // In a drag the picture comes first, and the numbers are measured when it has had this time.
 constexpr int pictureFirst = 8;
+constexpr qsizetype maxLocksNamed = 12; // on the button
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -144,8 +146,8 @@ void CollagePanel::follow(const document::Change& change) {
     if (change.parts & (Change::Current | Change::File)) {
         cancel();
         m_suggestions->forget();
-        m_locked.clear();
     }
+    if (change.parts & Change::Name) showLocks();
     if (!(change.parts & (Change::System | Change::Cage | Change::Current | Change::File))) return;
     if (change.live) {
         if (!m_liveTimer->isActive()) m_liveTimer->start();
@@ -185,7 +187,7 @@ void CollagePanel::showMeasured(std::optional<document::MeasuredFractal> measure
 }
 
 std::vector<ifs::MapId> CollagePanel::fixedMaps() const {
-    std::vector<ifs::MapId> fixed(m_locked.begin(), m_locked.end());
+    std::vector<ifs::MapId> fixed = document::lockedMaps(m_document->fractal());
     const std::vector<ifs::MapId>& selected = m_canvas->selectedMaps();
     const document::System2* system = document::system2(m_document->fractal());
     if (m_fit->refinesSelectedOnly() && system)
@@ -260,7 +262,8 @@ void CollagePanel::finish(std::optional<Result> result) {
             tr("%n suggestions. Click one to use it.", nullptr, int(result->suggestions.size())));
     }
     if (!document::isSameSystem(*done.before, m_document->fractal()) ||
-        !document::isCageAlike(*done.before, m_document->fractal()))
+        !document::isCageAlike(*done.before, m_document->fractal()) ||
+        document::lockedMaps(*done.before) != document::lockedMaps(m_document->fractal()))
         return emit message(tr("The fractal has changed meanwhile, so the result was not used."));
     if (!result->fractal) return emit message(tr("Nothing was found that agrees better."));
     document::Fractal after = m_document->fractal();
@@ -279,23 +282,24 @@ void CollagePanel::cancel() {
 void CollagePanel::use(int suggestion) {
     document::Fractal after = m_document->fractal();
     after.shape = m_suggestions->fractal(suggestion)->shape;
+    after.mapLabels = {};
     m_document->edit(textOf(Task::Suggest), std::move(after));
 }
 
 void CollagePanel::lock(bool lock) {
-    for (const ifs::MapId map : m_canvas->selectedMaps())
-        lock ? void(m_locked.insert(map)) : void(m_locked.erase(map));
-    showLocks();
+    document::lockMaps(*m_document, m_canvas->selectedMaps(), lock);
 }
 
 void CollagePanel::showLocks() {
     QStringList names;
-    const document::System2* system = document::system2(m_document->fractal());
-    for (std::size_t i = 0; system && i < system->maps.size(); ++i)
-        if (m_locked.contains(system->maps[i].id)) names << QString::number(i + 1);
+    const document::Fractal& fractal = m_document->fractal();
+    const document::System2* system = document::system2(fractal);
+    for (std::size_t i = 0; system && i < system->maps.size() && names.size() <= maxLocksNamed; ++i)
+        if (document::isLocked(fractal, i)) names << QString::number(i + 1);
+    if (names.size() > maxLocksNamed) names.back() = QStringLiteral("…");
     const std::vector<ifs::MapId>& selected = m_canvas->selectedMaps();
-    const bool areLocked = !selected.empty() && std::ranges::all_of(selected, [this](ifs::MapId map) {
-        return m_locked.contains(map);
+    const bool areLocked = !selected.empty() && std::ranges::all_of(selected, [&](ifs::MapId map) {
+        return fractal.mapLabels.of(map).isLocked;
     });
     m_fit->setLocks(names.join(QStringLiteral(", ")), areLocked, !selected.empty());
 }

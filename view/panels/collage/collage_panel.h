@@ -11,7 +11,6 @@
 
 #include <atomic>
 #include <memory>
-#include <set>
 
 class QComboBox;
 class QTimer;
@@ -75,7 +74,6 @@ private:
     FitBox* m_fit;
     SuggestionList* m_suggestions;
     std::optional<document::MeasuredFractal> m_measured;
-    std::set<ifs::MapId> m_locked;
     std::optional<Running> m_running;
     std::shared_ptr<std::atomic<double>> m_progress; // of what runs
     QTimer* m_progressTimer;

@@ -147,6 +147,8 @@ void EntriesPanel::createActions() {
                         QStringLiteral("up"), {Qt::ALT | Qt::Key_Up}, &EntriesPanel::moveUp);
     m_down = createAction(tr("Move &Down"), tr("Move the selected entries towards the end of the file."),
                           QStringLiteral("down"), {Qt::ALT | Qt::Key_Down}, &EntriesPanel::moveDown);
+    m_cut = createAction(tr("Cu&t"), tr("Move the selected entries to the clipboard."), QStringLiteral("cut"),
+                         QKeySequence::keyBindings(QKeySequence::Cut), &EntriesPanel::cutSelected);
     m_copy = createAction(tr("&Copy"), tr("Copy the selected entries as .ifs text."), QStringLiteral("copy"),
                           QKeySequence::keyBindings(QKeySequence::Copy), &EntriesPanel::copySelected);
     m_paste = createAction(tr("&Paste"), tr("Paste entries from .ifs text after the current entry."),
@@ -173,7 +175,7 @@ void EntriesPanel::showContextMenu(const QPoint& position) {
     QMenu menu(this);
     menu.addActions({m_rename, m_comment, m_duplicate, m_remove});
     menu.addSeparator();
-    menu.addActions({m_copy, m_paste});
+    menu.addActions({m_cut, m_copy, m_paste});
     menu.addSeparator();
     menu.addActions({m_up, m_down});
     menu.addSeparator();
@@ -262,6 +264,15 @@ void EntriesPanel::moveDown() {
     const auto below =
         static_cast<EntryId>(m_filtered->index(row + 1, 0).data(EntriesModel::IdRole).toUInt());
     moveEntries(ids, idBehind(m_document->file(), below));
+}
+
+void EntriesPanel::cutSelected() {
+    const QList<EntryId> ids = m_list->selectedIds();
+    if (ids.isEmpty()) return;
+    copySelected();
+    const QString text = ids.size() == 1 ? tr("Cut %1").arg(quotedName(entriesOf(ids).front()))
+                                         : tr("Cut %n entries", nullptr, static_cast<int>(ids.size()));
+    m_document->editFile(text, removed(m_document->file(), ids));
 }
 
 void EntriesPanel::copySelected() {
@@ -378,7 +389,7 @@ void EntriesPanel::makeCurrent(const QModelIndex& index) {
 void EntriesPanel::updateActions() {
     const bool any = m_list->selectionModel()->hasSelection();
     const bool editable = m_list->currentIndex().flags() & Qt::ItemIsEditable;
-    for (QAction* action : {m_remove, m_duplicate, m_copy, m_up, m_down})
+    for (QAction* action : {m_remove, m_duplicate, m_cut, m_copy, m_up, m_down})
         action->setEnabled(any);
     m_rename->setEnabled(editable);
     m_comment->setEnabled(editable);

@@ -34,6 +34,7 @@ public slots:
     void editComment();
     void moveUp();
     void moveDown();
+    void cutSelected();
     void copySelected();
     void paste();
 
@@ -82,6 +83,7 @@ private:
     QAction* m_comment = nullptr;
     QAction* m_up = nullptr;
     QAction* m_down = nullptr;
+    QAction* m_cut = nullptr;
     QAction* m_copy = nullptr;
     QAction* m_paste = nullptr;
 };

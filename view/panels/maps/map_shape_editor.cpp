@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/map_shape_editor.h"
 
+#include "document/edits/map_locks.h"
+#include "document/map_names.h"
 #include "widgets/number_field.h"
+#include "widgets/tooltip_text.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -35,6 +38,8 @@ MapShapeEditor::MapShapeEditor(document::Document* document, QWidget* parent)
     QFont bold = m_title->font();
     bold.setBold(true);
     m_title->setFont(bold);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     layout->addWidget(m_title);
     makePlaneForm();
     makeSpaceForm();
@@ -135,8 +140,14 @@ void MapShapeEditor::follow() {
     formOf(2).box->setVisible(!isSpace);
     formOf(3).box->setVisible(isSpace);
     const int row = rowOfMap();
-    setEnabled(row >= 0);
-    m_title->setText(row < 0 ? tr("No map is selected") : tr("Map %1").arg(row + 1));
+    const QString locked =
+        row < 0 ? QString() : document::lockObstacle(fractal, std::vector{std::size_t(row)});
+    setEnabled(row >= 0 && locked.isEmpty());
+    setToolTip(tooltipText(locked));
+    const QString name = row < 0 ? QString() : document::mapTitle(fractal, std::size_t(row));
+    m_title->setText(row < 0            ? tr("No map is selected")
+                     : locked.isEmpty() ? tr("Map %1").arg(name)
+                                        : tr("Map %1, locked").arg(name));
     if (row < 0) return;
     if (isSpace)
         show(*document::system3(fractal));
@@ -165,7 +176,8 @@ void MapShapeEditor::edit(int dimension, int part, double value) {
             shapes<3>().before = shapes<3>().known[m_id];
     }
     const NumberField* field = formOf(dimension).fields[std::size_t(part)];
-    const QString text = tr("%1: %2 %3").arg(m_title->text(), field->accessibleName(), shortNumber(value));
+    const QString text =
+        tr("%1: %2 %3").arg(tr("Map %1").arg(row + 1), field->accessibleName(), shortNumber(value));
     m_edit.preview(text, [&](document::Fractal& fractal) {
         if (dimension == 2)
             change(*document::system2(fractal), part, value);

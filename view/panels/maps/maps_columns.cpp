@@ -16,7 +16,10 @@ namespace view {
 namespace {
 
 constexpr int narrowest = 30; // of a number column
-constexpr int swatch = 26;
+constexpr int eye = 24;
+constexpr int lock = 22;
+constexpr int picture = 40;
+constexpr int shortestName = 48, longestName = 110;
 constexpr int minDecimals = 2;
 
 } // namespace
@@ -42,24 +45,33 @@ int MapsColumns::widthOf(int column) const {
 // Whether there is a scroll bar must not depend on the widths that depend on it: it always has its room.
 int MapsColumns::available() const {
     return m_table->width() - 2 * m_table->frameWidth() - m_table->verticalHeader()->sizeHint().width() -
-           m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_table) - 2 * swatch;
+           m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_table) - eye - lock - picture;
 }
 
 void MapsColumns::fit() {
-    m_table->setColumnWidth(MapsModel::Enabled, swatch);
-    m_table->setColumnWidth(MapsModel::Colour, swatch);
-    const int room = available();
+    m_table->setColumnWidth(MapsModel::Enabled, eye);
+    m_table->setColumnWidth(MapsModel::Lock, lock);
+    m_table->setColumnWidth(MapsModel::Colour, picture);
+    int room = available();
+    const bool isNamed = !m_table->isColumnHidden(MapsModel::Name);
+    if (isNamed) room -= shortestName;
     const int codeEnd = m_model->columnOf(MapsModel::Weight) + 1;
     std::vector<int> code(std::size_t(codeEnd - MapsModel::A)); // coefficients and weight
     std::iota(code.begin(), code.end(), int(MapsModel::A));
     std::vector<int> widths(code.size());
-    for (int decimals = maxDecimals; decimals >= minDecimals; --decimals) {
+    for (int decimals = maxDecimals; decimals >= (isNamed ? minDecimals - 1 : minDecimals); --decimals) {
         m_model->limitDecimals(decimals);
         std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
     // What is left is for the digits and signs that come up in a drag.
-    const int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
+    int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
+    if (isNamed) { // and for names that are longer
+        const int wanted = std::clamp(widthOf(MapsModel::Name), shortestName, longestName) - shortestName;
+        const int given = std::min(wanted, left / 2);
+        m_table->setColumnWidth(MapsModel::Name, shortestName + given);
+        left -= given;
+    }
     for (std::size_t i = 0; i < code.size(); ++i)
         if (!m_table->isColumnHidden(code[i]))
             m_table->setColumnWidth(code[i], widths[i] + std::min(left / int(code.size()), narrowest));

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_delegate.h"
 
+#include "document/map_names.h"
+#include "panels/maps/layer_signs.h"
+#include "panels/maps/map_thumbnails.h"
 #include "widgets/number_field.h"
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QtMath>
@@ -46,15 +51,13 @@ QColor textColour(const QStyleOptionViewItem& option) {
                                                                              : QPalette::Text);
 }
 
-void paintSwatch(QPainter& painter, const QRect& cell, const QColor& colour, const QColor& rim) {
-    QRectF swatch(0, 0, 16, 12);
-    swatch.moveCenter(QRectF(cell).center());
-    painter.setRenderHint(QPainter::Antialiasing);
-    QColor line = rim;
-    line.setAlphaF(0.35F);
-    painter.setPen(QPen(line, 1));
-    painter.setBrush(colour);
-    painter.drawRoundedRect(swatch, 2.5, 2.5);
+bool isMark(int column) {
+    return column == MapsModel::Enabled || column == MapsModel::Lock;
+}
+
+QColor faded(QColor colour, float opacity) {
+    colour.setAlphaF(opacity);
+    return colour;
 }
 
 } // namespace
@@ -82,8 +85,22 @@ void paintWarningSign(QPainter& painter, const QRectF& area, const QPalette& pal
 
 MapsDelegate::MapsDelegate(MapsModel* model, QObject* parent) : QStyledItemDelegate(parent), m_model(model) {}
 
+QWidget* MapsDelegate::createNameEditor(QWidget* parent, const QModelIndex& index) const {
+    auto* field = new QLineEdit(parent);
+    field->setFrame(false);
+    field->setAutoFillBackground(true);
+    field->setMaxLength(int(document::maxMapName));
+    field->setAccessibleName(tr("Name of map %1").arg(index.row() + 1));
+    connect(field, &QLineEdit::textEdited, m_model,
+            [model = m_model, cell = QPersistentModelIndex(index)](const QString& name) {
+                model->previewName(cell, name);
+            });
+    return field;
+}
+
 QWidget* MapsDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                     const QModelIndex& index) const {
+    if (index.column() == MapsModel::Name) return createNameEditor(parent, index);
     auto* field = new NumberField(parent);
     field->setFrame(false);
     field->setAutoFillBackground(true);
@@ -98,18 +115,24 @@ QWidget* MapsDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
 }
 
 void MapsDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    if (auto* name = qobject_cast<QLineEdit*>(editor); name && index.column() == MapsModel::Name) {
+        if (!name->isModified()) name->setText(index.data(Qt::EditRole).toString());
+        return;
+    }
     auto* field = static_cast<NumberField*>(editor);
     if (!field->isEdited()) field->editValue(index.data(Qt::EditRole).toDouble(), m_model->typedText(index));
 }
 
 void MapsDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
+    if (index.column() == MapsModel::Name) return m_model->commitEdit(); // the name is there already
     const auto* field = static_cast<NumberField*>(editor);
     m_model->keepTyped(index, field->value(), field->typedText());
     m_model->commitEdit(); // the value is there already
 }
 
 void MapsDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) const {
-    const QString problem = static_cast<NumberField*>(editor)->problem();
+    const auto* field = qobject_cast<NumberField*>(editor);
+    const QString problem = field ? field->problem() : QString();
     m_model->cancelEdit(); // nothing to cancel after a commit
     QStyledItemDelegate::destroyEditor(editor, index);
     if (!problem.isEmpty()) emit refused(tr("%1 The cell keeps its value.").arg(problem));
@@ -127,83 +150,140 @@ void MapsDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
 
 bool MapsDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                                const QModelIndex& index) {
-    if (index.column() == MapsModel::Colour) {
-        const bool space =
-            event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space;
-        if (space || event->type() == QEvent::MouseButtonDblClick) {
-            emit colourRequested(index);
-            return true;
-        }
+    const bool isSpace =
+        event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space;
+    if (index.column() == MapsModel::Colour && (isSpace || event->type() == QEvent::MouseButtonDblClick)) {
+        emit colourRequested(index);
+        return true;
     }
-    return QStyledItemDelegate::editorEvent(event, model, option, index);
+    if (!isMark(index.column())) return QStyledItemDelegate::editorEvent(event, model, option, index);
+    const bool isMouse =
+        event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseButtonDblClick;
+    const auto* mouse = isMouse ? static_cast<QMouseEvent*>(event) : nullptr;
+    if (mouse && mouse->button() != Qt::LeftButton) return false;
+    if (event->type() == QEvent::MouseButtonDblClick) return true; // its release switches
+    if (!mouse && !isSpace) return false;
+    if (mouse && index.column() == MapsModel::Enabled && mouse->modifiers().testFlag(Qt::AltModifier)) {
+        emit soloRequested(index);
+        return true;
+    }
+    const bool isOn = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
+    return model->setData(index, isOn ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
 }
 
 void MapsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given,
                          const QModelIndex& index) const {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
-    if (index.column() == MapsModel::Enabled) {
-        QStyledItemDelegate::paint(painter, given, index);
-        return;
-    }
     const QString text = option.text;
     option.text.clear();
     option.icon = {};
-    option.features &= ~QStyleOptionViewItem::HasDecoration;
+    option.features &= ~(QStyleOptionViewItem::HasDecoration | QStyleOptionViewItem::HasCheckIndicator);
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
 
     painter->save();
     painter->setFont(option.font);
     painter->setPen(textColour(option));
-    const QRect inside = option.rect.adjusted(margin, 0, -margin, 0);
-    const bool warned = !index.data(MapsModel::WarningRole).toString().isEmpty();
-    if (index.column() == MapsModel::Colour) {
-        paintSwatch(*painter, option.rect, index.data(Qt::DecorationRole).value<QColor>(),
-                    textColour(option));
-    } else if (m_model->isNumber(index.column())) {
-        if (const QString typed = m_model->typedText(index);
-            !typed.isEmpty() && option.fontMetrics.horizontalAdvance(typed) <= inside.width() + margin) {
-            painter->drawText(inside.adjusted(-margin, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter, typed);
-            painter->restore();
-            return;
-        }
-        const int decimals = index.data(MapsModel::DecimalsRole).toInt();
-        const int fraction = fractionWidth(option.fontMetrics, decimals);
-        const QRect whole = inside.adjusted(-margin, 0, -fraction, 0);
-        const NumberParts parts = split(text);
-        if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width()) { // in the middle of a drag
-            painter->drawText(
-                inside.adjusted(-margin, 0, 0, 0), Qt::AlignRight | Qt::AlignVCenter,
-                fitting(index.data(Qt::EditRole).toDouble(), option.fontMetrics, inside.width() + margin));
-            painter->restore();
-            return;
-        }
-        painter->drawText(whole, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, parts.whole);
-        painter->drawText(QRect(whole.right() + 1, inside.top(), fraction + margin, inside.height()),
-                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, parts.fraction);
-    } else {
-        QRect rest = inside;
-        if (warned) {
-            QRectF sign(0, 0, 11, 10);
-            sign.moveCenter(QPointF(inside.left() + 6, inside.center().y() + 0.5));
-            paintWarningSign(*painter, sign, option.palette);
-            rest.setLeft(rest.left() + 18);
-        }
-        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
-                          option.fontMetrics.elidedText(text, Qt::ElideRight, rest.width()));
-    }
+    if (isMark(index.column()))
+        paintMark(*painter, option, index);
+    else if (index.column() == MapsModel::Colour)
+        paintPicture(*painter, option, index);
+    else if (m_model->isNumber(index.column()))
+        paintNumber(*painter, option, index, text);
+    else
+        paintText(*painter, option, index, text);
     painter->restore();
+}
+
+// Faint where the eye is closed or the map is not locked, and beside a map that is shown alone.
+void MapsDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const {
+    const bool isOn = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
+    const QColor colour = textColour(option);
+    if (index.column() == MapsModel::Lock)
+        return paintPadlock(painter, option.rect, isOn ? colour : faded(colour, 0.3F),
+                            isOn ? Padlock::Closed : Padlock::Open);
+    const ifs::MapId solo = m_model->solo();
+    const bool isSolo = solo != ifs::MapId::None && solo == m_model->idAt(index.row());
+    if (isSolo) { // a ring around its eye
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setBrush(faded(colour, 0.15F));
+        painter.setPen(QPen(colour, 1));
+        QRectF ring(0, 0, 20, 15);
+        ring.moveCenter(QRectF(option.rect).center());
+        painter.drawRoundedRect(ring, 7, 7);
+    }
+    const bool isHidden = !isOn || (solo != ifs::MapId::None && !isSolo);
+    paintEye(painter, option.rect, isHidden ? faded(colour, 0.45F) : colour, isOn ? Eye::Open : Eye::Closed);
+}
+
+// The colour as a bar, and beside it what the map makes of the attractor.
+void MapsDelegate::paintPicture(QPainter& painter, const QStyleOptionViewItem& option,
+                                const QModelIndex& index) const {
+    const QRectF cell = QRectF(option.rect).adjusted(3, 2, -3, -2);
+    const auto colour = index.data(Qt::DecorationRole).value<QColor>();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(faded(textColour(option), 0.35F), 1));
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(cell.left() + 0.5, cell.top() + 0.5, 5, cell.height() - 1), 1.5, 1.5);
+    const QRectF tile(cell.left() + 7, cell.top(), cell.width() - 7, cell.height());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(option.palette.color(QPalette::Base));
+    painter.drawRoundedRect(tile, 2, 2);
+    if (!m_thumbnails) return;
+    const qreal ratio = painter.device()->devicePixelRatioF();
+    m_thumbnails->setLook(tile.size().toSize(), ratio, faded(option.palette.color(QPalette::Text), 0.3F));
+    const QImage picture = m_thumbnails->picture(index.row(), m_model->idAt(index.row()));
+    if (!picture.isNull()) painter.drawImage(tile.topLeft(), picture);
+}
+
+void MapsDelegate::paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
+                               const QModelIndex& index, const QString& text) const {
+    const QRect inside = option.rect.adjusted(margin, 0, -margin, 0);
+    const QRect narrow = inside.adjusted(-margin, 0, 0, 0);
+    if (const QString typed = m_model->typedText(index);
+        !typed.isEmpty() && option.fontMetrics.horizontalAdvance(typed) <= inside.width() + margin) {
+        painter.drawText(narrow, Qt::AlignRight | Qt::AlignVCenter, typed);
+        return;
+    }
+    const int decimals = index.data(MapsModel::DecimalsRole).toInt();
+    const int fraction = fractionWidth(option.fontMetrics, decimals);
+    const QRect whole = inside.adjusted(-margin, 0, -fraction, 0);
+    const NumberParts parts = split(text);
+    if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width()) { // in the middle of a drag
+        painter.drawText(
+            narrow, Qt::AlignRight | Qt::AlignVCenter,
+            fitting(index.data(Qt::EditRole).toDouble(), option.fontMetrics, inside.width() + margin));
+        return;
+    }
+    painter.drawText(whole, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, parts.whole);
+    painter.drawText(QRect(whole.right() + 1, inside.top(), fraction + margin, inside.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, parts.fraction);
+}
+
+void MapsDelegate::paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                             const QString& text) const {
+    QRect rest = option.rect.adjusted(margin, 0, -margin, 0);
+    if (index.column() != MapsModel::Name && !index.data(MapsModel::WarningRole).toString().isEmpty()) {
+        QRectF sign(0, 0, 11, 10);
+        sign.moveCenter(QPointF(rest.left() + 6, rest.center().y() + 0.5));
+        paintWarningSign(painter, sign, option.palette);
+        rest.setLeft(rest.left() + 18);
+    }
+    painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
+                     option.fontMetrics.elidedText(text, Qt::ElideRight, rest.width()));
 }
 
 QSize MapsDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelIndex& index) const {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
     const int height = option.fontMetrics.height() + 8;
-    if (index.column() == MapsModel::Enabled || index.column() == MapsModel::Colour) return {26, height};
+    if (index.column() < MapsModel::Name) return {26, height};
     const QString text = option.text;
     if (!m_model->isNumber(index.column())) {
-        const bool warned = !index.data(MapsModel::WarningRole).toString().isEmpty();
+        const bool warned =
+            index.column() != MapsModel::Name && !index.data(MapsModel::WarningRole).toString().isEmpty();
         const int wide = qCeil(QFontMetricsF(option.font).horizontalAdvance(text)); // or it would be cut off
         return {wide + 2 * margin + (warned ? 18 : 0), height};
     }

@@ -7,13 +7,18 @@
 
 namespace view {
 
-// Paints numbers with their decimal points in one line, colours as swatches, and marks what does not
-// contract. Typing in a cell is live; a text that is no number stays in its editor and is refused there.
+class MapThumbnails;
+
+// Paints numbers with their decimal points in one line, colours beside pictures of the maps, and marks what
+// is on, locked, or does not contract. Typing in a cell is live; a text that is no number stays in its editor
+// and is refused there.
 class MapsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
     MapsDelegate(MapsModel* model, QObject* parent);
+
+    void setThumbnails(MapThumbnails* thumbnails) { m_thumbnails = thumbnails; } // of the maps' colours
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
@@ -28,6 +33,7 @@ public:
 
 signals:
     void colourRequested(const QModelIndex& index);
+    void soloRequested(const QModelIndex& index);
     void refused(const QString& reason) const; // an edit was left with a text that is no number
 
 protected:
@@ -35,7 +41,16 @@ protected:
                      const QModelIndex& index) override;
 
 private:
+    void paintMark(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+    void paintPicture(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+    void paintNumber(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                     const QString& text) const;
+    void paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                   const QString& text) const;
+    QWidget* createNameEditor(QWidget* parent, const QModelIndex& index) const;
+
     MapsModel* m_model;
+    MapThumbnails* m_thumbnails = nullptr;
 };
 
 // A warning sign in the text's height; drawn, so that it looks the same with every font.

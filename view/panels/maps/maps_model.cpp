@@ -2,9 +2,13 @@
 #include "panels/maps/maps_model.h"
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
+#include "document/map_names.h"
 #include "ifs/system/decomposition.h"
+#include "panels/maps/maps_texts.h"
 #include "widgets/number_text.h"
+#include "widgets/tooltip_text.h"
 
 #include "io/text/number.h"
 
@@ -15,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace view {
 
@@ -34,49 +40,6 @@ template <int Dim> void setCoefficient(ifs::AffineMap<Dim>& map, int which, doub
 
 template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
     return ifs::spectralNorm<Dim>(map.linear) < 1;
-}
-
-QString kindText(ifs::MapKind kind) {
-    switch (kind) {
-    case ifs::MapKind::Similarity:
-        return MapsModel::tr("similarity");
-    case ifs::MapKind::ReflectedSimilarity:
-        return MapsModel::tr("reflected similarity");
-    case ifs::MapKind::Affine:
-        return MapsModel::tr("affine");
-    case ifs::MapKind::Singular:
-        return MapsModel::tr("singular");
-    case ifs::MapKind::Constant:
-        return MapsModel::tr("constant");
-    }
-    return {};
-}
-
-QString kindTip(ifs::MapKind kind, int dimension) {
-    const bool plane = dimension == 2;
-    switch (kind) {
-    case ifs::MapKind::Similarity:
-        return MapsModel::tr("A similarity keeps shapes: it turns, scales and shifts.");
-    case ifs::MapKind::ReflectedSimilarity:
-        return MapsModel::tr(
-            "A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.");
-    case ifs::MapKind::Affine:
-        return MapsModel::tr("An affine map keeps lines and parallels but not angles.");
-    case ifs::MapKind::Singular:
-        return plane ? MapsModel::tr("A singular map takes the whole plane to a line.")
-                     : MapsModel::tr("A singular map takes the whole of space to a plane or a line.");
-    case ifs::MapKind::Constant:
-        return plane ? MapsModel::tr("A constant map takes the whole plane to one point.")
-                     : MapsModel::tr("A constant map takes the whole of space to one point.");
-    }
-    return {};
-}
-
-QString coefficientTip(int dimension) {
-    return dimension == 2
-               ? MapsModel::tr("The map takes (x, y) to (a x + b y + e, c x + d y + f).")
-               : MapsModel::tr("The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
-                               "g x + h y + i z + l).");
 }
 
 // What displays the code; nullopt where no code would show the same: while the placement is flat or bends.
@@ -112,7 +75,7 @@ MapsModel::MapsModel(document::Document* document, QObject* parent)
 void MapsModel::follow(const document::Change& change) {
     using document::Change;
     if (!(change.parts & (Change::System | Change::Cage | Change::Appearance | Change::Entries |
-                          Change::Current | Change::File)))
+                          Change::Current | Change::File | Change::Name)))
         return;
     const bool sameCode = isCodeShown(m_document->fractal()); // as while the cage is dragged
     const bool sameRows = sameCode || areRowsShown(m_document->fractal());
@@ -193,6 +156,8 @@ QString MapsModel::columnName(int column) const {
         return QChar(u'a' + which) + QStringLiteral("′");
     case Enabled:
         return tr("On");
+    case Name:
+        return tr("Name");
     case Weight:
         return tr("p");
     case Determinant:
@@ -216,9 +181,15 @@ QString MapsModel::columnTip(int column) const {
                         "turns it into the code.")
                    : tr("Effective code: the map as it acts on the picture under the current cage.");
     case Enabled:
-        return tr("Whether the map is switched on.");
+        return tr("Whether the map is switched on. Alt+click shows one map alone.");
+    case Lock:
+        return tr("Whether the map is locked: then it cannot be edited, moved or deleted by mistake.");
     case Colour:
-        return tr("Colour of the map, used when the picture is coloured by map.");
+        return tr(
+            "Colour of the map, used when the picture is coloured by map, and the part of the attractor "
+            "that the map makes.");
+    case Name:
+        return tr("Name of the map.");
     case Weight:
         return tr(
             "Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.");
@@ -313,6 +284,31 @@ std::optional<double> MapsModel::number(int row, int column) const {
     return std::visit(numberIn, m_shown);
 }
 
+document::MapLabel MapsModel::labelOf(int row) const {
+    return m_document->fractal().mapLabels.of(idAt(row));
+}
+
+QString MapsModel::title(int row) const {
+    return document::mapTitle(m_document->fractal(), std::size_t(row));
+}
+
+bool MapsModel::hasNames() const {
+    const document::MapLabels& labels = m_document->fractal().mapLabels;
+    for (int row = 0; !labels.isEmpty() && row < rowCount(); ++row)
+        if (!labels.of(idAt(row)).name.isEmpty()) return true;
+    return false;
+}
+
+void MapsModel::setSolo(ifs::MapId map) {
+    if (std::exchange(m_solo, map) == map || rowCount() == 0) return;
+    emit dataChanged(index(0, Enabled), index(rowCount() - 1, Enabled));
+}
+
+QString MapsModel::editObstacle(const QModelIndex& index) const {
+    if (!index.isValid() || !isEditable(index.column())) return {};
+    return document::lockObstacle(m_document->fractal(), document::Rows{index.row()});
+}
+
 bool MapsModel::isEnabled(int row) const {
     return withMap(row, [](const auto& map) { return map.enabled; });
 }
@@ -335,12 +331,37 @@ QString MapsModel::warning(int row) const {
         .arg(shortNumber(*number(row, columnOf(Contraction))));
 }
 
+// What is said of the cells before the code.
+QString MapsModel::mark(int row, Column column) const {
+    const QString name = title(row);
+    switch (column) {
+    case Enabled:
+        if (m_solo != ifs::MapId::None && m_solo == idAt(row)) return tr("Map %1 is shown alone.").arg(name);
+        return isEnabled(row) ? tr("Map %1 is switched on.").arg(name)
+                              : tr("Map %1 is switched off.").arg(name);
+    case Lock:
+        return labelOf(row).isLocked ? tr("Map %1 is locked.").arg(name)
+                                     : tr("Map %1 is not locked.").arg(name);
+    case Colour:
+        return tr("Colour of map %1. Press Space or double-click to change it.").arg(name);
+    default:
+        break;
+    }
+    const QString text = labelOf(row).name;
+    return text.isEmpty() ? tr("Map %1 has no name. Double-click to name it.").arg(row + 1) : text;
+}
+
+QString MapsModel::spoken(int row, Column column) const {
+    if (column == Colour)
+        return tr("colour %1").arg(data(index(row, Colour), Qt::DecorationRole).value<QColor>().name());
+    if (column == Enabled) return isEnabled(row) ? tr("on") : tr("off");
+    if (column == Lock) return labelOf(row).isLocked ? tr("locked") : tr("not locked");
+    return column == Name && labelOf(row).name.isEmpty() ? tr("no name") : QString();
+}
+
 QString MapsModel::tip(int row, int column) const {
     const Column kind = meaningOf(column).kind;
-    if (kind == Enabled)
-        return isEnabled(row) ? tr("Map %1 is switched on.").arg(row + 1)
-                              : tr("Map %1 is switched off.").arg(row + 1);
-    if (kind == Colour) return tr("Colour of map %1. Press Space or double-click to change it.").arg(row + 1);
+    if (kind < A) return mark(row, kind);
     if (kind == Kind) return kindTip(kindOf(row), dimension());
     const auto value = number(row, column);
     if (!value) return tr("The cage is flat or bent: there is no effective code.");
@@ -367,6 +388,7 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
     const Column kind = meaningOf(column).kind;
     switch (role) {
     case Qt::DisplayRole:
+        if (kind == Name) return labelOf(row).name;
         if (kind == Kind)
             return warning(row).isEmpty() ? kindText(kindOf(row))
                                           : tr("%1, not contracting").arg(kindText(kindOf(row)));
@@ -376,10 +398,12 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         }
         return {};
     case Qt::EditRole:
+        if (kind == Name) return labelOf(row).name;
         if (const auto value = isNumber(column) ? number(row, column) : std::nullopt) return *value;
         return {};
     case Qt::CheckStateRole:
         if (kind == Enabled) return static_cast<int>(isEnabled(row) ? Qt::Checked : Qt::Unchecked);
+        if (kind == Lock) return static_cast<int>(labelOf(row).isLocked ? Qt::Checked : Qt::Unchecked);
         return {};
     case Qt::DecorationRole:
         if (kind == Colour) {
@@ -389,19 +413,17 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         return {};
     case Qt::ForegroundRole:
         if (m_probabilities[static_cast<std::size_t>(row)] <= 0 || (kind == Weight && !weightOf(row)) ||
-            kind > Weight)
+            kind > Weight || (kind >= A && labelOf(row).isLocked))
             return QGuiApplication::palette().color(QPalette::PlaceholderText);
         return {};
     case Qt::ToolTipRole: {
         const QString wrong = kind == Contraction || kind == Kind ? warning(row) : QString();
         if (!wrong.isEmpty()) return wrong;
-        const QString typed = typedText(index);
-        return typed.isEmpty() ? tip(row, column) : QStringLiteral("%1 = %2").arg(typed, tip(row, column));
+        const QString typed = typedText(index), said = tooltipText(tip(row, column));
+        return typed.isEmpty() ? said : QStringLiteral("%1 = %2").arg(typed, said);
     }
     case Qt::AccessibleTextRole:
-        if (kind == Colour)
-            return tr("colour %1").arg(data(index, Qt::DecorationRole).value<QColor>().name());
-        if (kind == Enabled) return isEnabled(row) ? tr("on") : tr("off");
+        if (const QString text = spoken(row, kind); !text.isEmpty()) return text;
         return {};
     case Qt::TextAlignmentRole:
         return alignment(column);
@@ -409,6 +431,8 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         return decimals(column);
     case WarningRole:
         return warning(row);
+    case LockedRole:
+        return labelOf(row).isLocked;
     default:
         return {};
     }
@@ -420,7 +444,7 @@ QVariant MapsModel::headerData(int section, Qt::Orientation orientation, int rol
         if (section < 0 || section >= rowCount()) return {};
         const QString wrong = warning(section);
         if (role == Qt::ToolTipRole)
-            return wrong.isEmpty() ? tr("Map %1. Drag to reorder.").arg(section + 1) : wrong;
+            return wrong.isEmpty() ? tooltipText(tr("Map %1. Drag to reorder.").arg(title(section))) : wrong;
         if (role == WarningRole) return wrong;
         return {};
     }
@@ -433,8 +457,9 @@ QVariant MapsModel::headerData(int section, Qt::Orientation orientation, int rol
 Qt::ItemFlags MapsModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return Qt::NoItemFlags;
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
-    if (isEditable(index.column())) flags |= Qt::ItemIsEditable;
-    if (index.column() == Enabled) flags |= Qt::ItemIsUserCheckable;
+    const bool isCode = isEditable(index.column()) && !labelOf(index.row()).isLocked;
+    if (isCode || index.column() == Name) flags |= Qt::ItemIsEditable;
+    if (index.column() == Enabled || index.column() == Lock) flags |= Qt::ItemIsUserCheckable;
     return flags;
 }
 
@@ -472,42 +497,68 @@ QString MapsModel::typedText(const QModelIndex& index) const {
 }
 
 void MapsModel::preview(const QModelIndex& index, double value) {
-    if (!index.isValid() || !isEditable(index.column())) return;
+    if (!index.isValid() || !isEditable(index.column()) || !editObstacle(index).isEmpty()) return;
     m_edit.preview(editText(index.row(), index.column(), value),
                    [&](document::Fractal& fractal) { change(fractal, index, value); });
 }
 
+void MapsModel::previewName(const QModelIndex& index, const QString& name) {
+    if (!index.isValid() || index.column() != Name) return;
+    const QString given = document::mapNameOf(name);
+    const ifs::MapId id = idAt(index.row());
+    m_edit.preview(given.isEmpty() ? tr("Remove the name of map %1").arg(index.row() + 1)
+                                   : tr("Name map %1 “%2”").arg(QString::number(index.row() + 1), given),
+                   [&](document::Fractal& fractal) {
+                       document::MapLabel label = fractal.mapLabels.of(id);
+                       label.name = given;
+                       fractal.mapLabels.set(id, std::move(label));
+                   });
+}
+
+bool MapsModel::switchMap(int row, bool on) {
+    document::Fractal fractal = m_document->fractal();
+    if (document::System2* system = document::system2(fractal))
+        system->maps[std::size_t(row)].enabled = on;
+    else
+        document::system3(fractal)->maps[std::size_t(row)].enabled = on;
+    m_document->edit((on ? tr("Switch map %1 on") : tr("Switch map %1 off")).arg(row + 1),
+                     std::move(fractal));
+    return true;
+}
+
+bool MapsModel::colourMap(int row, const QColor& colour) {
+    if (!colour.isValid()) return false;
+    document::Fractal fractal = m_document->fractal();
+    const auto channel = [](int c) { return static_cast<std::uint8_t>(c); };
+    const attractor::Rgba chosen{channel(colour.red()), channel(colour.green()), channel(colour.blue()),
+                                 channel(colour.alpha())};
+    const ifs::MapId id = idAt(row);
+    if (chosen == attractor::mapColour(fractal.appearance, id, std::size_t(row))) return true;
+    fractal.appearance.mapColours[id] = chosen;
+    m_document->edit(tr("Colour of map %1: %2").arg(row + 1).arg(colour.name()), std::move(fractal));
+    return true;
+}
+
 bool MapsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return false;
-    document::Fractal fractal = m_document->fractal();
-    if (role == Qt::CheckStateRole && index.column() == Enabled) {
-        const bool on = value.toInt() == Qt::Checked;
-        const auto row = static_cast<std::size_t>(index.row());
-        if (document::System2* system = document::system2(fractal))
-            system->maps[row].enabled = on;
-        else
-            document::system3(fractal)->maps[row].enabled = on;
-        m_document->edit((on ? tr("Switch map %1 on") : tr("Switch map %1 off")).arg(index.row() + 1),
-                         std::move(fractal));
-        return true;
-    }
-    if (role == Qt::DecorationRole && index.column() == Colour) {
-        const auto colour = value.value<QColor>();
-        if (!colour.isValid()) return false;
-        const auto channel = [](int c) { return static_cast<std::uint8_t>(c); };
-        const attractor::Rgba chosen{channel(colour.red()), channel(colour.green()), channel(colour.blue()),
-                                     channel(colour.alpha())};
+    const bool isOn = value.toInt() == Qt::Checked;
+    if (role == Qt::CheckStateRole && index.column() == Enabled) return switchMap(index.row(), isOn);
+    if (role == Qt::CheckStateRole && index.column() == Lock) {
         const ifs::MapId id = idAt(index.row());
-        if (chosen == attractor::mapColour(fractal.appearance, id, std::size_t(index.row()))) return true;
-        fractal.appearance.mapColours[id] = chosen;
-        m_document->edit(tr("Colour of map %1: %2").arg(index.row() + 1).arg(colour.name()),
-                         std::move(fractal));
+        document::lockMaps(*m_document, std::span(&id, 1), isOn);
         return true;
     }
-    if (role != Qt::EditRole || !isEditable(index.column())) return false;
+    if (role == Qt::DecorationRole && index.column() == Colour)
+        return colourMap(index.row(), value.value<QColor>());
+    if (role == Qt::EditRole && index.column() == Name) {
+        document::renameMap(*m_document, std::size_t(index.row()), value.toString());
+        return true;
+    }
+    if (role != Qt::EditRole || !isEditable(index.column()) || !editObstacle(index).isEmpty()) return false;
     const auto number = value.typeId() == QMetaType::QString ? typedNumber(value.toString())
                                                              : std::optional(value.toDouble());
     if (!number || !std::isfinite(*number)) return false;
+    document::Fractal fractal = m_document->fractal();
     change(fractal, index, *number);
     m_document->edit(editText(index.row(), index.column(), *number), std::move(fractal));
     return true;

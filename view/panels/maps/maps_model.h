@@ -23,7 +23,9 @@ public:
     // the code and in the effective code, and the columns after them are at columnOf().
     enum Column {
         Enabled,
-        Colour,
+        Lock,
+        Colour, // and a thumbnail of its image
+        Name,
         A,
         B,
         C,
@@ -46,6 +48,7 @@ public:
         DecimalsRole =
             Qt::UserRole, // int: the most decimals a number of this column shows, to align the points
         WarningRole,      // QString: what is wrong with the map of this row; empty when nothing is
+        LockedRole,       // bool: the map of this row cannot be edited
     };
 
     explicit MapsModel(document::Document* document, QObject* parent = nullptr);
@@ -60,6 +63,7 @@ public:
 
     // The typing in one cell: shown live, one undo step on commit.
     void preview(const QModelIndex& index, double value);
+    void previewName(const QModelIndex& index, const QString& name);
     void revert() override { cancelEdit(); } // what item views call on Esc
     void commitEdit() { m_edit.commit(); }
     // How the number in the cell was written, if not as a plain number.
@@ -68,6 +72,14 @@ public:
     void cancelEdit() { m_edit.cancel(); }
 
     void limitDecimals(int decimals); // shown, of code and weights
+    // Why the cell cannot be edited, as a sentence; empty where it can, and where nothing could be in any
+    // row.
+    QString editObstacle(const QModelIndex& index) const;
+    bool hasNames() const; // of any maps
+
+    // The map that is shown alone, as its row says; None: no map is.
+    ifs::MapId solo() const { return m_solo; }
+    void setSolo(ifs::MapId map);
 
     ifs::MapId idAt(int row) const;
     // In the order of the ids; maps that are gone have none.
@@ -104,6 +116,12 @@ private:
     QString tip(int row, int column) const;
     QString warning(int row) const; // what is wrong with the map; empty when nothing is
     bool isEnabled(int row) const;
+    document::MapLabel labelOf(int row) const;
+    QString title(int row) const; // the number and, in parentheses, the name
+    QString mark(int row, Column column) const;
+    QString spoken(int row, Column column) const; // what a screen reader says of a cell without text
+    bool switchMap(int row, bool on);
+    bool colourMap(int row, const QColor& colour);
     std::optional<double> weightOf(int row) const;
     ifs::MapKind kindOf(int row) const;
     QString placeOf(int row, int column) const;
@@ -118,6 +136,7 @@ private:
     std::variant<Shown<2>, Shown<3>> m_shown;
     std::vector<double> m_probabilities;
     int m_maxDecimals = maxDecimals;
+    ifs::MapId m_solo = ifs::MapId::None;
     mutable std::vector<std::optional<int>> m_decimals; // per column, once they are asked for
 };
 

@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_panel.h"
 
-#include "desktop/clipboard.h"
-#include "dialogs/paste_table_dialog.h"
 #include "document/edits/cage_edits.h"
-#include "io/file/background.h"
+#include "document/edits/map_locks.h"
 #include "panels/maps/map_shape_editor.h"
+#include "panels/maps/map_thumbnails.h"
+#include "panels/maps/maps_clipboard.h"
 #include "panels/maps/maps_columns.h"
 #include "panels/maps/maps_delegate.h"
 #include "panels/maps/maps_row_header.h"
 #include "panels/maps/maps_table.h"
+#include "panels/maps/maps_texts.h"
+#include "panels/maps/solo_map.h"
 #include "panels/maps/symmetry_row.h"
 #include "panels/maps/weight_rule_name.h"
+#include "panels/maps/weights_button.h"
 #include "widgets/background_edit.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
-#include "widgets/menu_button.h"
-#include "widgets/wait_for.h"
 
 #include <QAction>
-#include <QClipboard>
 #include <QColorDialog>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMimeData>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -40,12 +38,16 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
       m_document(document),
       m_weighing(new BackgroundEdit(document, this)),
       m_model(new MapsModel(document, this)),
+      m_clipboard(new MapsClipboard(document, this)),
+      m_solo(new SoloMap(document, this)),
+      m_thumbnails(new MapThumbnails(document, this)),
       m_table(new MapsTable(this)),
       m_rowHeader(new MapsRowHeader(m_table)),
       m_shape(new MapShapeEditor(document, this)),
       m_pages(new QStackedWidget(this)) {
     setAccessibleName(tr("Maps"));
     makeActions();
+    makeLayerActions();
     auto* content = new QWidget(this);
     auto* contentLayout = new QVBoxLayout(content);
     contentLayout->setContentsMargins(0, 0, 0, 0);
@@ -111,20 +113,39 @@ void MapsPanel::makeActions() {
                   tr("Move the selected maps up"), &MapsPanel::moveMapsUp);
     m_down = action(tr("Move Down"), QStringLiteral("down"), QStringLiteral("Alt+Down"),
                     tr("Move the selected maps down"), &MapsPanel::moveMapsDown);
+    m_cut = action(tr("Cut"), QStringLiteral("cut"), QStringLiteral("Ctrl+X"),
+                   tr("Move the selected maps to the clipboard"), &MapsPanel::cutMaps);
     m_copy = new QAction(icon(QStringLiteral("copy")), tr("Copy Rows"), this);
     m_copy->setShortcut(QKeySequence::Copy);
     m_copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_copy->setStatusTip(tr("Copy the selected maps as rows a b c d e f p, separated by tabs"));
     connect(m_copy, &QAction::triggered, this, &MapsPanel::copyMaps);
     m_table->addAction(m_copy);
-    m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+V"),
-                     tr("Replace the selected maps by rows of 6 or 7 numbers from the clipboard"),
+    m_append = action(tr("Paste as New Maps"), QStringLiteral("paste"), QStringLiteral("Ctrl+V"), {},
+                      &MapsPanel::appendPasted);
+    m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"), {},
                      &MapsPanel::pasteMaps);
-    m_append =
-        action(tr("Paste as New Maps"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"),
-               tr("Add rows of 6 or 7 numbers from the clipboard as new maps"), &MapsPanel::appendPasted);
     m_bake = action(tr("Bake"), QStringLiteral("bake"), {},
                     tr("Turn the effective code into the code; the cage is then at rest"), &MapsPanel::bake);
+}
+
+void MapsPanel::makeLayerActions() {
+    m_rename = action(tr("Rename"), QStringLiteral("edit"), QStringLiteral("Shift+F2"),
+                      tr("Give the current map a name"), &MapsPanel::renameMap);
+    m_lock = action(tr("Lock"), QStringLiteral("lock"), QStringLiteral("Ctrl+L"),
+                    tr("Protect the selected maps against edits"), &MapsPanel::toggleLock);
+    m_alone = action(tr("Solo"), QStringLiteral("solo"), QStringLiteral("Ctrl+Shift+L"),
+                     tr("Show the current map alone; the file does not change"), &MapsPanel::toggleSolo);
+    for (QAction* each : {m_lock, m_alone})
+        each->setCheckable(true);
+    connect(m_solo, &SoloMap::message, this, &MapsPanel::message);
+    connect(m_solo, &SoloMap::changed, this, [this] {
+        m_model->setSolo(m_solo->map());
+        updateActions();
+        emit soloChanged(m_solo->map());
+    });
+    connect(m_clipboard, &MapsClipboard::message, this, &MapsPanel::message);
+    connect(m_clipboard, &MapsClipboard::pasted, this, &MapsPanel::selectMaps);
+    connect(m_thumbnails, &MapThumbnails::ready, this, [this] { m_table->viewport()->update(); });
 }
 
 QTableView* MapsPanel::table() const {
@@ -139,36 +160,6 @@ QToolButton* MapsPanel::button(QAction* action) {
     return made;
 }
 
-QToolButton* MapsPanel::weightsButton() {
-    auto* menu = new QMenu(tr("Weights"), this);
-    const auto add = [&](const char* iconName, const QString& text, const QString& tip,
-                         document::WeightRule rule) {
-        QAction* rules = menu->addAction(icon(QString::fromLatin1(iconName)), text, this,
-                                         [this, rule] { applyWeights(rule); });
-        rules->setStatusTip(tip);
-        rules->setToolTip(tip);
-        m_weightActions.append(rules);
-    };
-    menu->setToolTipsVisible(true);
-    add("weight-det", ruleName(document::WeightRule::Determinant), {}, document::WeightRule::Determinant);
-    add("weight-equal", ruleName(document::WeightRule::Equal), tr("The same weight for every map"),
-        document::WeightRule::Equal);
-    add("weight-dimension", ruleName(document::WeightRule::Dimension),
-        tr("Weights that cover the attractor evenly at its own dimension"), document::WeightRule::Dimension);
-    menu->addSeparator();
-    add("normalise", ruleName(document::WeightRule::Normalise), tr("Scale all weights so that they sum to 1"),
-        document::WeightRule::Normalise);
-    auto* made = new MenuButton(this);
-    made->setText(tr("Weights"));
-    made->setIcon(icon(QStringLiteral("weight-equal")));
-    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    made->setMenu(menu);
-    made->setAutoRaise(true);
-    made->setToolTip(tr("Set the weights of all maps that are switched on by a rule"));
-    made->setAccessibleName(tr("Weights"));
-    return made;
-}
-
 QWidget* MapsPanel::makeEditBar() {
     auto* bar = new QWidget(this);
     auto* layout = new QHBoxLayout(bar);
@@ -179,8 +170,12 @@ QWidget* MapsPanel::makeEditBar() {
     layout->addSpacing(8);
     for (QAction* each : {m_up, m_down})
         layout->addWidget(button(each));
+    layout->addSpacing(8);
+    for (QAction* each : {m_rename, m_lock, m_alone})
+        layout->addWidget(button(each));
     layout->addStretch();
-    layout->addWidget(weightsButton());
+    layout->addWidget(
+        makeWeightsButton([this](document::WeightRule rule) { applyWeights(rule); }, this, m_weightActions));
     return bar;
 }
 
@@ -203,6 +198,7 @@ QWidget* MapsPanel::makeColumnBar() {
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
+    layout->addWidget(columnToggle(tr("Names"), tr("Show the names of the maps"), Columns::Names, false));
     layout->addWidget(columnToggle(tr("Code"), {}, Columns::Code, true));
     layout->addWidget(columnToggle(tr("Properties"),
                                    tr("Show determinant, contraction factor and kind of each map"),
@@ -220,12 +216,16 @@ QWidget* MapsPanel::makeTable() {
     m_rowHeader->setFont(m_table->font());
     m_table->setModel(m_model);
     auto* delegate = new MapsDelegate(m_model, this);
+    delegate->setThumbnails(m_thumbnails);
     m_table->setItemDelegate(delegate);
     m_table->setVerticalHeader(m_rowHeader);
     m_columns = new MapsColumns(m_table, m_model);
 
     connect(delegate, &MapsDelegate::refused, this, &MapsPanel::message);
     connect(delegate, &MapsDelegate::colourRequested, this, &MapsPanel::chooseColour);
+    connect(delegate, &MapsDelegate::soloRequested, this,
+            [this](const QModelIndex& cell) { m_solo->toggle(m_model->idAt(cell.row())); });
+    connect(m_table, &MapsTable::refused, this, &MapsPanel::message);
     connect(m_rowHeader, &MapsRowHeader::rowDragged, this, &MapsPanel::moveRowTo);
     const auto point = [this](int row) { emit mapPointed(m_model->idAt(row)); };
     connect(m_table, &MapsTable::rowPointed, this, point);
@@ -242,20 +242,24 @@ QWidget* MapsPanel::makeTable() {
                 m_shape->setMap(m_model->idAt(current.row()));
                 showFacts();
             });
-    connect(m_table, &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {
-        QMenu menu(this);
-        menu.addActions({m_add, m_duplicate, m_delete});
-        menu.addSeparator();
-        menu.addActions({m_up, m_down});
-        menu.addSeparator();
-        menu.addActions({m_copy, m_paste, m_append});
-        menu.addMenu(tr("Weights"))->addActions(m_weightActions);
-        menu.addSeparator();
-        menu.addAction(m_bake);
-        menu.exec(m_table->viewport()->mapToGlobal(position));
-    });
+    connect(m_table, &QWidget::customContextMenuRequested, this, &MapsPanel::showMenu);
     new FocusShortcuts(m_table);
     return m_table;
+}
+
+void MapsPanel::showMenu(const QPoint& position) {
+    QMenu menu(this);
+    menu.addActions({m_rename, m_lock, m_alone});
+    menu.addSeparator();
+    menu.addActions({m_add, m_duplicate, m_delete});
+    menu.addSeparator();
+    menu.addActions({m_up, m_down});
+    menu.addSeparator();
+    menu.addActions({m_cut, m_copy, m_append, m_paste});
+    menu.addMenu(tr("Weights"))->addActions(m_weightActions);
+    menu.addSeparator();
+    menu.addAction(m_bake);
+    menu.exec(m_table->viewport()->mapToGlobal(position));
 }
 
 QWidget* MapsPanel::makeNotice() {
@@ -277,6 +281,8 @@ QWidget* MapsPanel::makeNotice() {
 
 std::pair<int, int> MapsPanel::columnsOf(Columns group) const {
     switch (group) {
+    case Columns::Names:
+        return {MapsModel::Name, MapsModel::Name};
     case Columns::Code:
         return {MapsModel::A, m_model->columnOf(MapsModel::Weight) - 1};
     case Columns::Facts:
@@ -317,9 +323,22 @@ void MapsPanel::reveal(int column) {
 void MapsPanel::follow(const document::Change& change) {
     using document::Change;
     if (change.parts & (Change::Current | Change::File | Change::Entries | Change::System)) updateNotice();
-    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) updateActions();
+    if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File | Change::Name))
+        updateActions();
+    followNames(change);
     if (!change.live) m_columns->fit();
     showFacts();
+}
+
+// Names are shown where there are any.
+void MapsPanel::followNames(const document::Change& change) {
+    using document::Change;
+    if (change.live || !(change.parts & (Change::Current | Change::File | Change::Name))) return;
+    QToolButton* toggle = m_columnToggles[Columns::Names];
+    if (m_model->hasNames())
+        toggle->setChecked(true);
+    else if (change.parts & (Change::Current | Change::File))
+        toggle->setChecked(false);
 }
 
 void MapsPanel::showFacts() {
@@ -361,11 +380,17 @@ void MapsPanel::updateActions() {
     const document::Rows rows = selectedRows();
     const int count = m_model->rowCount();
     m_add->setEnabled(dimension != 0);
-    m_append->setEnabled(dimension == 2);
-    m_paste->setEnabled(dimension == 2);
-    m_copy->setEnabled(dimension == 2 && !rows.empty());
-    for (QAction* each : {m_duplicate, m_delete})
+    m_append->setEnabled(dimension != 0);
+    m_paste->setEnabled(dimension != 0);
+    for (QAction* each : {m_duplicate, m_delete, m_cut, m_copy, m_lock})
         each->setEnabled(!rows.empty());
+    m_rename->setEnabled(count > 0);
+    m_alone->setEnabled(count > 0);
+    m_alone->setChecked(m_solo->map() != ifs::MapId::None);
+    const document::MapLabels& labels = m_document->fractal().mapLabels;
+    m_lock->setChecked(!rows.empty() && std::ranges::all_of(rows, [&](int row) {
+        return labels.of(m_model->idAt(row)).isLocked;
+    }));
     const auto size = static_cast<int>(rows.size());
     m_up->setEnabled(size > 0 && rows.back() >= size); // not yet a block at the top
     m_down->setEnabled(size > 0 && rows.front() < count - size);
@@ -399,14 +424,7 @@ void MapsPanel::selectMaps(const std::vector<ifs::MapId>& ids) {
 
 void MapsPanel::selectRows(document::Rows rows) {
     const QModelIndex first = rows.empty() ? QModelIndex() : m_model->index(rows.front(), m_keptColumn);
-    std::sort(rows.begin(), rows.end());
-    QItemSelection selection; // of as few ranges as there are
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const int top = rows[i];
-        while (i + 1 < rows.size() && rows[i + 1] <= rows[i] + 1)
-            ++i;
-        selection.select(m_model->index(top, 0), m_model->index(rows[i], m_model->columnCount() - 1));
-    }
+    const QItemSelection selection = m_table->selectionOf(std::move(rows));
     auto* model = m_table->selectionModel();
     if (first.isValid()) model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
     model->select(selection, QItemSelectionModel::ClearAndSelect);
@@ -443,22 +461,23 @@ void MapsPanel::followDimension() {
     m_columns->fit();
     m_table->horizontalScrollBar()->setValue(0);
     const bool plane = m_dimension == 2;
-    for (QAction* each : {m_copy, m_paste, m_append}) // the clipboard holds rows of the plane
-        each->setVisible(plane);
+    m_copy->setStatusTip(
+        plane ? tr("Copy the selected maps as rows a b c d e f p, separated by tabs")
+              : tr("Copy the selected maps as rows a b c d e f g h i j k l p, separated by tabs"));
+    m_append->setStatusTip(plane ? tr("Add rows of 6 or 7 numbers from the clipboard as new maps")
+                                 : tr("Add rows of 12 or 13 numbers from the clipboard as new maps"));
+    m_paste->setStatusTip(
+        plane ? tr("Replace the selected maps by rows of 6 or 7 numbers from the clipboard")
+              : tr("Replace the selected maps by rows of 12 or 13 numbers from the clipboard"));
+    for (QAction* each : {m_copy, m_append, m_paste})
+        each->setToolTip(each->statusTip());
     m_weightActions.front()->setToolTip(
         plane ? tr("Weights in proportion to the areas of the images, for an even picture")
               : tr("Weights in proportion to the volumes of the images, for an even picture"));
     m_weightActions.front()->setStatusTip(m_weightActions.front()->toolTip());
     m_columnToggles[Columns::Code]->setToolTip(plane ? tr("Show the coefficients a … f")
                                                      : tr("Show the coefficients a … l"));
-    m_table->setWhatsThis(
-        plane ? tr("Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in "
-                   "proportion to its weight p. Double-click a number or start typing to change it; the "
-                   "picture follows every keystroke. Drag the number of a row to move it.")
-              : tr("Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
-                   "g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or "
-                   "start typing to change it; the picture follows every keystroke. Drag the number of a row "
-                   "to move it."));
+    m_table->setWhatsThis(tableWhatsThis(m_dimension));
 }
 
 void MapsPanel::applyEdit(const QString& text, document::MapsEdit edit) {
@@ -478,6 +497,8 @@ void MapsPanel::duplicateMaps() {
 
 void MapsPanel::deleteMaps() {
     const document::Rows rows = selectedRows();
+    if (const QString locked = document::lockObstacle(m_document->fractal(), rows); !locked.isEmpty())
+        return emit message(locked);
     if (!rows.empty()) selectMaps(document::deleteMaps(*m_document, rows));
 }
 
@@ -499,69 +520,55 @@ void MapsPanel::moveRowTo(int from, int to) {
     applyEdit(tr("Reorder maps"), withMapsMoved(m_document->fractal(), rows, to > from ? to + 1 : to));
 }
 
+void MapsPanel::cutMaps() {
+    const document::Rows rows = selectedRows();
+    if (const QString locked = document::lockObstacle(m_document->fractal(), rows); !locked.isEmpty())
+        return emit message(locked);
+    if (m_clipboard->copy(rows))
+        applyEdit(rows.size() == 1 ? tr("Cut a map") : tr("Cut %1 maps").arg(rows.size()),
+                  withoutMaps(m_document->fractal(), rows));
+}
+
 void MapsPanel::copyMaps() const {
-    const document::System2* system = document::system2(m_document->fractal());
-    if (!system) return;
-    document::MapRows rows;
-    for (const int row : selectedRows())
-        rows.push_back(system->maps[static_cast<std::size_t>(row)]);
-    if (!rows.empty()) QGuiApplication::clipboard()->setMimeData(mapsMimeData(std::move(rows)).release());
+    m_clipboard->copy(selectedRows());
 }
 
 void MapsPanel::pasteMaps() {
-    paste(selectedRows());
+    m_clipboard->paste(selectedRows());
 }
 
 void MapsPanel::appendPasted() {
-    paste({});
+    m_clipboard->paste({});
 }
 
-void MapsPanel::paste(const document::Rows& rows) {
-    if (!document::system2(m_document->fractal())) return;
-    const QMimeData* copied = QGuiApplication::clipboard()->mimeData();
-    QString text;
-    FoundMaps found;
-    if (const auto* ours = copied ? ourMaps(*copied) : nullptr) {
-        found.table.rows = *ours;
-    } else {
-        text = copied ? copied->text() : QString();
-        const bool areOurs = copied && holdsOurMaps(*copied);
-        auto reading = io::inBackground<FoundMaps>(
-            [text, areOurs](QPromise<FoundMaps>& promise) { promise.addResult(mapsIn(text, areOurs)); });
-        if (!waitFor(QFuture<void>(reading), tr("Reading the pasted text…"), this)) return;
-        found = reading.takeResult();
-    }
-    const io::Table& table = found.table;
-    if (found.isOrderOpen) {
-        auto* dialog = new PasteTableDialog(m_document, rows, text, this);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        connect(dialog, &PasteTableDialog::pasted, this,
-                [this, rows, dialog](const std::vector<ifs::MapId>& touched) {
-                    selectMaps(touched);
-                    sayPasted(rows, dialog->count());
-                });
-        dialog->open();
-        return;
-    }
-    for (const auto& problem : table.problems) {
-        if (problem.severity != document::Problem::Severity::Error) continue;
-        return emit message(problem.line > 0 ? tr("Nothing was pasted. Line %1 of the clipboard: %2")
-                                                   .arg(problem.line)
-                                                   .arg(problem.message)
-                                             : tr("Nothing was pasted. %1").arg(problem.message));
-    }
-    if (table.rows.empty())
-        return emit message(tr("Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers."));
-    const auto count = static_cast<int>(table.rows.size());
-    applyEdit(count == 1 ? tr("Paste a map") : tr("Paste %1 maps").arg(count),
-              withMapsPasted(m_document->fractal(), rows, table.rows));
-    sayPasted(rows, count, table.problems.isEmpty() ? QString() : table.problems.front().message);
+void MapsPanel::selectAllMaps() {
+    m_table->selectAll();
 }
 
-void MapsPanel::sayPasted(const document::Rows& rows, int count, const QString& remark) {
-    const QString text = rows.empty() ? tr("Maps added: %1.").arg(count)
-                                      : tr("The selected maps were replaced; maps pasted: %1.").arg(count);
-    emit message(remark.isEmpty() ? text : text + u' ' + remark);
+void MapsPanel::renameMap() {
+    const int row = m_table->currentIndex().row();
+    if (row < 0) return;
+    m_columnToggles[Columns::Names]->setChecked(true);
+    const QModelIndex cell = m_model->index(row, MapsModel::Name);
+    m_table->setFocus();
+    m_table->selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
+    m_table->edit(cell);
+}
+
+// All of them, unless all of them are locked.
+void MapsPanel::toggleLock() {
+    const std::vector<ifs::MapId> maps = selectedMaps();
+    const document::MapLabels& labels = m_document->fractal().mapLabels;
+    if (!maps.empty())
+        document::lockMaps(*m_document, maps, !std::ranges::all_of(maps, [&](ifs::MapId map) {
+            return labels.of(map).isLocked;
+        }));
+}
+
+void MapsPanel::toggleSolo() {
+    m_solo->toggle(m_solo->map() != ifs::MapId::None ? m_solo->map()
+                                                     : m_model->idAt(m_table->currentIndex().row()));
+    updateActions(); // the button is as pressed as the map is alone
 }
 
 void MapsPanel::applyWeights(document::WeightRule rule) {

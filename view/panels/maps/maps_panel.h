@@ -19,9 +19,12 @@ namespace view {
 
 class BackgroundEdit;
 class MapShapeEditor;
+class MapThumbnails;
+class MapsClipboard;
 class MapsColumns;
 class MapsRowHeader;
 class MapsTable;
+class SoloMap;
 
 // The table of maps, of the plane or of space, with everything that is done to it, and below it the selected
 // map as rotation, scale and shear.
@@ -40,15 +43,20 @@ public:
     void addMap();
     void duplicateMaps();
     void deleteMaps();
+    void selectAllMaps();
+    void renameMap(); // types the name of the current map into the table
+    void toggleLock();
+    void toggleSolo();
     void moveMapsUp();
     void moveMapsDown();
+    void cutMaps();
     void copyMaps() const;
     void pasteMaps(); // in place of the selected rows
     void appendPasted();
     void applyWeights(document::WeightRule rule);
     void bake();
 
-    enum class Columns { Code, Facts, Effective };
+    enum class Columns { Names, Code, Facts, Effective };
     void showColumns(Columns group, bool shown);
     void reveal(int column); // in sight, with the others of its group where it was hidden
 
@@ -56,20 +64,23 @@ signals:
     void message(const QString& text); // a sentence for the status bar
     void symmetryChosen(); // the attractor may have another size now
     void selectionChanged();
-    void mapPointed(ifs::MapId id); // at its row; None: at none
+    void mapPointed(ifs::MapId id);  // at its row; None: at none
+    void soloChanged(ifs::MapId id); // the map to show alone; None: all of them
 
 private:
     QAction* action(const QString& text, const QString& icon, const QString& shortcut, const QString& tip,
                     void (MapsPanel::*slot)());
     QToolButton* button(QAction* action);
     void makeActions();
+    void makeLayerActions();
+    void showMenu(const QPoint& position);
+    void followNames(const document::Change& change);
     QWidget* makeEditBar();
     QWidget* makeColumnBar();
     QWidget* makeTable();
     QWidget* makeNotice();
     QToolButton* columnToggle(const QString& text, const QString& tip, Columns group, bool shown);
     std::pair<int, int> columnsOf(Columns group) const; // the first and the last one
-    QToolButton* weightsButton();
 
     void follow(const document::Change& change);
     void hideColumns(Columns group, bool hidden);
@@ -77,8 +88,6 @@ private:
     void updateNotice();
     void showFacts();
     void applyEdit(const QString& text, document::MapsEdit edit);
-    void paste(const document::Rows& rows);
-    void sayPasted(const document::Rows& rows, int count, const QString& remark = {});
     void moveRowTo(int from, int to);
     void moveSelection(int before);
     void chooseColour(const QModelIndex& index);
@@ -92,6 +101,9 @@ private:
     BackgroundEdit* m_weighing;          // by dimension, which may take long to find
     QMetaObject::Connection m_following; // of the document
     MapsModel* m_model;
+    MapsClipboard* m_clipboard;
+    SoloMap* m_solo;
+    MapThumbnails* m_thumbnails;
     MapsTable* m_table;
     MapsColumns* m_columns = nullptr;
     MapsRowHeader* m_rowHeader;
@@ -104,8 +116,12 @@ private:
     QAction* m_add;
     QAction* m_duplicate;
     QAction* m_delete;
+    QAction* m_rename;
+    QAction* m_lock;
+    QAction* m_alone;
     QAction* m_up;
     QAction* m_down;
+    QAction* m_cut;
     QAction* m_copy;
     QAction* m_paste;
     QAction* m_append;

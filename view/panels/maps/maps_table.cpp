@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_table.h"
 
+#include "panels/maps/maps_model.h"
+
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMouseEvent>
+
+#include <algorithm>
 
 namespace view {
 
@@ -29,6 +33,27 @@ MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
     header->setHighlightSections(false);
     header->setResizeContentsPrecision(50); // rows, besides those in sight
     header->setSectionResizeMode(QHeaderView::Interactive);
+}
+
+QItemSelection MapsTable::selectionOf(std::vector<int> rows) const {
+    std::ranges::sort(rows);
+    QItemSelection selection; // of as few ranges as there are
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int top = rows[i];
+        while (i + 1 < rows.size() && rows[i + 1] <= rows[i] + 1)
+            ++i;
+        selection.select(model()->index(top, 0), model()->index(rows[i], model()->columnCount() - 1));
+    }
+    return selection;
+}
+
+bool MapsTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    const auto* maps = qobject_cast<MapsModel*>(model());
+    if (maps && (trigger & editTriggers())) {
+        const QString obstacle = maps->editObstacle(index);
+        if (!obstacle.isEmpty()) emit refused(obstacle);
+    }
+    return QTableView::edit(index, trigger, event);
 }
 
 // A digit typed on a cell starts its edit, whatever the window does with that key.

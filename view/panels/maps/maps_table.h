@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QItemSelection>
 #include <QTableView>
+
+#include <vector>
 
 namespace view {
 
@@ -11,11 +14,16 @@ class MapsTable : public QTableView {
 
 public:
     explicit MapsTable(QWidget* parent = nullptr);
+    using QTableView::edit;
+
+    QItemSelection selectionOf(std::vector<int> rows) const; // all of their cells
 
 signals:
-    void rowPointed(int row); // by the pointer; −1: none
+    void rowPointed(int row);            // by the pointer; −1: none
+    void refused(const QString& reason); // somebody tried to edit a cell that is locked
 
 protected:
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
     bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
 };

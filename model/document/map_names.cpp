@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "document/map_names.h"
+
+namespace document {
+
+namespace {
+
+// With these a name could turn round what stands behind it.
+bool turnsText(QChar c) {
+    const char16_t u = c.unicode();
+    return u == 0x061c || u == 0x200e || u == 0x200f || (u >= 0x202a && u <= 0x202e) ||
+           (u >= 0x2066 && u <= 0x2069);
+}
+
+bool isPart(const QString& text, qsizetype at) {
+    const QChar c = text[at];
+    if (c.isHighSurrogate()) return at + 1 < text.size() && text[at + 1].isLowSurrogate();
+    if (c.isLowSurrogate()) return at > 0 && text[at - 1].isHighSurrogate();
+    return !turnsText(c) && c.category() != QChar::Other_Control && c.category() != QChar::Other_NotAssigned;
+}
+
+ifs::MapId idAt(const Fractal& fractal, std::size_t index) {
+    if (const System2* system = system2(fractal))
+        return index < system->maps.size() ? system->maps[index].id : ifs::MapId::None;
+    const System3* solid = system3(fractal);
+    return solid && index < solid->maps.size() ? solid->maps[index].id : ifs::MapId::None;
+}
+
+} // namespace
+
+QString mapNameOf(const QString& text) {
+    const QString line = text.simplified();
+    QString name;
+    for (qsizetype at = 0; at < line.size(); ++at)
+        if (isPart(line, at)) name += line[at];
+    name = name.simplified(); // blanks may have met
+    if (name.size() > maxMapName) {
+        name.truncate(maxMapName);
+        if (name.back().isHighSurrogate()) name.chop(1);
+        name = name.trimmed();
+    }
+    return name;
+}
+
+QString mapTitle(const Fractal& fractal, std::size_t index) {
+    const QString number = QString::number(index + 1);
+    const QString name = fractal.mapLabels.of(idAt(fractal, index)).name;
+    return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
+}
+
+} // namespace document

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "desktop/clipboard.h"
+#include "document/edits/map_locks.h"
+#include "panels/maps/map_shape_editor.h"
+#include "panels/maps/map_thumbnails.h"
+#include "panels/maps/maps_panel.h"
+#include "view/panels/maps_support.h"
+#include "widgets/number_field.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QElapsedTimer>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QToolButton>
+
+using namespace maps_support;
+using view::MapsModel;
+using view::MapsPanel;
+
+// Maps as layers: names, eyes, locks, solo, pictures, cut and paste.
+class MapsLayersTest : public QObject {
+    Q_OBJECT
+
+    QTableView& table() { return *m_panel->table(); }
+    QModelIndex cell(int row, int column) { return m_panel->model()->index(row, column); }
+    void click(int row, int column, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, modifiers,
+                          table().visualRect(cell(row, column)).center());
+    }
+    QString nameOf(std::size_t row) {
+        return m_document->fractal().mapLabels.of(systemOf(*m_document).maps[row].id).name;
+    }
+    bool isLocked(std::size_t row) { return document::isLocked(m_document->fractal(), row); }
+    QToolButton* button(const QString& name) {
+        for (auto* each : m_panel->findChildren<QToolButton*>())
+            if (each->accessibleName() == name) return each;
+        return nullptr;
+    }
+    int steps() { return m_document->undoStack()->count(); }
+    void open(const document::Fractal& fractal) { m_document->setFile(document::fileOf(fractal)); }
+
+private slots:
+    void init() {
+        m_document = std::make_unique<document::Document>();
+        open(withTriangle(maple()));
+        m_panel = std::make_unique<MapsPanel>(m_document.get());
+        m_panel->resize(430, 600);
+        m_panel->show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+        m_said = std::make_unique<QSignalSpy>(m_panel.get(), &MapsPanel::message);
+    }
+
+    void aNameIsTypedInTheTable() {
+        QVERIFY(table().isColumnHidden(MapsModel::Name));
+        m_panel->selectMaps({m_panel->model()->idAt(1)});
+        m_panel->renameMap();
+        QVERIFY(!table().isColumnHidden(MapsModel::Name));
+        auto* editor = table().findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral("stem"));
+        QCOMPARE(nameOf(1), QStringLiteral("stem")); // live
+        QCOMPARE(editor->text(), QStringLiteral("stem"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(steps(), 1);
+        QCOMPARE(cell(1, MapsModel::Name).data().toString(), QStringLiteral("stem"));
+        QVERIFY(m_panel->model()
+                    ->headerData(1, Qt::Vertical, Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("stem")));
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal().mapLabels.isEmpty());
+    }
+
+    void escapeLeavesTheName() {
+        document::renameMap(*m_document, 0, QStringLiteral("leaf"));
+        m_panel->selectMaps({m_panel->model()->idAt(0)});
+        m_panel->renameMap();
+        auto* editor = table().findChild<QLineEdit*>();
+        QCOMPARE(editor->text(), QStringLiteral("leaf"));
+        QTest::keyClicks(editor, QStringLiteral("x"));
+        QTest::keyClick(editor, Qt::Key_Escape);
+        QTRY_COMPARE(nameOf(0), QStringLiteral("leaf"));
+        QCOMPARE(steps(), 1);
+    }
+
+    // Where there are names; and all of the code still fits.
+    void namesShowThemselves() {
+        document::Fractal named = withTriangle(maple());
+        named.mapLabels.set(document::system2(named)->maps[2].id, {QStringLiteral("left leaf"), false});
+        open(named);
+        QVERIFY(!table().isColumnHidden(MapsModel::Name));
+        const int right =
+            table().columnViewportPosition(MapsModel::Weight) + table().columnWidth(MapsModel::Weight);
+        QVERIFY2(right <= table().viewport()->width(), qPrintable(QString::number(right)));
+        open(maple());
+        QVERIFY(table().isColumnHidden(MapsModel::Name));
+    }
+
+    void theEyeSwitches() {
+        click(1, MapsModel::Enabled);
+        QVERIFY(!systemOf(*m_document).maps[1].enabled);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {},
+                           table().visualRect(cell(1, MapsModel::Enabled)).center());
+        table().setCurrentIndex(cell(2, MapsModel::Enabled));
+        QTest::keyClick(&table(), Qt::Key_Space);
+        QVERIFY(!systemOf(*m_document).maps[2].enabled);
+    }
+
+    void aLockedMapIsNotEdited() {
+        click(1, MapsModel::Lock);
+        QVERIFY(isLocked(1));
+        QCOMPARE(steps(), 1);
+        const document::Fractal locked = m_document->fractal();
+        for (const int column : {int(MapsModel::A), int(MapsModel::Weight)}) {
+            QVERIFY(!(cell(1, column).flags() & Qt::ItemIsEditable));
+            QVERIFY(!m_panel->model()->setData(cell(1, column), 0.5));
+            m_panel->model()->preview(cell(1, column), 0.5);
+        }
+        m_said->clear();
+        table().setCurrentIndex(cell(1, MapsModel::A));
+        QTest::keyClicks(&table(), QStringLiteral("5"));
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {},
+                           table().visualRect(cell(1, MapsModel::B)).center());
+        QCOMPARE(m_said->size(), 2);
+        QCOMPARE(m_said->front().front().toString(),
+                 QStringLiteral("Map 2 is locked. Unlock it in the Maps panel first."));
+        m_panel->deleteMaps();
+        m_panel->cutMaps();
+        QGuiApplication::clipboard()->setText(QStringLiteral(".1 0 0 .1 0 0 1"));
+        m_panel->pasteMaps();
+        QCOMPARE(m_said->size(), 5);
+        QVERIFY(!m_panel->findChild<view::MapShapeEditor*>()->isEnabled());
+        QVERIFY(m_document->fractal() == locked);
+        // What is not its code stays open, and the others are.
+        QVERIFY(m_panel->model()->setData(cell(1, MapsModel::Name), QStringLiteral("stem")));
+        QVERIFY(m_panel->model()->setData(cell(0, MapsModel::A), 0.5));
+        m_panel->selectMaps({m_panel->model()->idAt(0), m_panel->model()->idAt(1)});
+        m_panel->toggleLock();
+        QVERIFY(isLocked(0) && isLocked(1));
+        m_panel->toggleLock();
+        QVERIFY(!isLocked(0) && !isLocked(1));
+    }
+
+    // By Alt+click on an eye or the button; no step, and it ends with the entry.
+    void soloIsNoEdit() {
+        QSignalSpy solo(m_panel.get(), &MapsPanel::soloChanged);
+        const ifs::MapId second = m_panel->model()->idAt(1);
+        click(1, MapsModel::Enabled, Qt::AltModifier);
+        QCOMPARE(solo.size(), 1);
+        QCOMPARE(solo.last().front().value<ifs::MapId>(), second);
+        QCOMPARE(m_panel->model()->solo(), second);
+        QVERIFY(button(QStringLiteral("Solo"))->isChecked());
+        QCOMPARE(steps(), 0);
+        QVERIFY(systemOf(*m_document).maps[1].enabled);
+        button(QStringLiteral("Solo"))->click();
+        QCOMPARE(m_panel->model()->solo(), ifs::MapId::None);
+        QVERIFY(!button(QStringLiteral("Solo"))->isChecked());
+        click(1, MapsModel::Enabled, Qt::AltModifier);
+        click(2, MapsModel::Enabled, Qt::AltModifier); // another one alone
+        QCOMPARE(m_panel->model()->solo(), m_panel->model()->idAt(2));
+        m_document->edit(QStringLiteral("delete"), withoutMaps(m_document->fractal(), {2}).fractal);
+        QCOMPARE(m_panel->model()->solo(), ifs::MapId::None);
+        m_document->undoStack()->undo();
+        click(2, MapsModel::Enabled, Qt::AltModifier);
+        open(maple());
+        QCOMPARE(m_panel->model()->solo(), ifs::MapId::None);
+        open({});
+        m_panel->toggleSolo(); // an entry without maps
+        QCOMPARE(m_panel->model()->solo(), ifs::MapId::None);
+    }
+
+    void mapsGoThroughTheClipboardWithTheirNames() {
+        document::renameMap(*m_document, 2, QStringLiteral("leaf"));
+        const auto third = systemOf(*m_document).maps[2];
+        m_panel->selectMaps({third.id});
+        m_panel->cutMaps();
+        QCOMPARE(systemOf(*m_document).maps.size(), std::size_t(3));
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Cut a map"));
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("0.65\t0.29")));
+        table().setFocus();
+        QTest::keyClick(&table(), Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(systemOf(*m_document).maps.size(), std::size_t(4));
+        QVERIFY(systemOf(*m_document).maps[3].map == third.map);
+        QCOMPARE(nameOf(3), QStringLiteral("leaf"));
+        QTest::keyClick(&table(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(m_panel->selectedMaps().size(), std::size_t(4));
+        QTest::keyClick(&table(), Qt::Key_X, Qt::ControlModifier);
+        QVERIFY(systemOf(*m_document).maps.empty());
+    }
+
+    void mapsInSpaceGoThroughTheClipboard() {
+        open(fernInSpace());
+        document::renameMap(*m_document, 1, QStringLiteral("leaf"));
+        const auto second = solidOf(*m_document).maps[1];
+        m_panel->selectMaps({second.id});
+        m_panel->copyMaps();
+        const QString rows = QGuiApplication::clipboard()->text();
+        QCOMPARE(rows.trimmed().split(u'\t').size(), 13);
+        m_panel->appendPasted();
+        QCOMPARE(solidOf(*m_document).maps.size(), std::size_t(5));
+        QVERIFY(solidOf(*m_document).maps[4].map == second.map);
+        QCOMPARE(m_document->fractal().mapLabels.of(solidOf(*m_document).maps[4].id).name,
+                 QStringLiteral("leaf"));
+        QGuiApplication::clipboard()->setText(rows); // as it comes from another program
+        m_panel->selectMaps({solidOf(*m_document).maps[0].id});
+        m_panel->pasteMaps();
+        QCOMPARE(solidOf(*m_document).maps.size(), std::size_t(5));
+        QVERIFY((solidOf(*m_document).maps[0].map.linear - second.map.linear).norm() < 1e-12);
+        QGuiApplication::clipboard()->setText(QStringLiteral("rubbish"));
+        m_panel->appendPasted();
+        QVERIFY(m_said->last().front().toString().contains(QStringLiteral("12 or 13")));
+        open(maple());
+        QGuiApplication::clipboard()->setMimeData(view::mapsMimeData({{}, {second}, {QString()}}).release());
+        m_panel->appendPasted();
+        QCOMPARE(systemOf(*m_document).maps.size(), std::size_t(4));
+        QVERIFY(m_said->last().front().toString().contains(QStringLiteral("in space")));
+    }
+
+    // Each row has the part of the attractor that its map makes; drawn behind the window's back.
+    void picturesAppear() {
+        auto* thumbnails = m_panel->findChild<view::MapThumbnails*>();
+        QVERIFY(thumbnails);
+        QTRY_VERIFY(!thumbnails->picture(3, m_panel->model()->idAt(3)).isNull());
+        QTRY_VERIFY(!thumbnails->isBusy());
+        const QImage before = thumbnails->picture(3, m_panel->model()->idAt(3));
+        QVERIFY(thumbnails->picture(0, m_panel->model()->idAt(0)) != before);
+        m_panel->model()->setData(cell(3, MapsModel::E), 0.9);
+        QTRY_VERIFY(thumbnails->picture(3, m_panel->model()->idAt(3)) != before);
+    }
+
+    void tenThousandMapsStayFast() {
+        std::vector<Row> rows;
+        for (int k = 0; k < 10'000; ++k)
+            rows.push_back({0.01, 0, 0, 0.01, double(k % 100) / 100, double(k / 100) / 100, 1});
+        open(fractalOf(rows));
+        QElapsedTimer time;
+        time.start();
+        table().selectAll();
+        m_panel->toggleLock();
+        document::renameMap(*m_document, 5000, QStringLiteral("middle"));
+        m_panel->deleteMaps(); // not these
+        m_panel->toggleLock();
+        m_panel->duplicateMaps();
+        table().scrollToBottom();
+        QCoreApplication::processEvents();
+        QCOMPARE(systemOf(*m_document).maps.size(), std::size_t(20'000));
+        qInfo("10^4 maps: %lld ms", static_cast<long long>(time.elapsed()));
+        QVERIFY(time.elapsed() < 4000);
+        auto* thumbnails = m_panel->findChild<view::MapThumbnails*>();
+        QTRY_VERIFY_WITH_TIMEOUT(!thumbnails->picture(19'999, m_panel->model()->idAt(19'999)).isNull(),
+                                 20000);
+    }
+
+private:
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<MapsPanel> m_panel;
+    std::unique_ptr<QSignalSpy> m_said;
+};
+
+QTEST_MAIN(MapsLayersTest)
+#include "maps_layers_test.moc"
