@@ -2,7 +2,8 @@
 #include "animation/animation.h"
 
 #include "animation/contraction.h"
-#include "ifs/system/map_interpolation.h"
+#include "animation/smooth_keys.h"
+#include "animation/smooth_paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,13 +60,10 @@ public:
         moveMaps();
         moveCage();
         if (!m_animation.look.empty()) {
-            const auto way = segmentAt(m_animation.look, m_clock);
-            m_pose.appearance = withLook(std::move(m_pose.appearance), between(way.from, way.to, way.share));
+            const Look look = along(wayAt(m_animation.look, m_clock));
+            m_pose.appearance = withLook(std::move(m_pose.appearance), look);
         }
-        if (!m_animation.camera.empty()) {
-            const auto way = segmentAt(m_animation.camera, m_clock);
-            m_pose.camera = between(way.from, way.to, way.share);
-        }
+        if (!m_animation.camera.empty()) m_pose.camera = along(wayAt(m_animation.camera, m_clock));
         for (const Motion<Dim>& motion : m_animation.motions)
             apply(motion);
         return std::move(m_pose);
@@ -78,8 +76,7 @@ private:
         for (const MapTrack<Dim>& track : m_animation.maps) {
             const auto map = std::ranges::find(m_pose.system.maps, track.map, &ifs::WeightedMap<Dim>::id);
             if (map == m_pose.system.maps.end() || track.keys.empty()) continue;
-            const auto way = segmentAt(track.keys, m_clock);
-            const MapPose<Dim> pose = between<Dim>(way.from, way.to, way.share, m_reference, norm);
+            const MapPose<Dim> pose = along<Dim>(wayAt(track.keys, m_clock), m_reference, norm);
             map->map = pose.map;
             map->weight = pose.weight;
         }
@@ -88,9 +85,8 @@ private:
     void moveBranches() {
         for (const BranchTrack<Dim>& track : m_animation.branches) {
             if (track.keys.empty()) continue;
-            const auto way = segmentAt(track.keys, m_clock);
-            const auto change = ifs::interpolated<Dim>(way.from, way.to, way.share,
-                                                       centreOf<Dim>(track.word, m_pose.system, m_reference));
+            const auto change =
+                along<Dim>(wayAt(track.keys, m_clock), centreOf<Dim>(track.word, m_pose.system, m_reference));
             const auto known = std::ranges::find(m_pose.moved, track.word, &BranchPose<Dim>::word);
             if (known != m_pose.moved.end())
                 known->change = change;
@@ -101,10 +97,10 @@ private:
 
     void moveCage() {
         if (m_animation.cage.empty() || !m_pose.cage) return;
-        const auto way = segmentAt(m_animation.cage, m_clock);
+        const auto way = wayAt(m_animation.cage, m_clock);
         const std::size_t vertices = m_pose.cage->rest.size();
         if (way.from.size() == vertices && way.to.size() == vertices)
-            m_pose.cage->current = between<Dim>(*m_pose.cage, way.from, way.to, way.share);
+            m_pose.cage->current = along<Dim>(way, *m_pose.cage);
     }
 
     void apply(const Motion<Dim>& motion) {

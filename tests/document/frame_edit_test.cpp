@@ -76,6 +76,7 @@ private slots:
     void stepsNameTheFrame();
     void timeIsNoStepOfTheHistory();
     void pathsGoThroughTheKeys();
+    void smoothPathsBend();
 };
 
 void FrameEditTest::whatHasNoKeysChangesForAllTimes() {
@@ -336,6 +337,23 @@ void FrameEditTest::pathsGoThroughTheKeys() {
     plane(entry)->animation->length = 1000; // not every frame is looked at
     QVERIFY(motionPaths(entry).vertices[0].points.size() <= 245);
     QCOMPARE(motionPaths(entry).vertices[1].keys.size(), std::size_t(2)); // but every key
+}
+
+void FrameEditTest::smoothPathsBend() {
+    Fractal entry = edited(keyed(still(), {Track::Kind::Cage}, 0), 6, moveVertex).fractal;
+    entry = edited(entry, 12, [](Fractal& shown) { plane(shown)->cage->current[1].y() += 2; }).fractal;
+    // How far the step after the key is from the one before it, by the longer of the two.
+    const auto cornerAt = [&](const animation::Ease& ease) {
+        for (auto& key : plane(entry)->animation->cage)
+            key.ease = ease;
+        const auto points = motionPaths(entry).vertices[1].points;
+        const ifs::Vector<2> before = points[6] - points[5], after = points[7] - points[6];
+        return (after - before).norm() / std::max(after.norm(), before.norm());
+    };
+    QVERIFY(cornerAt({animation::Ease::Kind::Linear}) > 0.6);
+    QVERIFY(cornerAt({animation::Ease::Kind::Smooth}) < 0.4);
+    const FrameEdit later = edited(entry, 9, moveVertex); // a new key leads on as the one before it does
+    QVERIFY(plane(later.fractal)->animation->cage[2].ease.kind == animation::Ease::Kind::Smooth);
 }
 
 QTEST_APPLESS_MAIN(FrameEditTest)

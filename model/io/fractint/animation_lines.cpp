@@ -22,9 +22,11 @@ constexpr std::size_t maxParts = 100'000;     // tracks, keys of a track, motion
 
 constexpr std::array loopNames{std::pair{Loop::Off, "off"}, std::pair{Loop::Cycle, "cycle"},
                                std::pair{Loop::ThereAndBack, "there-and-back"}};
-constexpr std::array easeNames{std::pair{Ease::Kind::Hold, "hold"}, std::pair{Ease::Kind::Linear, "linear"},
-                               std::pair{Ease::Kind::In, "in"},     std::pair{Ease::Kind::Out, "out"},
-                               std::pair{Ease::Kind::Both, "both"}, std::pair{Ease::Kind::Cubic, "cubic"}};
+constexpr std::array easeNames{
+    std::pair{Ease::Kind::Hold, "hold"},    std::pair{Ease::Kind::Linear, "linear"},
+    std::pair{Ease::Kind::In, "in"},        std::pair{Ease::Kind::Out, "out"},
+    std::pair{Ease::Kind::Both, "both"},    std::pair{Ease::Kind::Cubic, "cubic"},
+    std::pair{Ease::Kind::Smooth, "smooth"}};
 
 template <class Names> auto named(const Names& names, const QByteArray& name) {
     using Value = decltype(names.front().first);

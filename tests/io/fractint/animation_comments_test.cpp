@@ -72,7 +72,7 @@ const QByteArrayList everything{
     "look background #00000000",
     "look brightness 4",
     "look gamma 2",
-    "key 10 linear",
+    "key 10 smooth",
     "look colour-by density",
     "look palette Two Colours",
     "look stop 0 #ff0000ff",
@@ -132,6 +132,7 @@ private slots:
         QVERIFY(animation->maps[0].keys[0].value.weight && !animation->maps[0].keys[1].value.weight);
         QCOMPARE(animation->branches[0].word.size(), 3u);
         QCOMPARE(animation->look[1].value.palette.name, std::string("Two Colours"));
+        QVERIFY(animation->look[1].ease.kind == animation::Ease::Kind::Smooth);
         const auto& sway = std::get<animation::Sway<2>>(animation->motions[0]);
         QCOMPARE(sway.maps, (animation::MapIds{ifs::MapId(1), ifs::MapId(3)}));
         QCOMPARE(sway.waves[1], (animation::Wave{0.25, 5, 0, -10}));

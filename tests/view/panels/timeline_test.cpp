@@ -49,6 +49,7 @@ private slots:
     void keysAreDragged();
     void bandsSelectAndKeysAreCopied();
     void aCustomEaseIsDrawn();
+    void keysLeadOnSmoothly();
     void timingIsEdited();
     void playingFollowsTheClock();
     void playingEndsWhereTheLoopDoes();
@@ -333,6 +334,42 @@ void TimelineTest::aCustomEaseIsDrawn() {
     timeline().keys().setEase(drawn);
     QVERIFY(timeline().keys().ease() == drawn);
     QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys"));
+}
+
+void TimelineTest::keysLeadOnSmoothly() {
+    keyCageAt({0, 24});
+    timeline().setFrame(0);
+    const auto lookOfKey = [this] {
+        const QPoint at = tracks().keyPosition(0, 24);
+        return tracks().viewport()->grab(QRect(at - QPoint(7, 7), QSize(15, 15))).toImage();
+    };
+    timeline().select({});
+    const QImage diamond = lookOfKey();
+    QTest::keyClick(&tracks(), Qt::Key_A, Qt::ControlModifier);
+    const auto chosen = [this] {
+        const QPoint at = tracks().keyPosition(0, 24);
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, tracks().viewport()->mapToGlobal(at));
+        QApplication::sendEvent(tracks().viewport(), &event);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        for (QAction* action : menu->actions())
+            if (action->text() == QStringLiteral("Smooth")) return std::pair(menu, action);
+        return std::pair(menu, static_cast<QAction*>(nullptr));
+    };
+    const auto [menu, action] = chosen();
+    QVERIFY(action && !action->isChecked());
+    action->trigger();
+    menu->close();
+    for (const auto& key : timeline().tracks()[0].keys)
+        QVERIFY(key.ease.kind == animation::Ease::Kind::Smooth);
+    const auto [again, ticked] = chosen();
+    QVERIFY(ticked->isChecked());
+    again->close();
+    QTest::keyClick(&tracks(), Qt::Key_C, Qt::ControlModifier);
+    timeline().select({});
+    QVERIFY(lookOfKey() != diamond);
+    timeline().setFrame(30);
+    QTest::keyClick(&tracks(), Qt::Key_V, Qt::ControlModifier);
+    QVERIFY(timeline().tracks()[0].keys[2].ease.kind == animation::Ease::Kind::Smooth);
 }
 
 void TimelineTest::timingIsEdited() {

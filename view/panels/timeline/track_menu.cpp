@@ -21,6 +21,7 @@ struct EaseName {
 
 constexpr EaseName eases[] = {
     {Kind::Linear, QT_TRANSLATE_NOOP("view::Timeline", "Linear")},
+    {Kind::Smooth, QT_TRANSLATE_NOOP("view::Timeline", "Smooth")},
     {Kind::Both, QT_TRANSLATE_NOOP("view::Timeline", "Slow Start and End")},
     {Kind::In, QT_TRANSLATE_NOOP("view::Timeline", "Slow Start")},
     {Kind::Out, QT_TRANSLATE_NOOP("view::Timeline", "Slow End")},

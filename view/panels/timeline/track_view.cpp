@@ -2,6 +2,7 @@
 #include "panels/timeline/track_view.h"
 
 #include "desktop/settings.h"
+#include "panels/timeline/key_mark.h"
 #include "panels/timeline/timeline.h"
 #include "panels/timeline/track_menu.h"
 #include "widgets/number_text.h"
@@ -30,17 +31,11 @@ constexpr double minScale = 0.01, maxScale = 64; // pixels for one frame
 constexpr int edge = 12;                         // room left of frame 0 and right of the last one
 constexpr double reach = 8;                      // of a diamond, for the pointer
 constexpr int snapReach = 6;                     // pixels
-constexpr double diamondHalf = 6;
 constexpr char unitSetting[] = "timeline/seconds";
 
 QColor faded(QColor colour, double share) {
     colour.setAlphaF(float(colour.alphaF() * share));
     return colour;
-}
-
-QPolygonF diamond(const QPointF& middle, double half) {
-    return QPolygonF({middle + QPointF(0, -half), middle + QPointF(half, 0), middle + QPointF(0, half),
-                      middle + QPointF(-half, 0)});
 }
 
 } // namespace
@@ -50,10 +45,12 @@ TrackView::TrackView(Timeline* timeline, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Tracks and keys"));
-    setWhatsThis(tr("One row for each part that can move. The diamond on the left sets a key at the "
-                    "playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl "
-                    "copies. Drag in the ruler to move the playhead, or from an empty place to select keys. "
-                    "Ctrl + wheel zooms. Right-click a key for its ease."));
+    setWhatsThis(
+        tr("One row for each part that can move. The diamond on the left sets a key at the "
+           "playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl "
+           "copies. Drag in the ruler to move the playhead, or from an empty place to select keys. "
+           "Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs "
+           "through them without a corner."));
     viewport()->setMouseTracking(false);
     m_unit->setCheckable(true);
     m_unit->setAutoRaise(true);
@@ -557,10 +554,10 @@ void TrackView::paintKeys(QPainter& painter, int row) const {
         painter.setPen(QPen(palette().color(QPalette::Base), 1));
         painter.setBrush(isChosen && !moves ? palette().color(QPalette::Highlight)
                                             : faded(ink, moves ? 0.25 : 0.85));
-        painter.drawPolygon(diamond(QPointF(xOf(key.frame), middle), diamondHalf));
+        paintKeyMark(painter, QPointF(xOf(key.frame), middle), key.ease);
         if (!moves) continue;
         painter.setBrush(palette().color(QPalette::Highlight));
-        painter.drawPolygon(diamond(QPointF(xOf(key.frame + m_by), middle), diamondHalf));
+        paintKeyMark(painter, QPointF(xOf(key.frame + m_by), middle), key.ease);
     }
 }
 
