@@ -28,6 +28,6 @@ if [ "$frames" = "$output" ]; then
   echo "Drawing: job $array, $tasks tasks. See them with: squeue -j $array"
   exit
 fi
-video=$(sbatch --parsable --output="$folder/slurm-%j.log" --dependency="afterok:$array" \
+video=$(sbatch --parsable --output="$folder/slurm-%j.log" --dependency="afterok:$array" --kill-on-invalid-dep=yes \
   "$here/encode.sh" "$frames" "$output")
 echo "Drawing: job $array, $tasks tasks. Video: job ${video%%;*}. See them with: squeue -j $array,${video%%;*}"

@@ -19,6 +19,6 @@ mkdir -p -- "$parts"
 array=$(sbatch --parsable --output="$parts/slurm-%A-%a.log" --array="0-$((tasks - 1))" \
   "$here/render-part.sh" "$file" "$entry" "$parts" "$tasks" "$@")
 array=${array%%;*} # without the name of the cluster
-merge=$(sbatch --parsable --output="$parts/slurm-%j.log" --dependency="afterok:$array" \
+merge=$(sbatch --parsable --output="$parts/slurm-%j.log" --dependency="afterok:$array" --kill-on-invalid-dep=yes \
   "$here/merge.sh" "$parts" "$output")
 echo "Drawing: job $array, $tasks tasks. Picture: job ${merge%%;*}. See them with: squeue -j $array,${merge%%;*}"

@@ -310,9 +310,16 @@ void AnimationExportDialogTest::slurmIsAskedForTheState_data() {
                              << "Drawing: 1 of 3 tasks are done, 1 running, 1 waiting. Video: waiting."
                              << false;
     QTest::newRow("done") << QByteArray("41 COMPLETED\\n41 COMPLETED\\n42 COMPLETED\\n")
-                          << "Drawing: 2 of 2 tasks are done. Video: done." << true;
+                          << "Drawing: 2 of 2 tasks are done. Video: done. The result is in %1." << true;
+    QTest::newRow("no video")
+        << QByteArray("41 COMPLETED\\n42 FAILED\\n")
+        << "Drawing: 1 of 1 tasks are done. Video: failed. The reason is in the logs in %1." << true;
+    QTest::newRow("some failed") << QByteArray("41 RUNNING\\n41 FAILED\\n42 PENDING\\n")
+                                 << "Drawing: 0 of 2 tasks are done, 1 running, 1 failed. Video: waiting."
+                                 << false;
     QTest::newRow("failed") << QByteArray("41 COMPLETED\\n41 FAILED\\n42 PENDING\\n")
-                            << "Drawing: 1 of 2 tasks are done, 1 failed. Video: waiting." << true;
+                            << "Drawing: 1 of 2 tasks are done, 1 failed. The reason is in the logs in %1."
+                            << true;
 }
 
 // By programs that answer as Slurm's do.
@@ -333,6 +340,9 @@ void AnimationExportDialogTest::slurmIsAskedForTheState() {
     view::ClusterQueue* queue = m_dialog->findChild<view::ClusterQueue*>();
     QSignalSpy over(queue, &view::ClusterQueue::finished);
     m_dialog->prepareCluster(m_folder->path());
+    const QStringList jobs = QDir(m_folder->path()).entryList({QStringLiteral("*-cluster")}, QDir::Dirs);
+    QCOMPARE(jobs.size(), 1);
+    sentence.replace(QStringLiteral("%1"), path(jobs.first()));
     QTRY_COMPARE_WITH_TIMEOUT(m_dialog->message(), sentence, 20000);
     qputenv("PATH", before);
     QCOMPARE(over.size(), isOver ? 1 : 0);

@@ -287,8 +287,14 @@ void KeyCommands::paste() {
     document::Pasted pasted = document::withKeysPasted(entry(), m_copied, m_timeline->frame());
     if (pasted.keys.empty())
         return emit m_timeline->message(Timeline::tr("None of these keys fits this fractal."));
+    const int leftOut = int(m_copied.size() - pasted.keys.size());
     edit(Timeline::tr("Paste keys"), std::move(pasted.fractal));
     m_timeline->select(std::move(pasted.keys));
+    if (leftOut > 0)
+        emit m_timeline->message(
+            Timeline::tr("%n key(s) not pasted: beyond the end of the animation, or of a "
+                         "part that this fractal does not have.",
+                         nullptr, leftOut));
 }
 
 } // namespace view

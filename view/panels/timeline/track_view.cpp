@@ -539,10 +539,16 @@ void TrackView::paintKeys(QPainter& painter, int row) const {
     const QColor ink = palette().color(QPalette::Text);
     const double middle = topOf(row) + rowHeight() / 2.0;
     painter.setPen(QPen(faded(ink, 0.3), 2));
+    const auto lead = [&](const animation::Ease& ease, int from, int to) {
+        if (ease.kind != animation::Ease::Kind::Hold)
+            painter.drawLine(QPointF(xOf(from), middle), QPointF(xOf(to), middle));
+    };
     for (std::size_t i = 0; i + 1 < one.keys.size(); ++i)
-        if (one.keys[i].ease.kind != animation::Ease::Kind::Hold)
-            painter.drawLine(QPointF(xOf(one.keys[i].frame), middle),
-                             QPointF(xOf(one.keys[i + 1].frame), middle));
+        lead(one.keys[i].ease, one.keys[i].frame, one.keys[i + 1].frame);
+    if (one.keys.size() > 1 && m_timeline->timing().loop == animation::Loop::Cycle) { // on to the first key
+        lead(one.keys.back().ease, one.keys.back().frame, m_timeline->timing().length);
+        lead(one.keys.back().ease, 0, one.keys.front().frame);
+    }
     const bool isDragged = m_drag == Drag::Keys && m_by != 0;
     const auto first = std::ranges::min_element(m_timeline->selected(), {}, &KeyAt::frame);
     for (const auto& key : one.keys) {
