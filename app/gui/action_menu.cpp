@@ -8,6 +8,7 @@
 
 #include <QMenuBar>
 #include <QShortcut>
+#include <QStatusBar>
 
 #include <utility>
 
@@ -63,7 +64,8 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
                          statusTip = action->statusTip(), before = QString()]() mutable {
         const QString why = obstacle(m_context.document->fractal());
         if (const QString said = std::exchange(before, why); !said.isEmpty() && said != why)
-            m_context.messages->unsay(said);
+            if (m_context.window->statusBar()->currentMessage() == said) // it is no longer true
+                m_context.window->statusBar()->clearMessage();
         action->setEnabled(why.isEmpty());
         action->setToolTip(why.isEmpty() ? toolTip : view::tooltipText(why));
         action->setStatusTip(why.isEmpty() ? statusTip : why);

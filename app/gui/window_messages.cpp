@@ -18,10 +18,6 @@ void WindowMessages::say(const QString& sentence) {
     m_window->statusBar()->showMessage(sentence, sayingTime);
 }
 
-void WindowMessages::unsay(const QString& sentence) {
-    if (m_window->statusBar()->currentMessage() == sentence) m_window->statusBar()->clearMessage();
-}
-
 void WindowMessages::fail(const QString& title, const QString& sentence) {
     auto* box = new QMessageBox(QMessageBox::Critical, QApplication::applicationDisplayName(), title + u'.',
                                 QMessageBox::Ok, m_window);

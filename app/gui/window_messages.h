@@ -15,7 +15,6 @@ public:
     explicit WindowMessages(QMainWindow* window);
 
     void say(const QString& sentence);                        // in the status bar, for a few seconds
-    void unsay(const QString& sentence);                      // it is no longer true
     void fail(const QString& title, const QString& sentence); // in a message box; does not wait for it
 
 private:
