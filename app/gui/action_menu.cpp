@@ -8,6 +8,9 @@
 
 #include <QMenuBar>
 #include <QShortcut>
+#include <QStatusBar>
+
+#include <utility>
 
 ActionMenu::ActionMenu(const MenuContext& context, const QString& title)
     : QMenu(title, context.window->menuBar()), m_context(context) {}
@@ -58,8 +61,11 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
     connect(blocked, &QShortcut::activated, this,
             [this, obstacle] { m_context.messages->say(obstacle(m_context.document->fractal())); });
     const auto update = [this, action, blocked, obstacle, toolTip = action->toolTip(),
-                         statusTip = action->statusTip()] {
+                         statusTip = action->statusTip(), before = QString()]() mutable {
         const QString why = obstacle(m_context.document->fractal());
+        if (const QString said = std::exchange(before, why); !said.isEmpty() && said != why)
+            if (m_context.window->statusBar()->currentMessage() == said) // it is no longer true
+                m_context.window->statusBar()->clearMessage();
         action->setEnabled(why.isEmpty());
         action->setToolTip(why.isEmpty() ? toolTip : view::tooltipText(why));
         action->setStatusTip(why.isEmpty() ? statusTip : why);

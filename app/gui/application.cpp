@@ -4,6 +4,7 @@
 #include "desktop/preferences.h"
 #include "desktop/settings.h"
 #include "desktop/theme.h"
+#include "exports.h"
 #include "identity.h"
 #include "io/fractint/fractint_reader.h"
 #include "main_window.h"
@@ -18,6 +19,7 @@
 #include <QLabel>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QScopeGuard>
 #include <QTranslator>
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
@@ -74,6 +76,7 @@ bool Application::event(QEvent* event) {
 }
 
 void Application::openWindows(const QStringList& files, Start start) {
+    const auto resume = qScopeGuard([] { exports::queue()->resume(); }); // in windows that tell of it
     for (const document::Abandoned& abandoned : Recovery::ask()) {
         auto* window = new MainWindow;
         window->show();

@@ -8,6 +8,7 @@
 #include "dialogs/export/print_fractal.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/edits/cage_edits.h"
+#include "exports.h"
 #include "file_commands.h"
 #include "io/file/slow_disk.h"
 #include "open_file.h"
@@ -105,10 +106,16 @@ void FileMenu::exportPicture() {
         auto* space = new view::SpaceExportDialog(
             context().document, context().stage->space()->navigation().camera(), context().window);
         space->setAttribute(Qt::WA_DeleteOnClose);
+        space->setQueue(exports::queue());
+        connect(space, &view::SpaceExportDialog::queued, context().window,
+                [window = context().window] { exports::showPanel(*window); });
         return space->show();
     }
     auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setQueue(exports::queue());
+    connect(dialog, &view::ExportDialog::queued, context().window,
+            [window = context().window] { exports::showPanel(*window); });
     if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
     const QString folder = QFileInfo(m_file->path()).absolutePath();
     const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };

@@ -13,6 +13,7 @@
 #include "dialogs/paste_table_dialog.h"
 #include "dropped_picture.h"
 #include "edit_menu.h"
+#include "exports.h"
 #include "file_commands.h"
 #include "file_menu.h"
 #include "flame_banner.h"
@@ -28,6 +29,7 @@
 #include "panels/collage/collage_panel.h"
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
+#include "panels/exports/exports_panel.h"
 #include "panels/history/history_panel.h"
 #include "panels/links/links_panel.h"
 #include "panels/maps/maps_panel.h"
@@ -193,6 +195,10 @@ void MainWindow::createPanels() {
     QDockWidget* linksDock = dock(links, tr("Links"), QStringLiteral("links"), Qt::RightDockWidgetArea);
     tabifyDockWidget(previous, linksDock);
     linksDock->hide();
+    QDockWidget* exportsDock = dock(new view::ExportsPanel(exports::queue()), tr("Exports"),
+                                    QStringLiteral("exports"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(previous, exportsDock);
+    exports::connectPanel(exportsDock, m_messages);
     mapsDock->raise();
     QDockWidget* problemsDock =
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
@@ -463,7 +469,7 @@ void MainWindow::takeFocusFrom(const QWidget* hidden) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_file.isBusy() || !m_fileCommands->maybeSave()) {
+    if (m_file.isBusy() || !m_fileCommands->maybeSave() || !exports::mayEnd(this)) {
         event->ignore();
         return;
     }

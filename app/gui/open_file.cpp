@@ -2,6 +2,7 @@
 #include "open_file.h"
 
 #include "document/fractal_geometry.h"
+#include "document/tops/picture_paths.h"
 #include "io/collection_reader.h"
 #include "io/file/background.h"
 #include "io/file/hard_links.h"
@@ -199,7 +200,11 @@ std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
 io::Failure OpenFile::write(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto writing = std::make_shared<Writing>();
-    QFuture<void> work = writeBeside(writing, m_document->file(), path);
+    const auto inFolder = [from = m_path.isEmpty() ? QString() : QFileInfo(m_path).path(),
+                           to = QFileInfo(path).absolutePath()](const document::FractalFile& of) {
+        return document::withPicturesFoundFrom(of, from, to);
+    };
+    QFuture<void> work = writeBeside(writing, inFolder(m_document->file()), path);
     const auto file = QFileInfo(path).fileName();
     while (
         !view::waitFor(work, tr("Saving “%1”…").arg(file), m_window)) // in the end it is cancelled, or saved
@@ -208,9 +213,10 @@ io::Failure OpenFile::write(const QString& path) {
     work.waitForFinished(); // throws what went wrong besides
     if (writing->failure) return writing->failure;
     m_otherNames = writing->otherNames;
+    remember(path, writing->digest);
+    m_document->editFile(tr("Adjust Picture Paths"), inFolder(m_document->file()), m_document->currentId());
     m_document->markSaved(writing->file);
     io::freeInBackground(std::move(writing->file));
-    remember(path, writing->digest);
     recent_files::add(path);
     return std::nullopt;
 }

@@ -36,6 +36,8 @@ void explainPanels(const QMainWindow& window) {
            Text::tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
           {"collage",
            Text::tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
+          {"exports",
+           Text::tr("Pictures that are drawn one after another in the background, and how far each is.")},
           {"problems",
            Text::tr(
                "Problems found in the file, with line and column. The text in the file is kept unchanged.")}})

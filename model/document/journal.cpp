@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/journal.h"
 
+#include "document/process_lock.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -15,57 +17,12 @@
 
 #include <algorithm>
 
-#ifdef Q_OS_UNIX
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-#endif
-
 namespace document {
 
 namespace {
 
 const char magic[] = "barycage-journal 1\n";
 constexpr qint64 maxJournal = 512LL << 20; // bytes; larger files are not ours
-
-QString lockOf(const QString& journal) {
-    return journal + QStringLiteral(".lock");
-}
-
-// Whether some process has the lock file open as its own. The number of the process in it does not tell: in a
-// container the next start may have the same.
-bool isHeld(const QString& lockFile) {
-#ifdef Q_OS_UNIX
-    const int file = ::open(QFile::encodeName(lockFile).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) return errno != ENOENT;
-    const bool free = ::flock(file, LOCK_EX | LOCK_NB) == 0;
-    ::close(file); // and with it the lock
-    return !free;
-#else
-    return QFileInfo::exists(lockFile);
-#endif
-}
-
-// The owner's process keeps the lock for as long as it lives; its age says nothing. One that is only just
-// being made is nobody's for a moment. What is no file was never a lock.
-std::unique_ptr<QLockFile> lock(const QString& journal) {
-    constexpr int justNow = 2; // seconds
-    const QFileInfo left(lockOf(journal));
-    const bool isOld = left.lastModified().secsTo(QDateTime::currentDateTime()) > justNow;
-    if (left.exists() && (!left.isFile() || (isOld && !isHeld(left.filePath()))))
-        QFile::remove(left.filePath());
-    auto made = std::make_unique<QLockFile>(lockOf(journal));
-    made->setStaleLockTime(0);
-    if (!made->tryLock(0)) return nullptr;
-    QFile::setPermissions(lockOf(journal), QFile::ReadOwner | QFile::WriteOwner);
-    return made;
-}
-
-void makeFolder(const QString& folder) {
-    QDir().mkpath(folder);
-    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-}
 
 std::optional<Snapshot> readJournal(const QString& path) {
     if (!QFileInfo(path).isFile()) return std::nullopt; // a pipe may never come to an end
@@ -116,10 +73,10 @@ Journal::~Journal() = default;
 
 bool Journal::write(const Snapshot& snapshot) {
     // It is the first time, there was no room for the lock, or somebody has emptied the folder.
-    if (!m_lock || !QFileInfo::exists(lockOf(m_path))) {
-        makeFolder(QFileInfo(m_path).path());
+    if (!m_lock || !QFileInfo::exists(lockFileOf(m_path))) {
+        makePrivateFolder(QFileInfo(m_path).path());
         m_lock.reset();
-        m_lock = lock(m_path);
+        m_lock = processLock(m_path);
     }
     if (!m_lock) return false;
     QSaveFile file(m_path);
@@ -145,10 +102,10 @@ QList<Abandoned> abandonedSnapshots(const QString& folder) {
             leftovers[match.captured(1)] << match.captured(2);
     for (const auto& [journal, endings] : leftovers.asKeyValueRange()) {
         const QString path = dir.filePath(journal);
-        std::shared_ptr<QLockFile> owned = lock(path);
+        std::shared_ptr<QLockFile> owned = processLock(path);
         if (!owned) continue; // its window is alive, or somebody else offers it
         for (const QString& ending : endings)
-            if (!ending.isEmpty() && path + ending != lockOf(path)) QFile::remove(path + ending);
+            if (!ending.isEmpty() && path + ending != lockFileOf(path)) QFile::remove(path + ending);
         if (auto snapshot = readJournal(path))
             found << Abandoned{path, *std::move(snapshot), std::move(owned)};
     }
@@ -175,7 +132,7 @@ QStringList setDamagedAside(const QString& folder) {
     const QDir dir(folder);
     for (const QString& name : dir.entryList({QStringLiteral("*.journal")}, QDir::Files)) {
         const QString path = dir.filePath(name);
-        const auto owned = lock(path);
+        const auto owned = processLock(path);
         if (!owned || readJournal(path)) continue;
         const QString kept = dir.filePath(QFileInfo(name).completeBaseName() + QStringLiteral(".damaged"));
         if (QFile::rename(path, kept)) aside << kept;

@@ -83,8 +83,10 @@ void TheftBridge::takeFrames() {
 }
 
 void TheftBridge::substitute(bool on) {
+    const bool isChanged = m_onHost->isSubstituted() != on;
     m_onHost->setSubstituted(on);
     m_onPartner->setSubstituted(on);
+    if (isChanged) emit paintedChanged();
 }
 
 } // namespace view

@@ -34,6 +34,7 @@ public:
 
 signals:
     void flawChanged();
+    void paintedChanged(); // whether the canvases show a transformation
 
 private:
     void request(bool live);

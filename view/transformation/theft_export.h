@@ -2,17 +2,25 @@
 #pragma once
 
 #include "document/tops/theft_thread.h"
-#include "io/file/save_file.h"
+#include "io/picture/png_export.h"
 
+#include <QImage>
 #include <QString>
 
-class QWidget;
+#include <optional>
+#include <stop_token>
 
 namespace view {
 
-// The stolen picture of the job's view of F as PNG, so many pixels on its longer side. Waits under a dialog
-// that can cancel. nullopt without a sentence, also when cancelled.
-io::Failure exportStolenPicture(const document::TheftJob& job, int longerSide, const QString& path,
-                                QWidget* window);
+// The stolen picture of the job's F through a camera, whatever its own. Both take long: not in the thread of
+// the window.
+
+// As PNG; `path` appears whole or not at all.
+io::ExportOutcome exportStolenPicture(const document::TheftJob& job, const attractor::Camera& camera,
+                                      const QString& path, const io::Progress& progress,
+                                      const std::stop_token& stop);
+// In memory; nullopt when stopped, or when there is none.
+std::optional<QImage> stolenPicture(const document::TheftJob& job, const attractor::Camera& camera,
+                                    const std::stop_token& stop);
 
 } // namespace view

@@ -4,6 +4,7 @@
 #include "widgets/elided_label.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/menu_button.h"
+#include "widgets/tooltip_text.h"
 
 #include <QComboBox>
 #include <QFileInfo>
@@ -52,8 +53,7 @@ TransformationBar::TransformationBar(QWidget* parent)
       m_from(new QLabel(this)),
       m_partner(comboBox(tr("Partner"), tr("The entry on which the picture lies"), this)),
       m_mode(comboBox(tr("Mode"), tr("What the fractal transformation does with the picture"), this)),
-      m_continuity(new ElidedLabel(this)),
-      m_problem(new QLabel(this)) {
+      m_status(new ElidedLabel(this)) {
     setAccessibleName(tr("Fractal transformation"));
     m_mode->setMinimumContentsLength(moreLetters);
     m_mode->addItem(tr("Steal Colours"), int(TheftMode::StealColours));
@@ -64,9 +64,9 @@ TransformationBar::TransformationBar(QWidget* parent)
     addPictures();
     addStarters();
     m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
+    m_export->setEnabled(false);
     m_remedy = flatButton(QString(), QString(), QString(), this);
-    m_problem->setWordWrap(true);
-    m_problem->setTextFormat(Qt::PlainText);
+    m_status->setAccessibleName(tr("State of the fractal transformation"));
 
     auto* first = new QHBoxLayout;
     for (QWidget* widget : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner),
@@ -74,17 +74,15 @@ TransformationBar::TransformationBar(QWidget* parent)
                             static_cast<QWidget*>(m_starters), static_cast<QWidget*>(m_export)})
         first->addWidget(widget);
     first->addStretch();
-    m_second = new QHBoxLayout;
-    m_second->addWidget(m_continuity, 2);
-    auto* third = new QHBoxLayout;
-    third->addWidget(m_problem, 1);
-    third->addWidget(m_remedy);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 4, 8, 4);
-    layout->setSpacing(4);
-    layout->addLayout(first);
-    layout->addLayout(m_second);
-    layout->addLayout(third);
+    auto* last = new QHBoxLayout;
+    last->addWidget(m_status, 1);
+    last->addWidget(m_remedy);
+    last->addStrut(m_remedy->sizeHint().height()); // the bar is as high with a message as without
+    m_rows = new QVBoxLayout(this);
+    m_rows->setContentsMargins(8, 4, 8, 4);
+    m_rows->setSpacing(4);
+    m_rows->addLayout(first);
+    m_rows->addLayout(last);
 
     connect(m_partner, &QComboBox::activated, this,
             [this](int row) { emit partnerChosen(document::EntryId(m_partner->itemData(row).toUInt())); });
@@ -141,7 +139,6 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
     m_partner->setEnabled(m_partner->count() > 0);
     m_mode->setCurrentIndex(m_mode->findData(int(theft.mode)));
     m_picture->setEnabled(theft.mode != TheftMode::DeformationGrid);
-    m_export->setEnabled(partner != document::EntryId::None);
     m_picture->setToolTip(
         theft.picture.isEmpty()
             ? tr("The picture on the partner; you can also drop one there")
@@ -149,13 +146,12 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
 }
 
 void TransformationBar::showContinuity(const QString& sentence) {
-    m_continuity->setText(sentence);
-    m_continuity->setToolTip(sentence);
+    m_continuity = sentence;
+    showStatus();
 }
 
 void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
-    m_problem->setText(sentence);
-    m_problem->setVisible(!sentence.isEmpty());
+    m_problem = sentence;
     m_wanted = remedy;
     m_remedy->setVisible(remedy != Remedy::None);
     const QString text = remedy == Remedy::FindPicture ? tr("Find Picture…") : tr("Divide Words");
@@ -164,18 +160,32 @@ void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
     m_remedy->setToolTip(remedy == Remedy::FindPicture
                              ? tr("Choose the picture where it is now")
                              : tr("Divide maps of both entries into words until they have equally many"));
+    showStatus();
+}
+
+// A problem, or else how continuous it is. What has no room is in the tip.
+void TransformationBar::showStatus() {
+    const QString& sentence = m_problem.isEmpty() ? m_continuity : m_problem;
+    m_status->setText(sentence);
+    m_status->setToolTip(tooltipText(sentence));
+}
+
+void TransformationBar::setExportable(bool exportable) {
+    m_export->setEnabled(exportable);
+    m_export->setToolTip(exportable ? tr("Save the stolen picture as PNG")
+                                    : tr("There is no stolen picture yet"));
 }
 
 QString TransformationBar::problem() const {
-    return m_problem->text();
+    return m_problem;
 }
 
 QString TransformationBar::continuity() const {
-    return m_continuity->text();
+    return m_continuity;
 }
 
 void TransformationBar::addSliders(QWidget* sliders) {
-    m_second->insertWidget(0, sliders, 3);
+    m_rows->insertWidget(1, sliders);
 }
 
 } // namespace view

@@ -8,9 +8,9 @@
 #include <QWidget>
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QToolButton;
+class QVBoxLayout;
 
 namespace view {
 
@@ -32,6 +32,7 @@ public:
     void showProblem(const QString& sentence, Remedy remedy); // an empty sentence: there is none
     QString problem() const;
     QString continuity() const;
+    void setExportable(bool exportable); // there is a picture to export
     void addSliders(QWidget* sliders);
 
 signals:
@@ -46,6 +47,7 @@ signals:
 private:
     void addPictures();
     void addStarters();
+    void showStatus();
 
     QLabel* m_from;
     QComboBox* m_partner;
@@ -53,11 +55,12 @@ private:
     QToolButton* m_picture;
     QToolButton* m_starters;
     QToolButton* m_export;
-    ElidedLabel* m_continuity;
-    QLabel* m_problem;
+    ElidedLabel* m_status;
     QToolButton* m_remedy;
+    QString m_continuity;
+    QString m_problem;
     Remedy m_wanted = Remedy::None;
-    QHBoxLayout* m_second;
+    QVBoxLayout* m_rows;
 };
 
 } // namespace view

@@ -5,10 +5,11 @@
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
 #include "io/file/background.h"
+#include "io/file/slow_disk.h"
 #include "transformation/family_sliders.h"
 #include "transformation/map_order.h"
 #include "transformation/picture_source.h"
-#include "transformation/theft_export.h"
+#include "transformation/theft_export_dialog.h"
 #include "transformation/theft_sentences.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/whats_this.h"
@@ -18,7 +19,6 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
 #include <QUrl>
@@ -38,7 +38,6 @@ using document::KeptTheft;
 constexpr std::chrono::milliseconds restPause{400};
 constexpr double resolution = 1.0 / 256;        // of F's size, at which continuity is measured
 constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
-constexpr int exportedSide = 2400;              // pixels
 
 // Other files are the window's business.
 QString pictureOf(const QMimeData& data) {
@@ -123,6 +122,7 @@ void TransformationView::create() {
     connect(&m_partner->document(), &document::Document::changed, this, [this] { m_rest.start(); });
     connect(m_partner.get(), &document::PartnerDocument::partnerChanged, this, [this] { m_rest.start(); });
     connect(m_theft.get(), &TheftBridge::flawChanged, this, &TransformationView::showProblem);
+    connect(m_theft.get(), &TheftBridge::paintedChanged, this, [this] { m_bar->setExportable(isPainted()); });
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
         m_refusal.clear();
@@ -328,19 +328,13 @@ void TransformationView::choosePicture() {
 
 document::TheftJob TransformationView::job() const {
     document::TheftJob job;
-    job.from = {m_document->sharedFractal(), m_render->camera(), 0};
-    job.to = {m_partner->document().sharedFractal(), m_partnerRender->camera(), 0};
+    job.from = {m_document->sharedFractal(), m_canvas->camera(), 0};
+    job.to = {m_partner->document().sharedFractal(), m_partnerCanvas->camera(), 0};
     job.order = m_kept.order;
     job.mode = m_kept.mode;
     job.view = m_kept.view;
     job.picture = m_theft->picture();
     return job;
-}
-
-io::Failure TransformationView::exportTo(const QString& path) const {
-    if (!m_theft || !m_theft->picture() || m_partner->id() == EntryId::None)
-        return tr("There is no stolen picture yet.");
-    return exportStolenPicture(job(), exportedSide, path, window());
 }
 
 bool TransformationView::cancelGesture() {
@@ -352,15 +346,14 @@ bool TransformationView::isPainted() const {
 }
 
 void TransformationView::chooseExport() {
-    QString path = chooseFileToSave(this, tr("Export Stolen Picture"), m_document->fractal().name,
-                                    tr("Pictures (*.png)"), QStringLiteral("png"));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().toLower() != QStringLiteral("png"))
-        path += QStringLiteral(".png"); // as it is
-    if (const io::Failure failure = exportTo(path))
-        QMessageBox::warning(this, tr("Export Stolen Picture"), *failure);
-    else
-        emit message(tr("Exported %1.").arg(QFileInfo(path).fileName()));
+    if (!isPainted()) return;
+    auto* dialog = new TheftExportDialog(job(), window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (m_canvas->navigation().isFitted()) dialog->setSection(TheftExportDialog::Section::Attractor);
+    const QString beside = folder();
+    const auto isWritable = [beside] { return QFileInfo(beside).isWritable(); };
+    if (!beside.isEmpty() && io::answerSoon(isWritable).value_or(false)) dialog->setFolder(beside);
+    dialog->show();
 }
 
 QString TransformationView::folder() const {

@@ -4,7 +4,6 @@
 #include "bridges/theft_bridge.h"
 #include "document/tops/partner_document.h"
 #include "ifs/tops/tear.h"
-#include "io/file/save_file.h"
 #include "transformation/transformation_bar.h"
 
 #include <QFutureWatcher>
@@ -41,12 +40,11 @@ public:
     CanvasView* partnerCanvas() const { return m_partnerCanvas; }
     bool cancelGesture();   // on the partner; false when none was under way
     bool isPainted() const; // the canvases show a fractal transformation
-    void chooseExport();
+    void chooseExport();    // in a dialog; nothing happens while none is shown
     const TransformationBar* bar() const { return m_bar; }
     const TheftBridge* theft() const { return m_theft.get(); }
 
-    void usePicture(const QString& path);            // once it is read, a step of the history
-    io::Failure exportTo(const QString& path) const; // the stolen picture, as PNG
+    void usePicture(const QString& path); // once it is read, a step of the history
 
 signals:
     void message(const QString& sentence);

@@ -9,6 +9,8 @@
 #include <QImageReader>
 #include <QtEndian>
 
+#include <algorithm>
+#include <cmath>
 #include <zlib.h>
 
 namespace io {
@@ -66,16 +68,33 @@ bool isAnimated(QImageReader& reader, const QByteArray& bytes, const QByteArray&
     return reader.supportsAnimation() && reader.imageCount() > 1;
 }
 
+qint64 pixelsOf(const QSize& size) {
+    return qint64(size.width()) * size.height();
+}
+
+QString tooLarge(const QSize& size) {
+    return Text::tr("The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.")
+        .arg(size.width())
+        .arg(size.height());
+}
+
+// Only of these the reader scales the rows as they come.
+bool isReducible(const QByteArray& format, const QSize& size) {
+    return (format == "png" || format.startsWith("jp")) && pixelsOf(size) <= maxReducedPixels;
+}
+
+QSize reduced(const QSize& size) {
+    const double factor = std::sqrt(double(maxDecodedPixels) / double(pixelsOf(size)));
+    return {std::max(1, int(size.width() * factor)), std::max(1, int(size.height() * factor))};
+}
+
 // Why the picture cannot be used, as far as can be told before it is decoded.
-std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes) {
+std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes, LargePicture large) {
     const QByteArray format = reader.format();
     if (!isKnown(format)) return Text::tr("This is not a PNG, JPEG, GIF, BMP or PNM picture.");
     const QSize size = reader.size();
-    if (qint64(size.width()) * size.height() > maxDecodedPixels)
-        return Text::tr(
-                   "The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.")
-            .arg(size.width())
-            .arg(size.height());
+    const bool isLarge = pixelsOf(size) > maxDecodedPixels;
+    if (isLarge && (large == LargePicture::Refused || !isReducible(format, size))) return tooLarge(size);
     if (isDamaged(bytes, format)) return Text::tr("The picture is damaged or incomplete.");
     if (format.startsWith("jp") && jpegFacts(bytes).components > 3)
         return Text::tr(
@@ -97,7 +116,7 @@ void allowDecoding() {
 
 } // namespace
 
-DecodedPicture decodedPicture(const QByteArray& bytes) {
+DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large) {
     DecodedPicture decoded;
     QBuffer buffer;
     buffer.setData(bytes);
@@ -108,10 +127,14 @@ DecodedPicture decodedPicture(const QByteArray& bytes) {
     allowDecoding();
     QImageReader reader(&buffer, isKnown(format) ? format : QByteArray("none"));
     reader.setAutoTransform(true);
-    decoded.flaw = flawOf(reader, bytes);
+    decoded.flaw = flawOf(reader, bytes, large);
     if (decoded.flaw) return decoded;
+    const QSize size = reader.size();
+    const bool isLarge = pixelsOf(size) > maxDecodedPixels;
+    if (isLarge) reader.setScaledSize(reduced(size));
     decoded.image = reader.read();
-    if (decoded.image.isNull()) decoded.flaw = Text::tr("The picture is damaged or incomplete.");
+    if (decoded.image.isNull()) // an interlaced picture is not scaled row by row, and needs too much memory
+        decoded.flaw = isLarge ? tooLarge(size) : Text::tr("The picture is damaged or incomplete.");
     const QColorSpace space = decoded.image.colorSpace(), srgb(QColorSpace::SRgb);
     if (space.isValid() && space != srgb) decoded.image.convertToColorSpace(srgb);
     return decoded;

@@ -13,11 +13,15 @@ namespace io {
 // Refused are animations, JPEG pictures in CMYK, whose colours depend on the program that reads them,
 // incomplete pictures, and those with more pixels than this. Memory is bounded by these.
 inline constexpr qint64 maxDecodedPixels = 32'000'000;
+// Where the size does not matter, a PNG or JPEG picture with up to so many is scaled down to those while it
+// is read, in its proportions.
+inline constexpr qint64 maxReducedPixels = 256'000'000;
+enum class LargePicture { Refused, Reduced };
 
 struct DecodedPicture {
     QImage image;                // of any pixel format
     std::optional<QString> flaw; // the user's sentence when there is none
 };
-DecodedPicture decodedPicture(const QByteArray& bytes);
+DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused);
 
 } // namespace io

@@ -28,7 +28,7 @@ attractor::MipPicture mipPicture(QImage image) {
 }
 
 ReadPicture decodePicture(const QByteArray& bytes) {
-    DecodedPicture decoded = decodedPicture(bytes);
+    DecodedPicture decoded = decodedPicture(bytes, LargePicture::Reduced);
     if (decoded.flaw) return {{}, decoded.flaw};
     return {mipPicture(std::move(decoded.image)), std::nullopt};
 }

@@ -10,7 +10,7 @@
 
 namespace io {
 
-// A picture to steal colours from: what decodedPicture() reads.
+// A picture to steal colours from: what decodedPicture() reads, large ones reduced.
 struct ReadPicture {
     attractor::MipPicture picture;
     Failure failure; // why there is none

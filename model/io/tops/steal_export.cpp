@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace io {
 
@@ -74,6 +75,20 @@ ExportOutcome exportStolen(const StealExport& what, const QString& path, const P
     if (!outcome.failure) outcome.failure = writer.finish();
     if (!outcome.failure) outcome.failure = file.commit();
     return outcome;
+}
+
+QImage drawStolen(const StealExport& what, const std::stop_token& stop) {
+    const attractor::Camera& camera = what.request.camera;
+    QImage image(camera.width, camera.height, QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull()) return image;
+    int row = 0;
+    const auto take = [&](std::span<const std::uint32_t> rows) {
+        std::ranges::copy(rows, reinterpret_cast<std::uint32_t*>(image.scanLine(row)));
+        row += int(rows.size() / std::size_t(camera.width));
+        return true;
+    };
+    const auto outcome = attractor::steal(what.system, what.picture, what.request, take, stop);
+    return outcome == attractor::TheftOutcome::Done ? image : QImage();
 }
 
 } // namespace io

@@ -6,6 +6,7 @@
 #include "io/file/save_file.h"
 #include "io/picture/png_export.h"
 
+#include <QImage>
 #include <QString>
 
 #include <stop_token>
@@ -27,5 +28,8 @@ struct StealExport {
 // many words for an exact picture is a failure.
 ExportOutcome exportStolen(const StealExport& what, const QString& path, const Progress& progress = {},
                            const std::stop_token& stop = {});
+
+// The same picture in memory; null when stopped.
+QImage drawStolen(const StealExport& what, const std::stop_token& stop = {});
 
 } // namespace io

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "attractor/space_systems.h"
 #include "canvas/canvas_view.h"
+#include "dialogs/export/export_preview.h"
+#include "dialogs/export/export_size_editor.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/theft_starters.h"
 #include "io/collection_source.h"
 #include "io/fractint/fractint_reader.h"
+#include "open_file.h"
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "stage.h"
+#include "transformation/theft_export_dialog.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
 
@@ -17,7 +22,9 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QUrl>
@@ -41,6 +48,9 @@ private slots:
     void otherNumbersAreDivided();
     void theOrderIsKept();
     void exportsThePicture();
+    void theBarKeepsItsHeight();
+    void savingMakesPathsRelative();
+    void theShortcutSaysNothingStale();
     void everyModeIsKept();
     void theCollectionShowsItWithItsPartner();
     void aRenamedPartnerStays();
@@ -286,14 +296,103 @@ void TransformationWindowTest::theOrderIsKept() {
 }
 
 void TransformationWindowTest::exportsThePicture() {
+    toggle();
+    QToolButton* button = nullptr;
+    for (auto* candidate : view()->bar()->findChildren<QToolButton*>())
+        if (candidate->text() == QStringLiteral("Export…")) button = candidate;
+    QVERIFY(button);
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->bar()->problem().isEmpty(), 30000);
+    QVERIFY(!button->isEnabled()); // the flower and the maple: there is no transformation
+    choose(QStringLiteral("Triangle Family"));
+    QTRY_VERIFY_WITH_TIMEOUT(isPainted() && button->isEnabled(), 30000);
+    button->click();
+    auto* dialog = m_window->findChild<view::TheftExportDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog->preview().picture().isNull(), 30000);
+    dialog->size().setPixels({600, 400});
+    dialog->setSection(view::TheftExportDialog::Section::Attractor);
+
+    const QTemporaryDir folder;
+    QFile other(folder.filePath(QStringLiteral("stolen.jpg.png")));
+    QVERIFY(other.open(QIODevice::WriteOnly) && other.write("mine") == 4);
+    other.close();
+    dialog->exportTo(folder.filePath(QStringLiteral("stolen.jpg"))); // nobody was asked about the other
+    QVERIFY2(dialog->message().contains(QStringLiteral(".png")), qPrintable(dialog->message()));
+    QVERIFY(other.open(QIODevice::ReadOnly));
+    QCOMPARE(other.readAll(), QByteArray("mine"));
+
+    const QString path = folder.filePath(QStringLiteral("stolen.png"));
+    QSignalSpy exported(dialog, &view::TheftExportDialog::exported);
+    dialog->exportTo(path);
+    QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, 60000);
+    const QImage written(path);
+    QCOMPARE(written.size(), QSize(600, 400));
+    QRect seen;
+    for (int y = 0; y < written.height(); ++y)
+        for (int x = 0; x < written.width(); ++x)
+            if (written.pixel(x, y) != written.pixel(0, 0)) seen |= QRect(x, y, 1, 1);
+    QVERIFY(seen.height() > 330 && seen.height() < 370); // the whole triangle, with a margin of a twentieth
+    dialog->exportTo(folder.filePath(QStringLiteral("absent/stolen.png")));
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->message().contains(QStringLiteral("absent")), 30000);
+    delete dialog;
+}
+
+// Whatever is said below the canvases, they keep their size.
+void TransformationWindowTest::theBarKeepsItsHeight() {
+    toggle();
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->bar()->problem().isEmpty(), 30000);
+    QTest::qWait(100);
+    const int height = view()->bar()->height();
+    auto* bar = const_cast<view::TransformationBar*>(view()->bar());
+    for (const QString& sentence : {QString(), QString(200, u'w'), QStringLiteral("short")})
+        for (const auto remedy :
+             {view::TransformationBar::Remedy::None, view::TransformationBar::Remedy::FindPicture}) {
+            bar->showProblem(sentence, remedy);
+            QTest::qWait(20);
+            QCOMPARE(bar->height(), height);
+        }
+}
+
+// Once the file has a folder, it may move with its pictures.
+void TransformationWindowTest::savingMakesPathsRelative() {
     openFamily();
     const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("stolen.png"));
-    const io::Failure failure = view()->exportTo(path);
-    QVERIFY2(!failure, qPrintable(failure.value_or(QString())));
-    const QImage written(path);
-    QCOMPARE(std::max(written.width(), written.height()), 2400);
-    QVERIFY(view()->exportTo(folder.filePath(QStringLiteral("absent/stolen.png"))));
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("sub")));
+    QImage blue(40, 40, QImage::Format_RGB32);
+    blue.fill(QColor(20, 60, 250));
+    const QString path = folder.filePath(QStringLiteral("blue.png"));
+    QVERIFY(blue.save(path));
+    view()->usePicture(path);
+    QTRY_COMPARE(kept().picture, path); // the file has no folder yet
+    OpenFile file(&document(), m_window.get());
+    const QString first = folder.filePath(QStringLiteral("a.ifs"));
+    QVERIFY(!file.saveAs(first));
+    QCOMPARE(kept().picture, QStringLiteral("blue.png"));
+    QVERIFY(!document().isModified());
+    QFile written(first);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QVERIFY(!written.readAll().contains(folder.path().toUtf8()));
+    QVERIFY(!file.saveAs(folder.filePath(QStringLiteral("sub/b.ifs"))));
+    QCOMPARE(kept().picture, QStringLiteral("../blue.png"));
+    QVERIFY(file.saveAs(folder.filePath(QStringLiteral("absent/c.ifs"))));
+    QCOMPARE(kept().picture, QStringLiteral("../blue.png")); // it was not saved
+}
+
+// What the shortcut says of an entry in space is not true of the next one.
+void TransformationWindowTest::theShortcutSaysNothingStale() {
+    document::Fractal solid;
+    solid.name = QStringLiteral("solid");
+    solid.shape = document::Shape<3>{systems::menger()};
+    document::FractalFile file = document::fileOf(solid);
+    document::FractalFile both = document().file();
+    file.entries[0].id = document::freshId(both);
+    const document::EntryId plane = document().currentId();
+    both.entries << file.entries[0];
+    document().editFile(QStringLiteral("add"), both, both.entries.last().id);
+    QTest::keyClick(m_window.get(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("not a system in the plane")));
+    document().setCurrent(plane);
+    QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
 }
 
 void TransformationWindowTest::everyModeIsKept() {

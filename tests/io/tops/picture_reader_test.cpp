@@ -2,12 +2,16 @@
 #include "io/tops/picture_reader.h"
 
 #include "attractor/colour/srgb_transfer.h"
+#include "io/picture/picture_decoder.h"
 
 #include <QBuffer>
 #include <QColorSpace>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
 
 // Pictures that colours are taken from.
 class PictureReaderTest : public QObject {
@@ -17,6 +21,7 @@ private slots:
     void keepsColours();
     void convertsColourSpaces();
     void refusesWhatIsTooLarge();
+    void reducesLargePictures();
     void namesTheFile();
     void survivesDamage();
 };
@@ -69,6 +74,29 @@ void PictureReaderTest::refusesWhatIsTooLarge() {
     QCOMPARE(*read.failure,
              QStringLiteral("The picture has 8001 × 4000 pixels. At most 32 million pixels can "
                             "be read; scale it down."));
+}
+
+// A picture of a good camera: left half red, right half blue.
+void PictureReaderTest::reducesLargePictures() {
+    QImage large(9000, 6000, QImage::Format_RGB32);
+    large.fill(Qt::red);
+    for (int y = 0; y < large.height(); ++y)
+        std::fill_n(reinterpret_cast<QRgb*>(large.scanLine(y)) + 4500, 4500, qRgb(0, 0, 255));
+    for (const char* format : {"PNG", "JPEG"}) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QVERIFY(large.save(&buffer, format));
+        const io::ReadPicture read = io::decodePicture(bytes);
+        QVERIFY2(!read.failure, format);
+        const qint64 pixels = qint64(read.picture.width()) * read.picture.height();
+        QVERIFY(pixels <= io::maxDecodedPixels && pixels > io::maxDecodedPixels * 9 / 10);
+        QVERIFY(std::abs(double(read.picture.width()) / read.picture.height() - 1.5) < .001);
+        const double y = read.picture.height() / 2.0;
+        QVERIFY(read.picture.at(read.picture.width() * .25, y, 1).red > .9);
+        QVERIFY(read.picture.at(read.picture.width() * .75, y, 1).blue > .9);
+        QVERIFY(io::decodedPicture(bytes).flaw); // where every pixel counts
+    }
 }
 
 void PictureReaderTest::namesTheFile() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_dialog.h"
+#include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/print_fractal.h"
 
@@ -19,9 +20,13 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPainter>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace view;
 
@@ -40,6 +45,9 @@ class ExportDialogTest : public QObject {
 
 private slots:
     void writesPng();
+    void previewIsWhatIsWritten_data();
+    void previewIsWhatIsWritten();
+    void previewKeepsTheShape();
     void framesTheAttractor();
     void theEndingOfTheNameDecides_data();
     void theEndingOfTheNameDecides();
@@ -92,6 +100,68 @@ void ExportDialogTest::writesPng() {
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(io::readPngSystem(file.readAll()).text.startsWith(document.fractal().name.toUtf8()));
+}
+
+void ExportDialogTest::previewIsWhatIsWritten_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<bool>("isWhole");
+    QTest::addColumn<bool>("isTransparent");
+    QTest::newRow("the view") << QSize(160, 120) << false << false;
+    QTest::newRow("the view, wide") << QSize(200, 50) << false << false;
+    QTest::newRow("the view, tall and transparent") << QSize(40, 200) << false << true;
+    QTest::newRow("the attractor") << QSize(150, 150) << true << false;
+    QTest::newRow("the attractor, transparent") << QSize(200, 80) << true << true;
+}
+
+// Small pictures are shown pixel by pixel.
+void ExportDialogTest::previewIsWhatIsWritten() {
+    QFETCH(const QSize, size);
+    QFETCH(const bool, isWhole);
+    QFETCH(const bool, isTransparent);
+    document::Document document;
+    attractor::Camera elsewhere = camera();
+    elsewhere.centre += ifs::Vector<2>(0.2, 0.1);
+    ExportDialog dialog(&document, elsewhere);
+    dialog.resize(1000, 700);
+    dialog.show();
+    if (isWhole) dialog.setSection(ExportDialog::Section::Attractor);
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+        if (box->text().contains(QStringLiteral("background"))) box->setChecked(isTransparent);
+    dialog.findChild<ExportSizeEditor*>()->setPixels(size);
+    QSignalSpy exported(&dialog, &ExportDialog::exported);
+    const QString path = m_folder.filePath(QStringLiteral("preview.png"));
+    dialog.exportTo(path);
+    QVERIFY(exported.wait(20'000));
+    const QImage written = QImage(path).convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    QTRY_COMPARE_WITH_TIMEOUT(dialog.preview().picture().size(), size, 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), 20'000);
+    QTest::qWait(200);
+    const QImage shown = dialog.preview().picture();
+    QCOMPARE(shown, written);
+    QCOMPARE(qAlpha(shown.pixel(0, 0)), isTransparent ? 0 : 255);
+    keep(dialog.grab().toImage(), (QByteArray("preview-") + QTest::currentDataTag() + ".png").constData());
+    if (!isTransparent) return;
+    // The chequer shows through.
+    const QRect frame = dialog.preview().frame();
+    const QImage widget = dialog.findChild<ExportPreview*>()->grab().toImage();
+    QSet<QRgb> greys;
+    for (int x = 2; x < std::min(40, frame.width() - 2); ++x)
+        greys.insert(widget.pixel(frame.left() + x, frame.top() + 3) | 0xff000000);
+    QVERIFY(greys.contains(qRgb(255, 255, 255)) && greys.contains(qRgb(204, 204, 204)));
+}
+
+void ExportDialogTest::previewKeepsTheShape() {
+    ExportPreview preview;
+    preview.resize(300, 200);
+    for (const QSize& size : {QSize(4000, 1000), QSize(30, 60), QSize(100'000, 1), QSize(1, 100'000)}) {
+        preview.show(size, nullptr);
+        const QRect frame = preview.frame();
+        QVERIFY(preview.rect().contains(frame));
+        const double wanted = double(size.width()) / size.height();
+        const bool isThin = wanted > 200 || wanted < 0.005; // a pixel is as thin as can be
+        QVERIFY(isThin || std::abs(frame.width() - frame.height() * wanted) <= 1 + wanted);
+        QVERIFY(frame.width() >= 298 || frame.height() >= 198);
+    }
 }
 
 // Wherever the canvas looks; and what was said of one file goes when another kind is chosen.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
+#include "dialogs/export/export_preview.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/space_geometry.h"
 
@@ -49,6 +50,17 @@ private slots:
         const QImage both(path(QStringLiteral("both.png")));
         QCOMPARE(both.size(), QSize(160, 120));
         QVERIFY(both.copy(0, 0, 80, 120) != both.copy(80, 0, 80, 120));
+    }
+
+    void thePreviewIsWhatIsWritten() {
+        m_dialog->resize(1000, 600);
+        QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("preview.png")));
+        QTRY_COMPARE_WITH_TIMEOUT(m_dialog->preview().picture().size(), QSize(160, 120), 20'000);
+        const QImage written = QImage(path(QStringLiteral("preview.png")));
+        QCOMPARE(m_dialog->preview().picture().convertToFormat(QImage::Format_RGB32),
+                 written.convertToFormat(QImage::Format_RGB32));
+        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        QVERIFY(!m_dialog->preview().isVisible());
     }
 
     // The same pixels in every format that loses none; formats without transparency leave it out.

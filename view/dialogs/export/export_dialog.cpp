@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_dialog.h"
 
+#include "dialogs/export/enqueue.h"
+#include "dialogs/export/export_camera.h"
+#include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/start_export.h"
 #include "document/fractal_geometry.h"
@@ -17,6 +20,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
@@ -64,16 +68,6 @@ std::optional<int> kindOf(const QString& path) {
     return std::nullopt;
 }
 
-// The same view in another size: what was on the screen stays in the picture.
-attractor::Camera resized(attractor::Camera camera, const QSize& size) {
-    const double factor = std::min(double(size.width()) / std::max(1, camera.width),
-                                   double(size.height()) / std::max(1, camera.height));
-    camera.pixelsPerUnit *= factor;
-    camera.width = size.width();
-    camera.height = size.height();
-    return camera;
-}
-
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
@@ -81,17 +75,26 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     auto* layout = new QVBoxLayout(this);
     m_options = new QWidget(this);
-    layout->addWidget(m_options);
+    m_preview = new ExportPreview(this);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_options);
+    top->addWidget(m_preview, 1);
+    layout->addLayout(top, 1);
     createFormat();
     layout->addWidget(createProgress());
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_start->setWhatsThis(
         tr("Asks for a file name and writes the file. You can keep working in the meantime."));
+    m_enqueue = buttons->addButton(tr("Add to Queue…"), QDialogButtonBox::ActionRole);
+    m_enqueue->setWhatsThis(
+        tr("Asks for a file name and draws the picture in its turn, after those that wait "
+           "in the Exports panel. The queue goes on after a restart."));
+    m_enqueue->hide();
     m_close = buttons->addButton(QDialogButtonBox::Close);
-    layout->addStretch();
     layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
+    connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
     connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
     m_planTimer.setSingleShot(true);
     m_planTimer.setInterval(150);
@@ -237,6 +240,9 @@ void ExportDialog::connectOptions() {
     connect(m_depth, &QSpinBox::valueChanged, this, &ExportDialog::update);
     connect(m_style, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
+    for (QCheckBox* box : {m_transparent, m_triangle})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::showPreview);
+    connect(m_quality, &QComboBox::currentIndexChanged, this, &ExportDialog::showPreview);
 }
 
 std::optional<io::PictureFile> ExportDialog::pixels() const {
@@ -265,13 +271,6 @@ io::ShapeStyle ExportDialog::style() const {
     return io::ShapeStyle(m_style->currentData().toInt());
 }
 
-document::Fractal ExportDialog::fractalToExport() const {
-    document::Fractal fractal = m_fractal;
-    fractal.appearance.background.alpha = isTransparent() ? 0 : 255;
-    if (!isSvg()) fractal.appearance.supersample = m_supersample->value();
-    return fractal;
-}
-
 attractor::Camera ExportDialog::camera() const {
     const attractor::Camera camera = resized(m_camera, m_size->pixels());
     if (Section(m_section->currentIndex()) == Section::View) return camera;
@@ -279,21 +278,40 @@ attractor::Camera ExportDialog::camera() const {
     return box ? attractor::fitted(camera, box->min, box->max) : camera;
 }
 
-io::Export ExportDialog::exportOf(const attractor::Camera& camera) const {
+io::ExportRecipe ExportDialog::recipe(const attractor::Camera& camera) const {
     const auto cage = m_triangle->isChecked() ? io::CageVisibility::Shown : io::CageVisibility::Hidden;
     if (isSvg()) {
-        const auto depth = m_autoDepth->isChecked() ? std::nullopt : std::optional(m_depth->value());
-        const auto file = std::get<io::ShapeFile>(kinds[m_format->currentIndex()].file);
-        const io::SvgFormat format{depth, cage, style(), std::uint64_t(m_points->value())};
-        return io::SvgExport{fractalToExport(), camera, format, file};
+        io::ShapeRecipe shapes;
+        shapes.camera = camera;
+        shapes.file = std::get<io::ShapeFile>(kinds[m_format->currentIndex()].file);
+        shapes.style = style();
+        if (!m_autoDepth->isChecked()) shapes.depth = m_depth->value();
+        shapes.points = m_points->value();
+        shapes.cage = cage;
+        shapes.isTransparent = isTransparent();
+        return shapes;
     }
-    io::PngExport picture{fractalToExport(), {}, m_size->dotsPerInch(), cage, depthOfColour()};
+    io::PixelRecipe picture;
+    picture.camera = camera;
     picture.file = *pixels();
-    picture.request = document::renderRequest(picture.fractal, camera);
-    picture.request.threads = io::threadsOfThisMachine();
-    picture.request.samples =
-        std::uint64_t(camera.width) * std::uint64_t(camera.height) * m_quality->currentData().toULongLong();
+    picture.depth = depthOfColour();
+    picture.samplesPerPixel = m_quality->currentData().toInt();
+    picture.supersample = m_supersample->value();
+    picture.dotsPerInch = m_size->dotsPerInch();
+    picture.cage = cage;
+    picture.isTransparent = isTransparent();
     return picture;
+}
+
+void ExportDialog::showPreview() {
+    const bool isKnown =
+        Section(m_section->currentIndex()) == Section::View || m_extent.future().isFinished();
+    if (!isKnown || document::system2(m_fractal) == nullptr)
+        return m_preview->show(m_size->pixels(), nullptr);
+    m_preview->show(m_size->pixels(), [recipe = recipe(camera()), fractal = m_fractal](
+                                          const QSize& pixels, const std::stop_token& stop) {
+        return io::previewOf(recipe, fractal, pixels, stop);
+    });
 }
 
 void ExportDialog::update() {
@@ -301,6 +319,8 @@ void ExportDialog::update() {
     m_size->setResolutionVisible(!isSvg());
     m_depth->setEnabled(!m_autoDepth->isChecked());
     m_start->setEnabled(plane && !m_job);
+    m_enqueue->setEnabled(m_start->isEnabled());
+    showPreview();
     if (!plane) {
         m_message->setText(tr("Only systems in the plane can be exported as a picture."));
         m_message->show();
@@ -323,16 +343,17 @@ void ExportDialog::update() {
         m_planTimer.start();
         return;
     }
-    const auto png =
-        std::get<io::PngExport>(exportOf(resized(m_camera, m_size->pixels()))); // wherever it looks
+    const auto pixels = std::get<io::PixelRecipe>(recipe(resized(m_camera, m_size->pixels())));
+    const io::PngExport png = io::exportOf(pixels, m_fractal); // wherever it looks
     m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png)))));
 }
 
 void ExportDialog::updateSvgPlan() {
     m_isPlanOld = m_planning.isRunning();
     if (!isSvg() || m_isPlanOld || !m_extent.future().isFinished()) return;
-    m_planning.setFuture(io::inBackground<io::SvgPlan>(
-        [svg = std::get<io::SvgExport>(exportOf(camera()))](QPromise<io::SvgPlan>& promise) {
+    m_planning.setFuture(
+        io::inBackground<io::SvgPlan>([svg = io::exportOf(std::get<io::ShapeRecipe>(recipe(camera())),
+                                                          m_fractal)](QPromise<io::SvgPlan>& promise) {
             promise.addResult(io::svgPlan(svg.fractal, svg.camera, svg.format));
         }));
     QTimer::singleShot(300, this, [this] {
@@ -392,7 +413,12 @@ void ExportDialog::setFolder(const QString& folder) {
     m_folder = folder;
 }
 
-void ExportDialog::chooseFile() {
+void ExportDialog::setQueue(ExportQueue* queue) {
+    m_queue = queue;
+    m_enqueue->setVisible(queue != nullptr);
+}
+
+QString ExportDialog::chosenFile() {
     const Kind& kind = kinds[m_format->currentIndex()];
     const QString suffix = QString::fromLatin1(kind.suffix);
     const QString filter = QStringLiteral("%1 (%2)").arg(suffix.toUpper(), QLatin1String(kind.filter));
@@ -400,26 +426,41 @@ void ExportDialog::chooseFile() {
     const QString path =
         chooseFileToSave(this, tr("Export Picture"),
                          m_folder.isEmpty() ? name : QDir(m_folder).filePath(name), filter, suffix);
-    if (path.isEmpty()) return;
-    m_folder = QFileInfo(path).path(); // the next one goes there too
-    exportTo(path);
+    if (!path.isEmpty()) m_folder = QFileInfo(path).path(); // the next one goes there too
+    return path;
+}
+
+bool ExportDialog::takeFormat(const QString& path) {
+    if (path.isEmpty()) return false; // nothing was chosen
+    const std::optional<int> kind = kindOf(path);
+    if (kind)
+        m_format->setCurrentIndex(*kind);
+    else
+        say(tr("The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg "
+               "or .pdf.")
+                .arg(QFileInfo(path).fileName()));
+    return kind.has_value();
 }
 
 void ExportDialog::exportTo(const QString& path) {
-    const std::optional<int> kind = kindOf(path);
-    if (!kind) {
-        m_message->setText(tr("The name “%1” does not say the format: it must end with .png, .jpg, .webp, "
-                              ".tiff, .exr, .svg or .pdf.")
-                               .arg(QFileInfo(path).fileName()));
-        m_message->show();
-        return;
-    }
-    m_format->setCurrentIndex(*kind);
+    if (!takeFormat(path)) return;
     setBusy(true);
     m_job = startExport(
-        exportOf(camera()), path, this,
+        io::exportOf(recipe(camera()), m_fractal), path, this,
         [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+}
+
+void ExportDialog::addToQueue(const QString& path) {
+    if (!m_queue || !takeFormat(path)) return;
+    const Enqueued added = enqueue(*m_queue, m_fractal, recipe(camera()), path);
+    say(added.sentence);
+    if (added.isAdded) emit queued();
+}
+
+void ExportDialog::say(const QString& sentence) {
+    m_message->setText(sentence);
+    m_message->show();
 }
 
 void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
@@ -440,6 +481,7 @@ void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path)
 void ExportDialog::setBusy(bool busy) {
     m_options->setEnabled(!busy);
     m_start->setEnabled(!busy);
+    m_enqueue->setEnabled(!busy);
     m_close->setText(busy ? tr("&Stop") : tr("&Close"));
     m_progress->setValue(0);
     m_progress->setVisible(busy);

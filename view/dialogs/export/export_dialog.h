@@ -4,7 +4,7 @@
 #include "attractor/request/camera.h"
 #include "document/document.h"
 #include "document/fractal_geometry.h"
-#include "io/export_job.h"
+#include "io/exports/export_recipe.h"
 
 #include <QDialog>
 #include <QFutureWatcher>
@@ -26,6 +26,8 @@ class QWidget;
 
 namespace view {
 
+class ExportPreview;
+class ExportQueue;
 class ExportSizeEditor;
 
 // Exports what the camera shows, as pixels or as shapes. The work goes on in a thread of the model; the
@@ -40,11 +42,16 @@ public:
     enum class Section { View, Attractor };
     void setSection(Section section);      // what the picture shows; the view at first
     void setFolder(const QString& folder); // to suggest; without one, that of the last export
-    // What the Export button does once a file is chosen. The ending of its name decides the format.
+    void setQueue(ExportQueue* queue);     // which outlives it; without one, there is no Add to Queue
+    // What the buttons do once a file is chosen, and somebody has been asked whether to replace it. The
+    // ending of its name decides the format.
     void exportTo(const QString& path);
+    void addToQueue(const QString& path);
+    const ExportPreview& preview() const { return *m_preview; }
 
 signals:
     void exported(const QString& path);
+    void queued(); // the export was added
     void failed(const QString& sentence);
 
 protected:
@@ -62,15 +69,17 @@ private:
     bool isTransparent() const;
     io::PngFormat::Depth depthOfColour() const;
     io::ShapeStyle style() const;
-    document::Fractal fractalToExport() const;
     attractor::Camera camera() const;
-    io::Export exportOf(const attractor::Camera& camera) const;
+    io::ExportRecipe recipe(const attractor::Camera& camera) const;
     void update();
+    void showPreview();
     void updateSvgPlan(); // beside the window
     void showSvgPlan();
     void showPlan(const QString& text);
     void makeRoomForPlan();
-    void chooseFile();
+    QString chosenFile(); // empty: none
+    bool takeFormat(const QString& path);
+    void say(const QString& sentence);
     void finish(const io::ExportOutcome& outcome, const QString& path);
     void setBusy(bool busy);
 
@@ -80,6 +89,8 @@ private:
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;
     ExportSizeEditor* m_size = nullptr;
+    ExportPreview* m_preview = nullptr;
+    ExportQueue* m_queue = nullptr;
     QCheckBox* m_transparent = nullptr;
     QCheckBox* m_triangle = nullptr;
     QComboBox* m_quality = nullptr;
@@ -96,6 +107,7 @@ private:
     QLabel* m_message = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_start = nullptr;
+    QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
     QTimer m_planTimer;
     QFutureWatcher<std::optional<document::Box>> m_extent; // of what is exported, found in the background

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/space_export_dialog.h"
 
+#include "dialogs/export/enqueue.h"
+#include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/start_export.h"
 #include "document/space_geometry.h"
@@ -16,6 +18,7 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
 #include <QProgressBar>
@@ -54,16 +57,29 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_start->setWhatsThis(tr("Asks for a file name and writes the file."));
+    m_enqueue = buttons->addButton(tr("Add to Queue…"), QDialogButtonBox::ActionRole);
+    m_enqueue->setWhatsThis(
+        tr("Asks for a file name and draws the file in its turn, after those that wait in "
+           "the Exports panel. The queue goes on after a restart."));
+    m_enqueue->hide();
     m_close = buttons->addButton(QDialogButtonBox::Close);
+    m_preview = new ExportPreview(this);
+    auto* top = new QHBoxLayout;
+    top->addLayout(m_form);
+    top->addWidget(m_preview, 1);
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(m_form);
+    layout->addLayout(top, 1);
     layout->addWidget(m_message);
     layout->addWidget(m_progress);
-    layout->addStretch();
     layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &SpaceExportDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
+    connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
     connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
+    connect(m_size, &ExportSizeEditor::changed, this, &SpaceExportDialog::showPreview);
+    connect(m_transparent, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
+    connect(m_stereo, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::showPreview);
+    connect(m_supersample, &QSpinBox::valueChanged, this, &SpaceExportDialog::showPreview);
     update();
 }
 
@@ -150,57 +166,56 @@ QString SpaceExportDialog::suffix() const {
     return QLatin1String(suffixes[m_format->currentIndex()]);
 }
 
-io::SpaceExport SpaceExportDialog::picture() const {
-    io::SpaceExport result;
-    result.fractal = m_fractal;
-    result.file = pictureFile().value_or(io::PictureFile::Png);
-    if (m_transparent->isChecked() && result.file != io::PictureFile::Jpeg)
-        result.fractal.appearance.background.alpha = 0;
-    result.look = m_fractal.inSpace.look;
-    result.solid = document::solidAppearance(result.fractal);
-    result.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
-    const bool isNumbers =
-        result.look == attractor::LookInSpace::Depth || result.look == attractor::LookInSpace::Normals;
-    if (isNumbers) result.stereo = io::Stereo::None;
-    attractor::OrbitCamera camera = m_camera;
-    const QSize size = m_size->pixels();
-    camera.size = {size.width(), size.height()};
-    if (result.stereo == io::Stereo::SideBySide) camera.size.width = std::max(1, size.width() / 2);
-    // What is seen stays seen: a narrower picture shows more above and below.
-    const double before = double(m_camera.size.width) / m_camera.size.height;
-    const double after = double(camera.size.width) / camera.size.height;
-    if (after < before) camera.height *= before / after;
-    result.request = document::spaceRequest(result.fractal, camera);
-    result.request.threads = io::threadsOfThisMachine();
-    const auto pixels = std::uint64_t(camera.size.width) * std::uint64_t(camera.size.height);
-    result.request.samples = std::max<std::uint64_t>(100 * pixels, 1'000'000);
-    result.supersample = m_supersample->value();
+std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
+    if (format() == Format::OpenScad) return std::nullopt;
+    if (isBody()) {
+        io::BodyRecipe body;
+        body.format = *io::meshFormat(suffix());
+        body.longest = m_longest->value();
+        body.resolution = m_resolution->value();
+        body.wall = m_wall->value();
+        body.fillsCavities = m_fill->isChecked();
+        return body;
+    }
+    io::SpaceRecipe picture;
+    picture.camera = m_camera;
+    picture.size = {m_size->pixels().width(), m_size->pixels().height()};
+    picture.file = *pictureFile();
+    picture.isTransparent = m_transparent->isChecked() && picture.file != io::PictureFile::Jpeg;
+    picture.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
+    picture.supersample = m_supersample->value();
     using enum io::PngFormat::Depth;
-    result.depth = m_depth->currentIndex() == 1 ? Bits16 : Bits8;
-    if (!io::takes(result.file, result.depth)) result.depth = result.depth == Bits8 ? Bits16 : Bits8;
-    result.dotsPerInch = m_size->dotsPerInch();
-    return result;
+    picture.depth = m_depth->currentIndex() == 1 ? Bits16 : Bits8;
+    if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
+    picture.dotsPerInch = m_size->dotsPerInch();
+    return picture;
 }
 
-io::SolidExport SpaceExportDialog::body() {
-    io::SolidExport result;
-    result.fractal = m_fractal;
-    result.options.longest = m_longest->value();
-    result.options.resolution = m_resolution->value();
-    result.options.wall = m_wall->value();
-    result.options.fillsCavities = m_fill->isChecked();
-    result.format = *io::meshFormat(suffix());
-    result.whenMade = [this, options = result.options](const io::SolidFacts& facts) {
-        const QString summary = io::summaryOf(facts, options);
-        QMetaObject::invokeMethod(
-            this, [this, summary] { m_summary = summary; }, Qt::QueuedConnection);
-    };
-    return result;
+io::Export SpaceExportDialog::toExport() {
+    io::Export what = io::exportOf(*recipe(), m_fractal);
+    if (auto* body = std::get_if<io::SolidExport>(&what))
+        body->whenMade = [this, options = body->options](const io::SolidFacts& facts) {
+            const QString summary = io::summaryOf(facts, options);
+            QMetaObject::invokeMethod(
+                this, [this, summary] { m_summary = summary; }, Qt::QueuedConnection);
+        };
+    return what;
+}
+
+void SpaceExportDialog::showPreview() {
+    m_preview->setVisible(pictureFile().has_value());
+    if (!pictureFile()) return;
+    m_preview->show(m_size->pixels(), [recipe = *recipe(), fractal = m_fractal](const QSize& pixels,
+                                                                                const std::stop_token& stop) {
+        return io::previewOf(recipe, fractal, pixels, stop);
+    });
 }
 
 void SpaceExportDialog::update() {
+    showPreview();
     const auto file = pictureFile();
     const bool isPicture = file.has_value();
+    m_enqueue->setEnabled(format() != Format::OpenScad); // which is there at once
     using enum io::PngFormat::Depth;
     const bool hasDepths = file && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
@@ -220,14 +235,27 @@ void SpaceExportDialog::update() {
                    : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
 }
 
-void SpaceExportDialog::chooseFile() {
+void SpaceExportDialog::setQueue(ExportQueue* queue) {
+    m_queue = queue;
+    m_enqueue->setVisible(queue != nullptr);
+}
+
+QString SpaceExportDialog::chosenFile() {
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    const QString path = chooseFileToSave(this, tr("Export"), fileName, filter, suffix());
-    if (!path.isEmpty()) exportTo(path);
+    return chooseFileToSave(this, tr("Export"), fileName, filter, suffix());
+}
+
+void SpaceExportDialog::addToQueue(const QString& path) {
+    const std::optional<io::ExportRecipe> wanted = recipe();
+    if (!m_queue || !wanted || path.isEmpty()) return;
+    const Enqueued added = enqueue(*m_queue, m_fractal, *wanted, path);
+    m_message->setText(added.sentence);
+    if (added.isAdded) emit queued();
 }
 
 void SpaceExportDialog::exportTo(const QString& path) {
+    if (path.isEmpty()) return; // nothing was chosen
     m_summary.clear();
     if (format() == Format::OpenScad) {
         const io::OpenScad program = io::openScad(m_fractal);
@@ -242,17 +270,13 @@ void SpaceExportDialog::exportTo(const QString& path) {
         }
         return finish(outcome, path);
     }
-    io::Export what;
-    if (isBody())
-        what = body();
-    else
-        what = picture();
     m_progress->setValue(0);
     m_progress->show();
     m_start->setEnabled(false);
+    m_enqueue->setEnabled(false);
     m_close->setText(tr("&Stop"));
     m_job = startExport(
-        std::move(what), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        toExport(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
@@ -260,6 +284,7 @@ void SpaceExportDialog::finish(const io::ExportOutcome& outcome, const QString& 
     m_job.reset();
     m_progress->hide();
     m_start->setEnabled(true);
+    m_enqueue->setEnabled(format() != Format::OpenScad);
     m_close->setText(tr("&Close"));
     if (outcome.stopped)
         m_message->setText(tr("Export stopped; nothing was written."));

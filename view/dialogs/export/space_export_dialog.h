@@ -3,7 +3,7 @@
 
 #include "attractor/request/orbit_camera.h"
 #include "document/document.h"
-#include "io/export_job.h"
+#include "io/exports/export_recipe.h"
 
 #include <QDialog>
 
@@ -21,6 +21,8 @@ class QSpinBox;
 
 namespace view {
 
+class ExportPreview;
+class ExportQueue;
 class ExportSizeEditor;
 
 // Exports an entry in space: the picture as the camera shows it, or a body to print. The work goes on in a
@@ -36,11 +38,16 @@ public:
 
     enum class Format { Png, Jpeg, WebP, Tiff, Exr, Stl, Obj, Glb, Ply, OpenScad };
     void setFormat(Format format);
-    void exportTo(const QString& path); // what the Export button does once a file is chosen
-    QString message() const;            // what came of it
+    void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
+    // What the buttons do once a file is chosen.
+    void exportTo(const QString& path);
+    void addToQueue(const QString& path);
+    const ExportPreview& preview() const { return *m_preview; }
+    QString message() const; // what came of it
 
 signals:
     void exported(const QString& path);
+    void queued(); // the export was added
 
 private:
     void createPicture();
@@ -49,10 +56,11 @@ private:
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
     bool isBody() const { return !pictureFile() && format() != Format::OpenScad; }
     QString suffix() const;
-    io::SpaceExport picture() const;
-    io::SolidExport body();
+    std::optional<io::ExportRecipe> recipe() const; // nullopt of a program, which takes no time
+    io::Export toExport();
     void update();
-    void chooseFile();
+    void showPreview();
+    QString chosenFile(); // empty: none
     void finish(const io::ExportOutcome& outcome, const QString& path);
 
     document::Fractal m_fractal; // as it was when the dialog opened
@@ -60,6 +68,8 @@ private:
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     ExportSizeEditor* m_size = nullptr;
+    ExportPreview* m_preview = nullptr;
+    ExportQueue* m_queue = nullptr;
     QSpinBox* m_supersample = nullptr;
     QComboBox* m_depth = nullptr;
     QCheckBox* m_transparent = nullptr;
@@ -71,6 +81,7 @@ private:
     QLabel* m_message = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton* m_start = nullptr;
+    QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
     QString m_summary;                    // of the body that was written
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "exports.h"
+
+#include "session.h"
+#include "window_messages.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace exports {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Exports)
+};
+
+} // namespace
+
+QString folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+           QStringLiteral("/exports");
+}
+
+view::ExportQueue* queue() {
+    auto* known = qApp->findChild<view::ExportQueue*>(QString(), Qt::FindDirectChildrenOnly);
+    if (known) return known;
+    auto* made = new view::ExportQueue(folder(), qApp);
+    QObject::connect(qApp, &QCoreApplication::aboutToQuit, made, &view::ExportQueue::shutDown);
+    return made;
+}
+
+void connectPanel(QDockWidget* panel, WindowMessages* messages) {
+    panel->hide();
+    QObject::connect(queue(), &view::ExportQueue::message, messages, &WindowMessages::say);
+    QObject::connect(queue(), &view::ExportQueue::resumed, panel, [panel, messages](int count) {
+        panel->show();
+        panel->raise();
+        messages->say(Text::tr("%n exports from last time are in the queue.", nullptr, count));
+    });
+}
+
+void showPanel(const QMainWindow& window) {
+    auto* panel = window.findChild<QDockWidget*>(QStringLiteral("exports"));
+    panel->show();
+    panel->raise();
+}
+
+bool mayEnd(QWidget* window) {
+    const int count = queue()->unfinished();
+    const auto others = session::windows();
+    const bool isLast = std::ranges::none_of(
+        others, [window](const SessionWindow* other) { return other != window && other->isVisible(); });
+    if (count == 0 || !isLast) return true;
+    QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"),
+                    Text::tr("%n exports are still in the queue.", nullptr, count), QMessageBox::Cancel,
+                    window);
+    box.setInformativeText(Text::tr("They go on when you start Barycage the next time. Close it now?"));
+    const QPushButton* close = box.addButton(Text::tr("Close"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == close;
+}
+
+} // namespace exports

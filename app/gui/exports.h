@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bridges/export_queue.h"
+
+#include <QMainWindow>
+#include <QString>
+
+class QDockWidget;
+class WindowMessages;
+
+// The queue of exports of this program, in its windows.
+namespace exports {
+
+QString folder(); // of what waits
+
+// One for all windows. It belongs to the application, and is made when it is first asked for.
+view::ExportQueue* queue();
+
+// The panel of a window, hidden at first: it appears with what earlier runs have left.
+void connectPanel(QDockWidget* panel, WindowMessages* messages);
+void showPanel(const QMainWindow& window);
+
+// The last window closes: whether the program may end, which the user is asked while exports are not done.
+bool mayEnd(QWidget* window);
+
+} // namespace exports

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+#include "document/fractal.h"
+#include "io/export_job.h"
+
+#include <QImage>
+#include <QSize>
+#include <QString>
+
+#include <optional>
+#include <stop_token>
+#include <variant>
+
+namespace io {
+
+// What an export makes of an entry, as plain values that can be kept; the entry comes on top.
+
+struct PixelRecipe { // of the plane
+    attractor::Camera camera;
+    PictureFile file = PictureFile::Png;
+    PngFormat::Depth depth = PngFormat::Depth::Bits8; // one that the file takes
+    int samplesPerPixel = 100;
+    int supersample = 1;
+    double dotsPerInch = 300;
+    CageVisibility cage = CageVisibility::Hidden;
+    bool isTransparent = false;
+
+    friend bool operator==(const PixelRecipe&, const PixelRecipe&) = default;
+};
+
+struct ShapeRecipe { // of the plane
+    attractor::Camera camera;
+    ShapeFile file = ShapeFile::Svg;
+    ShapeStyle style = ShapeStyle::Structured;
+    std::optional<int> depth; // of the copies; nullopt: as many as a pixel needs
+    int points = int(SvgFormat().points);
+    CageVisibility cage = CageVisibility::Hidden;
+    bool isTransparent = false;
+
+    friend bool operator==(const ShapeRecipe&, const ShapeRecipe&) = default;
+};
+
+struct SpaceRecipe {
+    attractor::OrbitCamera camera; // as on the screen; what is seen there stays in the picture
+    attractor::RasterSize size;    // of the picture, both eyes side by side included
+    PictureFile file = PictureFile::Png;
+    PngFormat::Depth depth = PngFormat::Depth::Bits8; // one that the file takes
+    Stereo stereo = Stereo::None;
+    int supersample = 2;
+    double dotsPerInch = 300;
+    bool isTransparent = false;
+
+    friend bool operator==(const SpaceRecipe&, const SpaceRecipe&) = default;
+};
+
+struct BodyRecipe { // of a system in space
+    MeshFormat format = MeshFormat::Stl;
+    double longest = 80; // mm
+    int resolution = 128;
+    double wall = 0; // mm
+    bool fillsCavities = false;
+
+    friend bool operator==(const BodyRecipe&, const BodyRecipe&) = default;
+};
+
+using ExportRecipe = std::variant<PixelRecipe, ShapeRecipe, SpaceRecipe, BodyRecipe>;
+
+bool isInSpace(const ExportRecipe& recipe); // what entries it is for
+// Whether every number is in the range that the dialogs have.
+bool isUsable(const ExportRecipe& recipe);
+// Whether the ending of the file's name is one of the recipe's format.
+bool isNamedFor(const ExportRecipe& recipe, const QString& path);
+
+// The fractal has the dimension of the recipe, and the recipe is usable.
+Export exportOf(const ExportRecipe& recipe, const document::Fractal& fractal);
+PngExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal);
+SvgExport exportOf(const ShapeRecipe& recipe, const document::Fractal& fractal);
+SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal);
+SolidExport exportOf(const BodyRecipe& recipe, const document::Fractal& fractal);
+
+// What the picture shows, in so many pixels of the same shape. Shapes are shown as pixels; nullopt when
+// stopped, and for bodies.
+std::optional<QImage> previewOf(const ExportRecipe& recipe, const document::Fractal& fractal,
+                                const QSize& pixels, const std::stop_token& stop);
+
+} // namespace io

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/enqueue.h"
+
+#include "io/file/slow_disk.h"
+#include "io/fractint/entry_writer.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace view {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Enqueue)
+};
+
+} // namespace
+
+Enqueued enqueue(ExportQueue& queue, const document::Fractal& fractal, const io::ExportRecipe& recipe,
+                 const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    if (!io::isNamedFor(recipe, path))
+        return {false,
+                Text::tr("The name “%1” does not fit the chosen format. Choose another name.").arg(name)};
+    if (queue.isTarget(path))
+        return {false, Text::tr("Another export in the queue writes “%1”. Choose another name.").arg(name)};
+    io::ExportTask task;
+    task.path = path;
+    task.name = fractal.name;
+    task.entry = io::writeEntry(fractal);
+    task.recipe = recipe;
+    // What comes to be there later, nobody was asked about.
+    task.mayReplace = io::answerSoon([path] { return QFileInfo::exists(path); }).value_or(true);
+    queue.add(std::move(task));
+    return {true, Text::tr("Added to the queue: %1.").arg(name)};
+}
+
+} // namespace view

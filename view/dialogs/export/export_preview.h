@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/newest_work.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+namespace view {
+
+// A picture as it will be exported, reduced to the room there is: its shape, what it shows, and a chequer
+// where it is transparent. It is drawn in the background, the newest wish at last.
+class ExportPreview : public QWidget {
+    Q_OBJECT
+
+public:
+    // The picture in so many pixels, which have the shape of the exported one; any thread.
+    using Drawing = std::function<std::optional<QImage>(const QSize& pixels, const std::stop_token&)>;
+
+    explicit ExportPreview(QWidget* parent = nullptr);
+
+    // Of a picture of this size, > 0; without a drawing it is not known yet.
+    void show(const QSize& size, Drawing drawing);
+    const QImage& picture() const { return m_picture; } // null before the first
+    bool isBusy() const { return m_work.isBusy(); }
+    QRect frame() const; // of the picture, in pixels of this widget
+
+    QSize sizeHint() const override;
+
+signals:
+    void drawn();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Drawn {
+        QImage picture;
+        QSize of; // what was exported then
+    };
+    void draw();
+
+    QSize m_size{1, 1};
+    Drawing m_drawing;
+    QImage m_picture;
+    QSize m_shown;  // the size that the picture was drawn for
+    QTimer m_delay; // while fields and edges move
+    QTimer m_patience;
+    NewestWork<Drawn> m_work;
+};
+
+} // namespace view

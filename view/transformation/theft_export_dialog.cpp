@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "transformation/theft_export_dialog.h"
+
+#include "dialogs/export/export_camera.h"
+#include "dialogs/export/export_preview.h"
+#include "dialogs/export/export_size_editor.h"
+#include "document/unique_names.h"
+#include "io/file/background.h"
+#include "transformation/theft_export.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/tooltip_text.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace view {
+
+TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* parent)
+    : QDialog(parent), m_job(job) {
+    setWindowTitle(tr("Export “%1”").arg(titleText(m_job.from.fractal->name)));
+    createOptions();
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setAccessibleName(tr("Result"));
+    m_message->hide();
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress->hide();
+    auto* buttons = new QDialogButtonBox(this);
+    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setWhatsThis(tr("Asks for a file name and writes the picture. You can keep working meanwhile."));
+    m_close = buttons->addButton(QDialogButtonBox::Close);
+    m_preview = new ExportPreview(this);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_options);
+    top->addWidget(m_preview, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(top, 1);
+    layout->addWidget(m_message);
+    layout->addWidget(m_progress);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &TheftExportDialog::chooseFile);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] {
+        if (m_work.isRunning())
+            m_stop.request_stop();
+        else
+            reject();
+    });
+    connect(m_section, &QComboBox::currentIndexChanged, this, &TheftExportDialog::update);
+    connect(m_size, &ExportSizeEditor::changed, this, &TheftExportDialog::update);
+    connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::finish);
+    connect(&m_work, &QFutureWatcherBase::progressValueChanged, m_progress, &QProgressBar::setValue);
+    connect(&m_extent, &QFutureWatcherBase::finished, this, &TheftExportDialog::update);
+    m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
+        [fractal = m_job.from.fractal](QPromise<std::optional<document::Box>>& promise) {
+            promise.addResult(document::displayedBox(*fractal));
+        }));
+    update();
+}
+
+TheftExportDialog::~TheftExportDialog() {
+    m_stop.request_stop();
+}
+
+void TheftExportDialog::createOptions() {
+    m_options = new QWidget(this);
+    m_section = new QComboBox(m_options);
+    m_section->addItems({tr("The view on the canvas"), tr("The whole attractor")});
+    m_section->setAccessibleName(tr("Section"));
+    m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or the attractor with a small "
+                               "margin, wherever the canvas looks."));
+    const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
+    m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_job.from.camera.width * ratio))),
+                                   std::max(1, int(std::lround(m_job.from.camera.height * ratio)))},
+                                  m_options);
+    auto* form = new QFormLayout(m_options);
+    form->setContentsMargins({});
+    form->addRow(tr("S&ection:"), m_section);
+    form->addRow(tr("Size:"), m_size);
+}
+
+void TheftExportDialog::setSection(Section section) {
+    m_section->setCurrentIndex(int(section));
+}
+
+void TheftExportDialog::setFolder(const QString& folder) {
+    m_folder = folder;
+}
+
+QString TheftExportDialog::message() const {
+    return m_message->text();
+}
+
+QSize TheftExportDialog::pixels() const {
+    return m_size->pixels();
+}
+
+attractor::Camera TheftExportDialog::camera(const QSize& size) const {
+    const attractor::Camera camera = resized(m_job.from.camera, size);
+    if (Section(m_section->currentIndex()) == Section::View) return camera;
+    const std::optional<document::Box> box = m_extent.result(); // waits
+    return box ? attractor::fitted(camera, box->min, box->max) : camera;
+}
+
+void TheftExportDialog::update() {
+    const bool isKnown =
+        Section(m_section->currentIndex()) == Section::View || m_extent.future().isFinished();
+    if (!isKnown) return m_preview->show(pixels(), nullptr);
+    m_preview->show(pixels(),
+                    [job = m_job, whole = camera(pixels())](const QSize& size, const std::stop_token& stop) {
+                        return stolenPicture(job, resized(whole, size), stop);
+                    });
+}
+
+void TheftExportDialog::chooseFile() {
+    const QString name = document::uniqueName({}, m_job.from.fractal->name) + QStringLiteral(".png");
+    const QString path = chooseFileToSave(this, tr("Export Stolen Picture"),
+                                          m_folder.isEmpty() ? name : QDir(m_folder).filePath(name),
+                                          tr("Pictures (*.png)"), QStringLiteral("png"));
+    if (path.isEmpty()) return;
+    m_folder = QFileInfo(path).path(); // the next one goes there too
+    exportTo(path);
+}
+
+void TheftExportDialog::exportTo(const QString& path) {
+    if (m_work.isRunning()) return;
+    // Not under a name with another ending either: nobody was asked about a file that has it.
+    if (QFileInfo(path).suffix().toLower() != QStringLiteral("png"))
+        return say(
+            tr("The name “%1” does not end with .png. Choose another name.").arg(QFileInfo(path).fileName()));
+    m_path = path;
+    m_stop = {};
+    setBusy(true);
+    m_work.setFuture(io::inBackground<io::ExportOutcome>(
+        [job = m_job, camera = camera(pixels()), path,
+         stop = m_stop.get_token()](QPromise<io::ExportOutcome>& promise) {
+            promise.setProgressRange(0, 1000);
+            const auto progress = [&](double fraction) { promise.setProgressValue(int(fraction * 1000)); };
+            promise.addResult(exportStolenPicture(job, camera, path, progress, stop));
+        }));
+}
+
+void TheftExportDialog::finish() {
+    setBusy(false);
+    if (m_work.future().resultCount() == 0)
+        return say(tr("There is not enough memory for this picture. Reduce its size."));
+    const io::ExportOutcome outcome = m_work.result();
+    if (outcome.stopped) return say(tr("Export stopped; nothing was written."));
+    if (outcome.failure) return say(*outcome.failure);
+    say(tr("Written to %1.").arg(m_path));
+    emit exported(m_path);
+}
+
+void TheftExportDialog::say(const QString& sentence) {
+    m_message->setText(sentence);
+    m_message->show();
+}
+
+void TheftExportDialog::setBusy(bool busy) {
+    m_options->setEnabled(!busy);
+    m_start->setEnabled(!busy);
+    m_close->setText(busy ? tr("&Stop") : tr("&Close"));
+    m_progress->setValue(0);
+    m_progress->setVisible(busy);
+    if (busy) m_message->hide();
+}
+
+} // namespace view

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal_geometry.h"
+#include "document/tops/theft_thread.h"
+#include "io/picture/png_export.h"
+
+#include <QDialog>
+#include <QFutureWatcher>
+
+#include <optional>
+#include <stop_token>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace view {
+
+class ExportPreview;
+class ExportSizeEditor;
+
+// Exports the picture that a fractal transformation steals, as PNG: what the canvas shows or the whole
+// attractor, in any size. Works in the background; closing it stops the export.
+class TheftExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // The job's view of F in pixels of the screen. Later edits do not change the job.
+    explicit TheftExportDialog(const document::TheftJob& job, QWidget* parent = nullptr);
+    ~TheftExportDialog() override;
+
+    enum class Section { View, Attractor };
+    void setSection(Section section);
+    void setFolder(const QString& folder); // to suggest
+    void exportTo(const QString& path);    // what the Export button does once a file is chosen
+    QString message() const;               // what came of it
+    ExportSizeEditor& size() { return *m_size; }
+    const ExportPreview& preview() const { return *m_preview; }
+
+signals:
+    void exported(const QString& path);
+
+private:
+    void createOptions();
+    QSize pixels() const;
+    attractor::Camera camera(const QSize& size) const;
+    void update();
+    void chooseFile();
+    void finish();
+    void say(const QString& sentence);
+    void setBusy(bool busy);
+
+    document::TheftJob m_job;
+    QString m_folder;
+    QString m_path; // that is written now
+    QWidget* m_options = nullptr;
+    QComboBox* m_section = nullptr;
+    ExportSizeEditor* m_size = nullptr;
+    ExportPreview* m_preview = nullptr;
+    QLabel* m_message = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_close = nullptr;
+    QFutureWatcher<std::optional<document::Box>> m_extent; // of F, found in the background
+    QFutureWatcher<io::ExportOutcome> m_work;
+    std::stop_source m_stop;
+};
+
+} // namespace view
