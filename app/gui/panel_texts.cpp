@@ -36,6 +36,9 @@ void explainPanels(const QMainWindow& window) {
            Text::tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
           {"collage",
            Text::tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
+          {"lesson",
+           Text::tr("A lesson about these fractals: its steps, each with a text and the state of the "
+                    "window, to be played on the whole screen.")},
           {"problems",
            Text::tr(
                "Problems found in the file, with line and column. The text in the file is kept unchanged.")}})
