@@ -13,7 +13,7 @@ namespace {
 QString fileFilter() {
     return FileCommands::tr(
         "Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv "
-        "*.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)");
+        "*.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)");
 }
 
 } // namespace
@@ -22,6 +22,7 @@ FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
     : QObject(context.window), m_context(context), m_file(file) {}
 
 bool FileCommands::maybeSave() {
+    if (m_lessons.maybeSave && !m_lessons.maybeSave()) return false;
     m_context.canvas->cancelGesture();
     if (!m_context.document->isModified()) return true;
     QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
@@ -40,6 +41,8 @@ bool FileCommands::maybeSave() {
 }
 
 bool FileCommands::open(const QString& path) {
+    if (m_lessons.open && path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive))
+        return m_lessons.open(path);
     if (const io::Failure failure = m_file->open(path)) {
         m_context.messages->fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
         return false;
@@ -101,6 +104,7 @@ FileCommands::Answer FileCommands::askAboutDisk(OpenFile::OnDisk found) {
 }
 
 bool FileCommands::save() {
+    if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return false;
     if (m_file->path().isEmpty()) return saveAs();
     const std::optional<OpenFile::OnDisk> found = m_file->onDisk();
     if (!found) return false;
@@ -123,6 +127,7 @@ void FileCommands::reportSaved() {
 }
 
 bool FileCommands::saveAs() {
+    if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return false;
     const QString suggestion =
         m_file->path().isEmpty()
             ? document::uniqueName({}, m_context.document->fractal().name) + QStringLiteral(".ifs")

@@ -4,6 +4,8 @@
 #include "action_menu.h"
 #include "open_file.h"
 
+#include <functional>
+
 // Opens and saves the file of a window, with the dialogs that this takes. Shares the translations of the main
 // window.
 class FileCommands : public QObject {
@@ -23,6 +25,15 @@ public:
     bool saveAs();
     void revert();
 
+    // A lesson goes with the file: how one is opened, whether what is written may be given up, and whether
+    // one is played, which keeps the file from being saved meanwhile.
+    struct Lessons {
+        std::function<bool(const QString& path)> open;
+        std::function<bool()> maybeSave;
+        std::function<bool()> refusesSaving;
+    };
+    void setLessons(const Lessons& lessons) { m_lessons = lessons; }
+
 private:
     enum class Answer { Save, SaveAs, Cancel };
     Answer askAboutDisk(OpenFile::OnDisk found);
@@ -31,4 +42,5 @@ private:
 
     MenuContext m_context;
     OpenFile* m_file;
+    Lessons m_lessons;
 };

@@ -21,6 +21,7 @@
 #include "help_menu.h"
 #include "io/file/background.h"
 #include "io/fractint/fractint_reader.h"
+#include "lesson_commands.h"
 #include "maps_menu.h"
 #include "panel_texts.h"
 #include "panels/analysis/analysis_panel.h"
@@ -31,6 +32,7 @@
 #include "panels/entries/entries_panel.h"
 #include "panels/exports/exports_panel.h"
 #include "panels/history/history_panel.h"
+#include "panels/lesson/lesson_panel.h"
 #include "panels/links/links_panel.h"
 #include "panels/maps/maps_panel.h"
 #include "panels/problems/problems_panel.h"
@@ -97,6 +99,7 @@ MainWindow::MainWindow(QWidget* parent)
     createMenus();
     createPanels();
     createTimeline();
+    createLesson();
     explainPanels(*this);
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);
@@ -130,6 +133,9 @@ void MainWindow::createMenus() {
     auto* maps = new MapsMenu(context);
     m_animationMenu = new AnimationMenu(context, m_timeline);
     m_viewMenu = new ViewMenu(context, [this](bool on) { present(on); });
+    m_lessons = new LessonCommands(context, {this, &m_document, m_stage, m_analysis, m_construction},
+                                   m_viewMenu->presentation());
+    m_viewMenu->addMenu(m_lessons);
     createConstructionBar();
     createOptionsBar();
     m_menus = {file, m_editMenu, cage, maps, m_animationMenu, m_viewMenu, new HelpMenu(context)};
@@ -271,6 +277,20 @@ void MainWindow::createTimeline() {
                 view::SpaceNavigation& navigation = m_stage->space()->navigation();
                 navigation.moveTo(animation::orbited(navigation.camera(), turned), change.live);
             });
+}
+
+void MainWindow::createLesson() {
+    QDockWidget* lesson =
+        dock(m_lessons->panel(), tr("Lesson"), QStringLiteral("lesson"), Qt::RightDockWidgetArea);
+    tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("history")), lesson);
+    lesson->hide();
+    m_lessons->setDock(lesson);
+    m_lessons->setFiles(m_fileCommands, &m_file);
+    m_lessons->addBuiltIn(m_lessons->addMenu(tr("&Ready-Made Lessons")), [] {
+        auto* window = new MainWindow;
+        window->show();
+        return window->m_lessons;
+    });
 }
 
 // Dialogs explain themselves before they are seen.

@@ -15,6 +15,7 @@ class ActionMenu;
 class AnimationMenu;
 class EditMenu;
 class FileCommands;
+class LessonCommands;
 class QDockWidget;
 class QToolBar;
 class Stage;
@@ -65,6 +66,7 @@ private:
     void createMenus();
     void createPanels();
     void createTimeline();
+    void createLesson();
     void createCollage(QDockWidget* neighbour);
     void connectMaps(view::MapsPanel* maps);
     void createConstructionBar();
@@ -97,6 +99,7 @@ private:
     EditMenu* m_editMenu = nullptr;
     ViewMenu* m_viewMenu = nullptr;
     AnimationMenu* m_animationMenu = nullptr;
+    LessonCommands* m_lessons = nullptr;
     QList<ActionMenu*> m_menus;
     struct {
         QByteArray geometry;

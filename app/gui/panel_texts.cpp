@@ -38,6 +38,9 @@ void explainPanels(const QMainWindow& window) {
            Text::tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
           {"exports",
            Text::tr("Pictures that are drawn one after another in the background, and how far each is.")},
+          {"lesson",
+           Text::tr("A lesson about these fractals: its steps, each with a text and the state of the "
+                    "window, to be played on the whole screen.")},
           {"problems",
            Text::tr(
                "Problems found in the file, with line and column. The text in the file is kept unchanged.")}})

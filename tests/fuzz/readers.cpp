@@ -7,6 +7,8 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
+#include "io/lesson/lesson_reader.h"
+#include "io/lesson/lesson_writer.h"
 #include "io/palette/palette_reader.h"
 #include "io/palette/palette_stops.h"
 #include "io/picture/png_system.h"
@@ -280,6 +282,32 @@ void readJournal(const QByteArray& bytes) {
     promise(back && back->bytes == bytes && back->path == kept.path, "what is kept can be recovered");
 }
 
+void readLesson(const QByteArray& bytes) {
+    const io::LessonFile file = io::readLesson(bytes);
+    check(file.problems);
+    const document::Lesson& lesson = file.lesson;
+    promise(!lesson.steps.isEmpty() || !file.problems.isEmpty(), "a lesson without steps is a problem");
+    promise(lesson.steps.size() <= document::maxLessonSteps, "a lesson has an end");
+    promise(lesson.file.isEmpty() || document::isLessonFileName(lesson.file),
+            "a lesson names a file in its folder");
+    for (const document::LessonStep& step : lesson.steps) {
+        promise(step.text.size() <= document::maxLessonText && step.title.size() <= document::maxLessonTitle,
+                "a text is short");
+        if (const auto* area = std::get_if<document::LessonArea>(&step.state.view)) {
+            const attractor::Camera camera = document::cameraOf(*area, {640, 480});
+            promise(camera.pixelsPerUnit > 0 && area->centre.allFinite(), "a view can be shown");
+        }
+        if (const auto* orbit = std::get_if<document::LessonOrbit>(&step.state.view)) {
+            attractor::OrbitCamera camera = orbit->camera;
+            camera.size = {640, 480};
+            promise(attractor::isUsable(camera), "a view of a solid can be shown");
+        }
+    }
+    if (lesson.steps.isEmpty()) return;
+    const io::LessonFile back = io::readLesson(io::writeLesson(lesson));
+    promise(back.lesson == lesson, "a lesson that is written reads back");
+}
+
 // Our own comment lines, one a line, on a system of three maps in the plane and on one in space.
 void readMetadataComments(const QByteArray& bytes) {
     io::MetadataComments comments;
@@ -313,6 +341,7 @@ std::span<const Reader> readers() {
           "exr"}},
         {"flame", readFlame, {"flame", "flam3", "xml"}},
         {"table", readTable, {"csv", "tsv", "txt"}},
+        {"lesson", readLesson, {"lesson"}},
         {"palettes", readPalettes, {"gpl", "ggr", "ugr", "map"}},
         {"sums", readSums, {"sum"}},
         {"png", readPng, {"png"}},

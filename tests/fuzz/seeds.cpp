@@ -186,6 +186,9 @@ const QByteArrayList& tokens() {
         "GIMP Palette",
         "Name:", "Columns:", "gradient:", "opacity:", "index=", "color=", "rotation=", "smooth=yes",
         "title=\"", "255 255 255\n",
+        // lessons
+        "lesson: ", "file: ", "\n## ", "\\", "view: area ", "view: orbit ", "construction: chaos-game ",
+        "cage: ", "outlines: cylinders ", "\xe2\x80\xae", "\xe2\x80\xa8",
         // PNG
         "\x89PNG\r\n\x1a\n", "IHDR", "iTXt", "zTXt", "tEXt", "IDAT", "IEND", QByteArray("Barycage\0", 9),
         QByteArray("\0\0\0\0", 4), QByteArray("\x7f\xff\xff\xff", 4), QByteArray("\xff\xff\xff\xff", 4),

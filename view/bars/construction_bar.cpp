@@ -139,6 +139,8 @@ void ConstructionBar::follow() {
     m_copies->setText(copies == 1 ? tr("W%1: the cage itself").arg(superscript(m_construction->step()))
                                   : tr("W%1: %2 copies of the cage")
                                         .arg(superscript(m_construction->step()), groupedNumber(copies)));
+    if (const int speed = m_speed->findData(m_construction->speed()); speed >= 0)
+        m_speed->setCurrentIndex(speed);
     const bool running = m_construction->isRunning();
     m_run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("play")));
     m_run->setAccessibleName(running ? tr("Pause") : tr("Play"));

@@ -31,12 +31,14 @@ void AnalysisBridge::setOutlined(document::Outline kind, bool outlined) {
     if (outlined == m_outlined.contains(kind)) return;
     outlined ? void(m_outlined.insert(kind)) : void(m_outlined.erase(kind));
     ask(Haste::Now);
+    emit outlinesChosen();
     if (m_outlined.empty()) emit changed(); // nobody may watch any more
 }
 
 void AnalysisBridge::setCylinderDepth(int symbols) {
     if (symbols == m_cylinderDepth) return;
     m_cylinderDepth = symbols;
+    emit outlinesChosen();
     if (m_outlined.contains(document::Outline::Cylinders)) ask(Haste::Now);
 }
 

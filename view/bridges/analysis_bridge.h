@@ -33,6 +33,7 @@ public:
 
 signals:
     void changed();
+    void outlinesChosen(); // others than before, or cylinders of another depth
 
 private:
     void follow(const document::Change& change);

@@ -58,6 +58,11 @@ void Construction::plotOne() {
     plot(m_points + 1);
 }
 
+void Construction::setPoints(std::uint64_t points) {
+    m_due = 0;
+    plot(points);
+}
+
 void Construction::startAgain() {
     ++m_seed;
     m_orbit.reset();

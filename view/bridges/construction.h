@@ -40,6 +40,7 @@ public:
     bool isRunning() const { return m_tick.isActive(); }
     void setRunning(bool running);
     void plotOne();
+    void setPoints(std::uint64_t points); // the first of the chaos game
     void startAgain(); // no points, other dice; keeps running
     double speed() const { return m_speed; }
     void setSpeed(double pointsPerSecond);

@@ -103,6 +103,11 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     layout->addStretch();
     setWidget(content);
     connect(bridge, &AnalysisBridge::changed, this, &AnalysisPanel::showAnalysis);
+    connect(bridge, &AnalysisBridge::outlinesChosen, this, [this] {
+        for (const auto& [kind, box] : m_outlineBoxes)
+            box->setChecked(m_bridge->outlined().contains(kind));
+        m_depth->setValue(m_bridge->cylinderDepth());
+    });
     connect(document, &document::Document::changed, this, &AnalysisPanel::showNotice);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;

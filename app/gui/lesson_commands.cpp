@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "lesson_commands.h"
+
+#include "desktop/preferences.h"
+#include "file_commands.h"
+#include "io/file/background.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/lesson/lesson_reader.h"
+#include "io/lesson/lesson_writer.h"
+#include "open_file.h"
+#include "panels/lesson/lesson_panel.h"
+#include "recent_files.h"
+#include "stage.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/save_beside.h"
+#include "widgets/wait_for.h"
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPointer>
+#include <QScopedValueRollback>
+
+namespace {
+
+struct BuiltIn {
+    const char* name;
+    const char* title;
+};
+
+constexpr BuiltIn builtIn[] = {
+    {"chaos_game", QT_TRANSLATE_NOOP("MainWindow", "The Chaos Game")},
+    {"maple_triangle", QT_TRANSLATE_NOOP("MainWindow", "Why the Maple Fits Its Triangle")},
+};
+
+QByteArray resource(const QString& name) {
+    QFile file(QStringLiteral(":/lessons/") + name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+struct Reading {
+    bool isOrdinary = false; // else it is not read
+    io::Loaded loaded;
+};
+
+QFuture<Reading> readBeside(const QString& path) {
+    return io::inBackground<Reading>([path](QPromise<Reading>& promise) {
+        Reading reading;
+        const QFileInfo info(path);
+        reading.isOrdinary = info.isFile() || !info.exists();
+        if (reading.isOrdinary) reading.loaded = io::loadFile(path);
+        promise.addResult(std::move(reading));
+    });
+}
+
+} // namespace
+
+LessonCommands::LessonCommands(const MenuContext& context, const LessonParts& parts, QAction* presentation)
+    : ActionMenu(context, tr("&Lesson")),
+      m_parts(parts),
+      m_notebook(new view::LessonNotebook(this)),
+      m_panel(new view::LessonPanel(m_notebook)),
+      m_player(new LessonPlayer(parts, presentation)) {
+    setToolTipsVisible(true);
+    createActions();
+    connectPanel();
+    connect(m_player, &LessonPlayer::problem, this, [this](const QString& sentence) {
+        this->context().messages->say(sentence);
+        this->context().canvas->setHint(sentence);
+    });
+}
+
+void LessonCommands::createActions() {
+    QAction* play = add({"play", tr("&Play Lesson"), {}, tr("Play the lesson on the whole screen")},
+                        [this] { this->play(); });
+    QAction* next = add({nullptr, tr("&Next Step"), QKeySequence(Qt::Key_PageDown),
+                         tr("Show the next step of the lesson that is played")},
+                        [this] { m_player->showStep(m_player->step() + 1); });
+    QAction* back = add({nullptr, tr("Previous &Step"), QKeySequence(Qt::Key_PageUp),
+                         tr("Show the previous step of the lesson that is played")},
+                        [this] { m_player->showStep(m_player->step() - 1); });
+    addSeparator();
+    add({"add", tr("&Add Step"), {}, tr("Add a step to the lesson, with the state of the window now")},
+        [this] { addStep(); });
+    QAction* save =
+        add({"save", tr("Save &Lesson…"), {}, tr("Save the lesson beside the file of its fractals")},
+            [this] { this->save(); });
+    const auto update = [this, play, next, back, save] {
+        play->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
+        save->setEnabled(!m_notebook->isEmpty() && !m_player->isPlaying());
+        next->setEnabled(m_player->isPlaying());
+        back->setEnabled(m_player->isPlaying());
+    };
+    connect(m_notebook, &view::LessonNotebook::changed, play, update);
+    connect(m_player, &LessonPlayer::playingChanged, play, update);
+    update();
+}
+
+void LessonCommands::connectPanel() {
+    using view::LessonPanel;
+    connect(m_panel, &LessonPanel::addRequested, this, &LessonCommands::addStep);
+    connect(m_panel, &LessonPanel::updateRequested, this, [this] {
+        document::LessonState state = lessonState(m_parts);
+        if (const auto* step = m_notebook->currentStep()) state.panels = step->state.panels;
+        m_notebook->setState(state);
+        context().messages->say(tr("The step now has the state of the window."));
+    });
+    connect(m_panel, &LessonPanel::showRequested, this, [this] {
+        const auto* step = m_notebook->currentStep();
+        if (!step || m_player->isPlaying()) return;
+        if (const QString problem = showLessonState(m_parts, step->state); !problem.isEmpty())
+            context().messages->say(problem);
+    });
+    connect(m_panel, &LessonPanel::playRequested, this, &LessonCommands::play);
+    connect(m_panel, &LessonPanel::saveRequested, this, [this] { save(); });
+    connect(m_notebook, &view::LessonNotebook::changed, this, [this] { m_isGivenUp = false; });
+}
+
+void LessonCommands::setFiles(FileCommands* commands, OpenFile* file) {
+    m_commands = commands;
+    m_file = file;
+    commands->setLessons({[this](const QString& path) { return open(path); }, [this] { return maybeSave(); },
+                          [this] {
+                              if (!m_player->isPlaying()) return false;
+                              context().canvas->setHint(tr("End the lesson before you save (Esc)."));
+                              return true;
+                          }});
+    connect(context().document, &document::Document::changed, this, [this](const document::Change& change) {
+        if (change.parts & document::Change::File && !m_isOpening)
+            QMetaObject::invokeMethod(
+                this, [this] { fileChanged(); }, Qt::QueuedConnection);
+    });
+    connect(file, &OpenFile::pathChanged, this, [this] {
+        if (!m_isOpening && m_filePath.isEmpty() && !m_notebook->isEmpty()) m_filePath = m_file->path();
+    });
+}
+
+void LessonCommands::setDock(QDockWidget* dock) {
+    m_dock = dock;
+    QList<QPair<QString, QString>> panels;
+    for (const auto* each : m_parts.window->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+        if (each != dock && each->objectName() != QLatin1String("problems"))
+            panels.append({each->objectName(), each->windowTitle()});
+    m_panel->setPanels(panels);
+}
+
+// Steps that nobody saved stay until the user gives them up: they may be all that is left.
+void LessonCommands::fileChanged() {
+    const bool isSame = !m_filePath.isEmpty() && m_file->path() == m_filePath;
+    if (isSame || m_isOpening || (m_notebook->isModified() && !m_isGivenUp)) return;
+    m_filePath = m_file->path();
+    if (!m_notebook->isEmpty()) m_notebook->open({}, {});
+}
+
+bool LessonCommands::isUnused() const {
+    return m_file->path().isEmpty() && context().document->undoStack()->count() == 0 &&
+           m_notebook->isEmpty() && !m_player->isPlaying();
+}
+
+bool LessonCommands::adopt(const QString& path, const QString& name, const QByteArray& bytes) {
+    io::LessonFile read = io::readLesson(bytes);
+    const auto fail = [&](const QString& sentence) {
+        context().messages->fail(tr("%1 could not be opened").arg(name), sentence);
+        return false;
+    };
+    if (read.lesson.steps.isEmpty()) return fail(read.problems.first().message);
+    if (read.lesson.file.isEmpty())
+        return fail(tr("The lesson names no file of fractals in its folder (“file: name.ifs”)."));
+    const QScopedValueRollback<bool> opening(m_isOpening, true);
+    if (path.isEmpty()) {
+        m_file->startFrom(io::readFractint(resource(read.lesson.file)), document::EntryId::None);
+    } else if (!m_commands->open(QFileInfo(path).dir().filePath(read.lesson.file))) {
+        return false;
+    }
+    m_filePath = m_file->path();
+    const document::Problems problems = read.problems;
+    m_notebook->open(std::move(read.lesson), path);
+    if (!problems.isEmpty()) context().messages->say(document::toText(problems.first(), name));
+    return true;
+}
+
+bool LessonCommands::open(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    QFuture<Reading> work = readBeside(path);
+    const QPointer<LessonCommands> self(this);
+    if (!view::waitFor(QFuture<void>(work), tr("Reading “%1”…").arg(name), m_parts.window)) return false;
+    if (!self) return false;
+    const Reading reading = work.takeResult();
+    io::Failure failure = reading.loaded.failure;
+    if (!reading.isOrdinary) failure = tr("“%1” is not an ordinary file and cannot be opened.").arg(name);
+    if (failure) {
+        context().messages->fail(tr("%1 could not be opened").arg(name), *failure);
+        return false;
+    }
+    if (!adopt(path, name, reading.loaded.bytes)) return false;
+    recent_files::add(path);
+    if (m_dock) {
+        m_dock->show();
+        m_dock->raise();
+    }
+    return true;
+}
+
+void LessonCommands::showBuiltIn(const QString& name) {
+    const QString language = view::Preferences::stored().language;
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QByteArray bytes = resource(name + u'.' + locale.name().section(u'_', 0, 0) + QStringLiteral(".lesson"));
+    if (bytes.isEmpty()) bytes = resource(name + QStringLiteral(".lesson"));
+    if (adopt({}, name, bytes)) m_player->play(m_notebook->lesson(), 0);
+}
+
+void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window) {
+    for (const auto& [name, title] : builtIn) {
+        QAction* action = menu->addAction(tr(title));
+        action->setStatusTip(tr("Play this lesson, in a window of its own if this one is in use"));
+        action->setToolTip(action->statusTip());
+        action->setWhatsThis(action->statusTip() + u'.');
+        connect(action, &QAction::triggered, this, [this, window, name = QLatin1String(name)] {
+            (isUnused() ? this : window())->showBuiltIn(name);
+        });
+    }
+}
+
+bool LessonCommands::maybeSave() {
+    m_player->stop();
+    if (!m_notebook->isModified() || m_notebook->isEmpty()) return true;
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved lesson"),
+                    tr("The lesson “%1” has unsaved changes.").arg(m_notebook->lesson().title),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parts.window);
+    box.setInformativeText(tr("Do you want to save them?"));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        m_isGivenUp = true;
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool LessonCommands::save() {
+    if (m_notebook->isEmpty() || m_player->isPlaying()) return false;
+    if (m_file->path().isEmpty() && !m_commands->saveAs()) return false; // the lesson stands beside it
+    const QFileInfo fractals(m_file->path());
+    const QString name = fractals.fileName();
+    if (!document::isLessonFileName(name)) {
+        context().messages->fail(tr("The lesson was not saved"),
+                                 tr("A lesson cannot refer to a file named “%1”. Save the fractals under a "
+                                    "name without : * ? \" < > | first.")
+                                     .arg(name));
+        return false;
+    }
+    QString path = m_notebook->path();
+    if (path.isEmpty() || QFileInfo(path).dir() != fractals.dir())
+        path = view::chooseFileToSave(
+            m_parts.window, tr("Save Lesson"),
+            fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson")),
+            tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
+    if (path.isEmpty()) return false;
+    if (QFileInfo(path).absoluteDir() != fractals.absoluteDir()) {
+        context().messages->fail(tr("The lesson was not saved"),
+                                 tr("A lesson must be in the folder of its fractals, “%1”.")
+                                     .arg(QDir::toNativeSeparators(fractals.absolutePath())));
+        return false;
+    }
+    m_notebook->setFile(name);
+    return saveTo(path);
+}
+
+bool LessonCommands::saveTo(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    const QPointer<LessonCommands> self(this);
+    const view::Saving saving = view::saveBeside(path, io::writeLesson(m_notebook->lesson()), m_parts.window);
+    if (!self || saving.isCancelled) return false;
+    if (saving.failure) {
+        context().messages->fail(tr("%1 was not saved").arg(name), *saving.failure);
+        return false;
+    }
+    m_notebook->markSaved(path);
+    m_filePath = m_file->path();
+    recent_files::add(path);
+    QString sentence = tr("Saved %1.").arg(name);
+    if (context().document->isModified()) sentence += u' ' + tr("The fractals have unsaved changes.");
+    context().messages->say(sentence);
+    return true;
+}
+
+void LessonCommands::addStep() {
+    if (m_player->isPlaying()) return;
+    m_notebook->addStep(lessonState(m_parts));
+    if (!m_dock) return;
+    m_dock->show();
+    m_dock->raise();
+    context().messages->say(
+        tr("Step %1 has the state of the window. Write its text.").arg(m_notebook->current() + 1));
+}
+
+void LessonCommands::play() {
+    m_player->play(m_notebook->lesson(), std::max(0, m_notebook->current()));
+}

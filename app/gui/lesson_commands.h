@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "action_menu.h"
+#include "lesson_player.h"
+#include "panels/lesson/lesson_notebook.h"
+
+class FileCommands;
+class OpenFile;
+class QDockWidget;
+namespace view {
+class LessonPanel;
+}
+
+// The lesson of a window: written in its panel, kept beside the file of its fractals, and played. Its menu
+// goes into the View menu.
+class LessonCommands : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    LessonCommands(const MenuContext& context, const LessonParts& parts, QAction* presentation);
+
+    void setFiles(FileCommands* commands, OpenFile* file); // which it then follows
+    view::LessonPanel* panel() const { return m_panel; }
+    void setDock(QDockWidget* dock); // that holds the panel
+
+    bool open(const QString& path); // the lesson and its file; reports what failed
+    bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
+    void showBuiltIn(const QString& name); // in the language of the user, where there is such a text
+
+    // The lessons that come with the program, as actions; `window` makes the window for one of them.
+    void addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window);
+
+    view::LessonNotebook& notebook() { return *m_notebook; }
+    LessonPlayer& player() { return *m_player; }
+
+private:
+    void createActions();
+    void connectPanel();
+    bool adopt(const QString& path, const QString& name, const QByteArray& bytes);
+    bool save();
+    bool saveTo(const QString& path);
+    void addStep();
+    void play();
+    void fileChanged();
+    bool isUnused() const;
+
+    LessonParts m_parts;
+    view::LessonNotebook* m_notebook;
+    view::LessonPanel* m_panel;
+    LessonPlayer* m_player;
+    QDockWidget* m_dock = nullptr;
+    FileCommands* m_commands = nullptr;
+    OpenFile* m_file = nullptr;
+    QString m_filePath;       // of the fractals that the lesson belongs to
+    bool m_isGivenUp = false; // the user does not want the unsaved steps
+    bool m_isOpening = false;
+};

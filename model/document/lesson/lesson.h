@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "animation/moment.h"
+#include "attractor/request/appearance.h"
+#include "attractor/request/orbit_camera.h"
+#include "document/space_outlines.h"
+#include "ifs/system/affine_map.h"
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <variant>
+#include <vector>
+
+// A lesson: text steps, with the state of the window at each. A plain value; docs/formats.md, "Lessons".
+namespace document {
+
+constexpr int maxLessonSteps = 500;
+constexpr int maxLessonTitle = 200;  // characters, of a lesson and of a step
+constexpr int maxLessonText = 4'000; // characters, of a step
+constexpr std::uint64_t maxLessonPoints = 10'000'000;
+constexpr int maxLessonIterations = 30;
+constexpr int maxLessonCylinders = 12; // symbols of an address
+constexpr std::size_t maxLessonCorners = 64;
+
+enum class LessonTool { Cage, Maps, Branch };
+
+// What is seen of the plane: at least this rectangle, however the window is shaped.
+struct LessonArea {
+    ifs::Vector<2> centre = ifs::Vector<2>::Zero();
+    double width = 1; // > 0
+    double height = 1;
+    attractor::YAxis yAxis = attractor::YAxis::Up;
+
+    friend bool operator==(const LessonArea&, const LessonArea&) = default;
+};
+
+// The camera at the place of this window: as high as the area or, in a narrow window, as wide.
+attractor::Camera cameraOf(const LessonArea& area, attractor::RasterSize size);
+LessonArea areaOf(const attractor::Camera& camera);
+
+// From where a solid is seen. Its size is that of the window.
+struct LessonOrbit {
+    attractor::OrbitCamera camera;
+
+    friend bool operator==(const LessonOrbit&, const LessonOrbit&) = default;
+};
+
+// What the canvas draws: the density, Wⁿ of the cage, or so many points of a chaos game.
+struct LessonConstruction {
+    enum class Mode { Density, Steps, ChaosGame };
+    Mode mode = Mode::Density;
+    int iterations = 0;       // of Steps
+    std::uint64_t points = 0; // of ChaosGame, which goes on from there
+    double speed = 0;         // points per second; 0: it waits
+
+    friend bool operator==(const LessonConstruction&, const LessonConstruction&) = default;
+};
+
+struct LessonAtRest {
+    friend bool operator==(const LessonAtRest&, const LessonAtRest&) = default;
+};
+// Where the cage is: as in the entry, at rest, or with its corners there.
+using LessonCage =
+    std::variant<std::monostate, LessonAtRest, std::vector<ifs::Vector<2>>, std::vector<ifs::Vector<3>>>;
+
+struct LessonState {
+    QString entry; // of the file, by name; empty: the first that can be shown
+    std::variant<std::monostate, LessonArea, LessonOrbit> view; // monostate: all of the fractal
+    LessonTool tool = LessonTool::Cage;
+    LessonCage cage;
+    std::optional<attractor::ColourBy> colourBy; // nullopt: as in the entry
+    std::set<Outline> outlines;
+    int cylinderDepth = 1;
+    LessonConstruction construction;
+    std::optional<animation::Moment> moment; // of an animation; nullopt: its start
+    bool showsGrid = true;
+    bool showsAxes = true;
+    bool showsCage = true; // and the other marks on the canvas
+    QStringList panels;    // that are shown besides the canvas, by their ids
+
+    friend bool operator==(const LessonState&, const LessonState&) = default;
+};
+
+struct LessonStep {
+    QString title; // one line
+    QString text;  // plain; paragraphs are separated by an empty line
+    LessonState state;
+    QStringList unknown; // lines "key: value" of later versions, kept as they are
+
+    friend bool operator==(const LessonStep&, const LessonStep&) = default;
+};
+
+struct Lesson {
+    QString title; // one line
+    QString file;  // the name of the .ifs file in the same folder
+    QList<LessonStep> steps;
+    QStringList unknown; // as above
+
+    friend bool operator==(const Lesson&, const Lesson&) = default;
+};
+
+// Whether it is the name of a file in the same folder and nothing else: no path, no drive, no device.
+bool isLessonFileName(const QString& name);
+
+// The text as it can be kept: without control characters and marks that reorder text, blanks at the ends of
+// lines and empty lines around, and not longer than `limit` characters.
+QString lessonLine(const QString& text, int limit = maxLessonTitle);
+QString lessonText(const QString& text, int limit = maxLessonText);
+
+} // namespace document

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/lesson/lesson.h"
+#include "document/problem.h"
+
+#include <QByteArray>
+
+namespace io {
+
+// What a lesson file says. Lenient: what is not understood is a warning, and the rest counts; a setting of a
+// later version is kept. An error, and no step, when it is no lesson. docs/formats.md, "Lessons".
+struct LessonFile {
+    document::Lesson lesson;
+    document::Problems problems;
+};
+
+// At most 4 MB, and the numbers of steps, letters and corners that lesson.h allows.
+LessonFile readLesson(const QByteArray& bytes);
+
+} // namespace io

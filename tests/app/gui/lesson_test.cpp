@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: MIT
+#include "app/gui/window_fixture.h"
+#include "document/edits/cage_edits.h"
+#include "document/fractal_geometry.h"
+#include "io/lesson/lesson_reader.h"
+#include "panels/lesson/lesson_card.h"
+#include "panels/lesson/lesson_notebook.h"
+#include "panels/lesson/lesson_panel.h"
+#include "session.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolBar>
+
+using namespace Qt::StringLiterals;
+
+// Lessons are recorded, saved beside the file, and played in the presentation, and change nothing in the
+// file.
+class LessonTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void stepsKeepTheStateOfTheWindow();
+    void playingChangesNothing();
+    void editsAreTakenBackAtEveryStep();
+    void theTextCoversNothing();
+    void theFileIsNotSavedMeanwhile();
+    void lessonsAreSavedAndOpened();
+    void unsavedStepsAreAskedFor();
+    void filesThatCannotBePlayed();
+    void entriesAndCagesMayBeGone();
+    void readyMadeLessonsTakeAWindowOfTheirOwn();
+    void theWindowMayCloseMeanwhile();
+
+private:
+    document::Document& document() { return m_window->document(); }
+    view::CanvasView* canvas() const { return m_window->findChild<view::CanvasView*>(); }
+    view::LessonNotebook* notebook() const { return m_window->findChild<view::LessonNotebook*>(); }
+    view::LessonCard* card() const { return m_window->findChild<view::LessonCard*>(); }
+    QAction* action(const QString& text) const {
+        for (auto* found : m_window->findChildren<QAction*>())
+            if (found->text().remove(u'&') == text) return found;
+        return nullptr;
+    }
+    QString shownText() const {
+        QString all;
+        for (const auto* label : card()->findChildren<QLabel*>())
+            if (label->isVisible()) all += label->text() + u'\n';
+        return all;
+    }
+    void moveCorner(double by) {
+        ifs::ControlCage<2> cage = document::effectiveCage(document().fractal());
+        cage.current[0].x() += by;
+        document().edit(u"Move"_s,
+                        document::withCageMoved(document().fractal(), cage, document::CageMode::Place));
+    }
+    document::EntryId idOf(const QString& name) {
+        for (const auto& entry : document().file().entries)
+            if (entry.fractal->name == name) return entry.id;
+        return document::EntryId::None;
+    }
+    void recordThree();
+    void answer(QMessageBox::StandardButton button) {
+        QTimer::singleShot(100, this, [button] {
+            for (QWidget* widget : QApplication::topLevelWidgets())
+                if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible())
+                    box->button(button)->click();
+        });
+    }
+    QStringList failures() const {
+        QStringList said;
+        for (auto* box : m_window->findChildren<QMessageBox*>())
+            if (box->isVisible()) {
+                said << box->informativeText();
+                box->close();
+            }
+        return said;
+    }
+};
+
+namespace {
+
+void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+} // namespace
+
+// One of the maple with its cage moved, one of the flower zoomed in, one of steps.
+void LessonTest::recordThree() {
+    moveCorner(0.5);
+    action(u"Add Step"_s)->trigger();
+    notebook()->setStepTitle(u"First"_s);
+    notebook()->setText(u"Look at the corner."_s);
+    document().undoStack()->undo();
+    document().setCurrent(idOf(u"flower"_s));
+    canvas()->navigation().zoomBy(3);
+    canvas()->setTool(view::CanvasView::Tool::Maps);
+    action(u"Add Step"_s)->trigger();
+    notebook()->setText(u"Two maps."_s);
+    canvas()->setTool(view::CanvasView::Tool::Cage);
+    document().setCurrent(idOf(u"maple"_s));
+    auto* construction = m_window->findChild<view::Construction*>();
+    construction->setMode(view::Construction::Mode::Steps);
+    construction->setStep(2);
+    canvas()->options().setGridVisible(false);
+    action(u"Add Step"_s)->trigger();
+    notebook()->setText(u"Two steps."_s);
+    construction->setMode(view::Construction::Mode::Density);
+    canvas()->options().setGridVisible(true);
+    QCOMPARE(notebook()->lesson().steps.size(), 3);
+    notebook()->setCurrent(0);
+}
+
+void LessonTest::stepsKeepTheStateOfTheWindow() {
+    recordThree();
+    const auto& steps = notebook()->lesson().steps;
+    QVERIFY(std::holds_alternative<std::vector<ifs::Vector<2>>>(steps[0].state.cage));
+    QVERIFY(std::holds_alternative<std::monostate>(steps[0].state.view));
+    QCOMPARE(steps[1].state.entry, u"flower"_s);
+    QCOMPARE(steps[1].state.tool, document::LessonTool::Maps);
+    QVERIFY(std::holds_alternative<document::LessonArea>(steps[1].state.view));
+    QCOMPARE(steps[2].state.construction.iterations, 2);
+    QVERIFY(!steps[2].state.showsGrid && steps[1].state.showsGrid);
+    // The panel brings the window back into the state, as one step of the history.
+    const int before = document().undoStack()->index();
+    emit m_window->findChild<view::LessonPanel*>()->showRequested();
+    QCOMPARE(document().undoStack()->index(), before + 1);
+    QCOMPARE(document::effectiveCage(document().fractal()).current,
+             std::get<std::vector<ifs::Vector<2>>>(steps[0].state.cage));
+    document().undoStack()->undo();
+    document().undoStack()->setClean();
+    notebook()->history()->setClean();
+}
+
+void LessonTest::playingChangesNothing() {
+    recordThree();
+    moveCorner(-0.25); // unsaved work of the author
+    document().setCurrent(idOf(u"flower"_s));
+    const document::FractalFile file = document().file();
+    const int index = document().undoStack()->index();
+    const QSize size = m_window->size();
+    const attractor::Camera camera = canvas()->camera();
+    auto* maps = m_window->findChild<QDockWidget*>(u"maps"_s);
+    auto* bar = m_window->findChild<QToolBar*>(u"arising"_s);
+
+    action(u"Play Lesson"_s)->trigger();
+    QTRY_VERIFY(m_window->isFullScreen() && card() && card()->isVisible());
+    QVERIFY(maps->isHidden() && !m_window->menuBar()->isVisible());
+    QVERIFY(shownText().contains(u"First"_s) && shownText().contains(u"1 of 3"_s));
+    QCOMPARE(document().fractal().name, u"maple"_s);
+    QCOMPARE(document::effectiveCage(document().fractal()).current,
+             std::get<std::vector<ifs::Vector<2>>>(notebook()->lesson().steps[0].state.cage));
+    QTest::keyClick(canvas(), Qt::Key_PageDown);
+    QCOMPARE(document().fractal().name, u"flower"_s);
+    QCOMPARE(canvas()->tool(), view::CanvasView::Tool::Maps);
+    const auto area = std::get<document::LessonArea>(notebook()->lesson().steps[1].state.view);
+    QTRY_COMPARE(canvas()->camera(),
+                 document::cameraOf(area, {canvas()->viewport()->width(), canvas()->viewport()->height()}));
+    QTest::keyClick(canvas(), Qt::Key_PageDown);
+    QVERIFY(bar->isVisible() && !canvas()->options().isGridVisible());
+    QTest::keyClick(canvas(), Qt::Key_PageDown); // there is no fourth
+    QVERIFY(shownText().contains(u"Two steps."_s));
+    QTest::keyClick(canvas(), Qt::Key_PageUp);
+    QVERIFY(shownText().contains(u"Two maps."_s) && bar->isHidden());
+
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    QTRY_VERIFY(!m_window->isFullScreen());
+    QVERIFY(!card()->isVisible() && m_window->menuBar()->isVisible() && !maps->isHidden());
+    QVERIFY(document().file() == file);
+    QCOMPARE(document().undoStack()->index(), index);
+    QCOMPARE(document().fractal().name, u"flower"_s);
+    QCOMPARE(canvas()->tool(), view::CanvasView::Tool::Cage);
+    QVERIFY(canvas()->options().isGridVisible());
+    QTRY_COMPARE(m_window->size(), size);
+    QTRY_COMPARE(canvas()->camera().centre, camera.centre);
+    document().undoStack()->setClean();
+    notebook()->history()->setClean();
+}
+
+void LessonTest::editsAreTakenBackAtEveryStep() {
+    recordThree();
+    document().undoStack()->setClean();
+    action(u"Play Lesson"_s)->trigger();
+    const document::Fractal shown = document().fractal();
+    moveCorner(1);
+    moveCorner(1);
+    QTest::keyClick(canvas(), Qt::Key_PageDown);
+    QTest::keyClick(canvas(), Qt::Key_PageUp);
+    QVERIFY(document().fractal() == shown);
+    // What the class has made can be had back when the lesson has ended.
+    moveCorner(2);
+    const document::Fractal made = document().fractal();
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    QVERIFY(!document().isModified());
+    document().undoStack()->redo();
+    document().undoStack()->redo();
+    QVERIFY(document().fractal() == made);
+    document().undoStack()->setClean();
+    // Undo beyond the beginning of the lesson does no harm.
+    action(u"Play Lesson"_s)->trigger();
+    document().undoStack()->setIndex(0);
+    moveCorner(3);
+    for (int i = 0; i < 2; ++i) {
+        QTest::keyClick(canvas(), Qt::Key_PageDown);
+        QTest::keyClick(canvas(), Qt::Key_PageUp);
+    }
+    QVERIFY(document().undoStack()->count() < 5);
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    document().undoStack()->setClean();
+    notebook()->history()->setClean();
+}
+
+void LessonTest::theTextCoversNothing() {
+    recordThree();
+    document().undoStack()->setClean();
+    action(u"Play Lesson"_s)->trigger();
+    QTRY_VERIFY(m_window->isFullScreen() && card()->isVisible());
+    const auto global = [](const QWidget* widget) {
+        return QRect(widget->mapToGlobal(QPoint()), widget->size());
+    };
+    QTRY_VERIFY(canvas()->width() + card()->width() <= m_window->width());
+    QVERIFY(!global(card()).intersects(global(canvas())));
+    QTRY_COMPARE_WITH_TIMEOUT(card()->height() > m_window->height() * 9 / 10, true, 5000);
+    QVERIFY(canvas()->width() > m_window->width() / 2);
+    // A step may show panels; the next one need not.
+    document::LessonState state = notebook()->lesson().steps[0].state;
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    state.panels = {u"analysis"_s, u"nothing-of-this-name"_s};
+    notebook()->setState(state);
+    action(u"Play Lesson"_s)->trigger();
+    auto* analysis = m_window->findChild<QDockWidget*>(u"analysis"_s);
+    QTRY_VERIFY(analysis->isVisible());
+    QTest::keyClick(canvas(), Qt::Key_PageDown);
+    QVERIFY(analysis->isHidden());
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    QTRY_VERIFY(!analysis->isHidden());
+    notebook()->history()->setClean();
+}
+
+void LessonTest::theFileIsNotSavedMeanwhile() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.ifs"_s);
+    write(path, "a {\n .5 0 0 .5 0 0 1\n}\n");
+    QVERIFY(m_window->openPath(path));
+    canvas()->options().setAxesVisible(true);
+    action(u"Add Step"_s)->trigger();
+    document::LessonState state = notebook()->lesson().steps[0].state;
+    state.colourBy = attractor::ColourBy::Map; // not as in the file
+    notebook()->setState(state);
+    action(u"Play Lesson"_s)->trigger();
+    QVERIFY(document().isModified());
+    QTest::keyClick(canvas(), Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(canvas()->hint().contains(u"Esc"_s));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("a {\n .5 0 0 .5 0 0 1\n}\n"));
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    QVERIFY(!document().isModified());
+    notebook()->history()->setClean();
+}
+
+void LessonTest::lessonsAreSavedAndOpened() {
+    const QTemporaryDir folder;
+    const QString fractals = folder.filePath(u"a.ifs"_s);
+    const QString path = folder.filePath(u"my.lesson"_s);
+    const QByteArray bytes = "a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\nb {\n .4 0 0 .4 0 0 1\n}\n";
+    write(fractals, bytes);
+    write(path, "lesson: Mine\nfile: a.ifs\n\n## One\nentry: b\n\nText.\n");
+    QVERIFY(m_window->openPath(path));
+    QCOMPARE(m_window->path(), fractals);
+    QCOMPARE(notebook()->lesson().title, u"Mine"_s);
+    QVERIFY(!notebook()->isModified() && !document().isModified());
+    QVERIFY(m_window->findChild<QDockWidget*>(u"lesson"_s)->isVisible());
+    // Saved where it comes from; the fractals are left alone.
+    action(u"Add Step"_s)->trigger();
+    notebook()->setText(u"More."_s);
+    action(u"Save Lesson…"_s)->trigger();
+    QVERIFY(!notebook()->isModified());
+    QFile saved(path);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    const document::Lesson lesson = io::readLesson(saved.readAll()).lesson;
+    QVERIFY(lesson == notebook()->lesson());
+    QCOMPARE(lesson.steps.size(), 2);
+    QFile untouched(fractals);
+    QVERIFY(untouched.open(QIODevice::ReadOnly));
+    QCOMPARE(untouched.readAll(), bytes);
+    // Another file has another lesson, or none.
+    write(folder.filePath(u"b.ifs"_s), "c {\n .5 0 0 .5 0 0 1\n}\n");
+    QVERIFY(m_window->openPath(folder.filePath(u"b.ifs"_s)));
+    QTRY_VERIFY(notebook()->isEmpty());
+}
+
+void LessonTest::unsavedStepsAreAskedFor() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.ifs"_s);
+    write(path, "a {\n .5 0 0 .5 0 0 1\n}\n");
+    QVERIFY(m_window->openPath(path));
+    action(u"Add Step"_s)->trigger();
+    answer(QMessageBox::Cancel);
+    m_window->close();
+    QVERIFY(m_window->isVisible());
+    // Nothing takes them away unasked.
+    QVERIFY(m_window->openPath(path));
+    QTest::qWait(20);
+    QCOMPARE(notebook()->lesson().steps.size(), 1);
+    answer(QMessageBox::Discard);
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+}
+
+void LessonTest::filesThatCannotBePlayed() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.lesson"_s);
+    moveCorner(1); // unsaved
+    const document::FractalFile before = document().file();
+    for (const auto& [bytes, says] :
+         {std::pair<QByteArray, QString>{"a {\n .5 0 0 .5 0 0 1\n}\n", u"not a lesson"_s},
+          {"lesson: a\nfile: a.ifs\n", u"no steps"_s},
+          {"lesson: a\n\n## one\n", u"names no file"_s},
+          {"lesson: a\nfile: a.lesson\n\n## one\n", u"names no file"_s},
+          {"lesson: a\nfile: ../a.ifs\n\n## one\n", u"names no file"_s},
+          {"lesson: a\nfile: gone.ifs\n\n## one\n", u"gone.ifs"_s}}) {
+        write(path, bytes);
+        QVERIFY(!m_window->openPath(path));
+        const QStringList said = failures();
+        QVERIFY2(said.join(u' ').contains(says), qPrintable(said.join(u' ') + u" / "_s + says));
+        QVERIFY(document().file() == before && notebook()->isEmpty());
+        QTRY_VERIFY(failures().isEmpty());
+    }
+    QVERIFY(!m_window->openPath(folder.filePath(u"none.lesson"_s)));
+    QCOMPARE(failures().size(), 1);
+    document().undoStack()->setClean();
+}
+
+void LessonTest::entriesAndCagesMayBeGone() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.lesson"_s);
+    write(folder.filePath(u"a.ifs"_s), "broken {\n 1 2\n}\na {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n"
+                                       "solid (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n"
+                                       " .5 0 0 0 .5 0 0 0 .5 .5 .5 .5 1\n}\n");
+    write(path, "lesson: a\nfile: a.ifs\n\n## 1\nentry: gone\ntool: maps\n\n## 2\nentry: broken\ntool: maps\n"
+                "cage: 0 0, 1 0, 0 1\nconstruction: chaos-game 10 speed 5\n\n"
+                "## 3\nentry: a\ncage: 0 0, 1 0, 1 1, 0 1\ncolour: map\n\n"
+                "## 4\nentry: solid\ncage: 0 0, 1 0, 0 1\nview: area 0 0 1 1\nconstruction: steps 30\n"
+                "colour: map\n\n"
+                "## 5\nentry: solid\nview: orbit 0 0 0 0 0 0 1 3\ncage: 0 0 0, 2 0 0, 0 2 0, 0 0 2\n\n"
+                "## 6\nentry: a\nview: orbit 0 0 0 0 0 0 1 3\nview: area 1e30 1e30 1e-30 1e30\n");
+    QVERIFY(m_window->openPath(path));
+    action(u"Play Lesson"_s)->trigger();
+    QTRY_VERIFY(card()->isVisible());
+    QVERIFY(canvas()->hint().contains(u"gone"_s));
+    for (int step = 1; step < 6; ++step) {
+        QTest::keyClick(m_window.get(), Qt::Key_PageDown);
+        QTest::qWait(20);
+        QVERIFY(shownText().contains(u"%1 of 6"_s.arg(step + 1)));
+        if (step == 2) {
+            QVERIFY(canvas()->hint().contains(u"corners"_s));
+            QCOMPARE(document().fractal().appearance.colourBy, attractor::ColourBy::Map);
+        }
+    }
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QTRY_VERIFY(!card()->isVisible());
+    QVERIFY(!document().isModified());
+}
+
+void LessonTest::readyMadeLessonsTakeAWindowOfTheirOwn() {
+    moveCorner(1);
+    const document::FractalFile before = document().file();
+    action(u"The Chaos Game"_s)->trigger();
+    QCOMPARE(session::windows().size(), 2);
+    QVERIFY(document().file() == before && notebook()->isEmpty());
+    for (SessionWindow* other : session::windows()) {
+        if (other == m_window.get()) continue;
+        QTRY_VERIFY(other->isFullScreen());
+        auto* text = other->findChild<view::LessonCard*>();
+        QVERIFY(text && text->isVisible());
+        for (int i = 0; i < 10; ++i)
+            QTest::keyClick(other, Qt::Key_PageDown);
+        QTest::qWait(50);
+        other->close(); // in the middle of it, and nothing is asked
+        QTRY_COMPARE(session::windows().size(), 1);
+    }
+    document().undoStack()->setClean();
+    // An unused window is used.
+    m_window->openFirstPicture();
+    action(u"Why the Maple Fits Its Triangle"_s)->trigger();
+    QCOMPARE(session::windows().size(), 1);
+    QVERIFY(card()->isVisible() && shownText().contains(u"1 of 8"_s));
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    QVERIFY(!document().isModified() && !notebook()->isModified());
+}
+
+void LessonTest::theWindowMayCloseMeanwhile() {
+    recordThree();
+    document().undoStack()->setClean();
+    notebook()->history()->setClean();
+    action(u"Play Lesson"_s)->trigger();
+    QTRY_VERIFY(card()->isVisible());
+    moveCorner(1);
+    m_window.reset();
+    QVERIFY(session::windows().isEmpty());
+}
+
+QTEST_MAIN(LessonTest)
+#include "lesson_test.moc"

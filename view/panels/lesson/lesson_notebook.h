@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/lesson/lesson.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace view {
+
+// The lesson of a window, while it is written: its steps, one of which is current, and a history of its own.
+// No part of the document: writing a lesson changes no fractal.
+class LessonNotebook : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LessonNotebook(QObject* parent = nullptr);
+    ~LessonNotebook() override;
+
+    const document::Lesson& lesson() const { return m_lesson; }
+    bool isEmpty() const { return m_lesson.steps.isEmpty() && m_lesson.title.isEmpty(); }
+    int current() const { return m_current; } // −1 while there is no step
+    void setCurrent(int step);
+    const document::LessonStep* currentStep() const; // nullptr while there is none
+
+    QString path() const { return m_path; } // empty while it has no file
+    bool isModified() const { return !m_history.isClean(); }
+    void open(document::Lesson lesson, const QString& path); // clears the history
+    void markSaved(const QString& path);
+    void setFile(const QString& name); // the .ifs file that it belongs to; no step of the history
+
+    QUndoStack* history() { return &m_history; }
+    // One step of the history each; typing in one field is one step.
+    void setTitle(const QString& title);
+    void addStep(const document::LessonState& state); // after the current one; it becomes current
+    void setState(const document::LessonState& state);
+    void setStepTitle(const QString& title);
+    void setText(const QString& text);
+    void removeStep();
+    void moveStep(int by);
+
+signals:
+    void changed(); // the lesson, its path, which step is current, or whether it is saved
+
+private:
+    friend class LessonCommand;
+    enum class Field { None, Title, StepTitle, Text };
+    struct Page {
+        document::Lesson lesson;
+        int current = -1;
+    };
+
+    void push(const QString& text, Page after, Field field = Field::None);
+    void show(const Page& page);
+    Page page() const { return {m_lesson, m_current}; }
+
+    document::Lesson m_lesson;
+    int m_current = -1;
+    QString m_path;
+    QUndoStack m_history;
+};
+
+} // namespace view

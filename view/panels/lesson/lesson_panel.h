@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QPair>
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QMenu;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace view {
+
+class LessonNotebook;
+
+// Where a lesson is written: its steps, the text of one of them, and the buttons that take the state of the
+// window, play and save.
+class LessonPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LessonPanel(LessonNotebook* notebook, QWidget* parent = nullptr);
+
+    // The panels that a step may show besides the canvas: ids and names.
+    void setPanels(const QList<QPair<QString, QString>>& panels);
+
+signals:
+    void addRequested();    // a step, with the state of the window now
+    void updateRequested(); // the current step takes the state of the window now
+    void showRequested();   // the window takes the state of the current step
+    void playRequested();   // from the current step
+    void saveRequested();
+
+private:
+    void createActions();
+    void createFields();
+    void takeText();
+    void layOut();
+    void follow();
+    void followSteps();
+    void choosePanel(const QString& id, bool shown);
+
+    LessonNotebook* m_notebook;
+    QLineEdit* m_title;
+    QListWidget* m_steps;
+    QLabel* m_hint;
+    QWidget* m_fields;
+    QLineEdit* m_stepTitle;
+    QPlainTextEdit* m_text;
+    QMenu* m_panels;
+    QPushButton* m_play;
+    QPushButton* m_save;
+    QAction* m_add = nullptr;
+    QAction* m_update = nullptr;
+    QAction* m_show = nullptr;
+    QAction* m_remove = nullptr;
+    QAction* m_up = nullptr;
+    QAction* m_down = nullptr;
+    QAction* m_undo = nullptr;
+    QAction* m_redo = nullptr;
+    bool m_isFollowing = false;
+};
+
+} // namespace view
