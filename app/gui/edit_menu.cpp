@@ -5,8 +5,11 @@
 #include "desktop/theme.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/transform_dialog.h"
+#include "dialogs/variations/mutate_dialog.h"
+#include "dialogs/variations/random_dialog.h"
 #include "document/edits/cage_edits.h"
 #include "document/edits/dimension_edits.h"
+#include "document/variations/variations.h"
 #include "session.h"
 #include "stage.h"
 #include "widgets/icon.h"
@@ -113,10 +116,10 @@ void EditMenu::addFractals() {
                               tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
                              [this] { openTransform(); });
     QAction* mutate = add({nullptr, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
-                           tr("Pick one of many variations of this fractal")},
-                          [this] { openMutate(view::MutateDialog::Source::Current); });
+                           tr("Breed variations of this fractal, or cross it with another one")},
+                          [this] { openMutate(); });
     disableWhen(transform, &document::planeObstacle);
-    disableWhen(mutate, &document::planeObstacle);
+    disableWhen(mutate, &document::variationObstacle);
     add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},
         [this] { addRandom(); });
@@ -154,14 +157,16 @@ void EditMenu::openTransform() {
     dialog->open(); // modal: another edit would end the preview
 }
 
-void EditMenu::openMutate(view::MutateDialog::Source source) {
-    auto* dialog = new view::MutateDialog(context().document, source, context().window);
+void EditMenu::openMutate() {
+    auto* dialog = new view::MutateDialog(context().document, context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
 void EditMenu::addRandom() {
-    openMutate(view::MutateDialog::Source::Chance);
+    auto* dialog = new view::RandomDialog(context().document, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void EditMenu::showPreferences() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "action_menu.h"
-#include "dialogs/mutate_dialog.h"
 
 class EditMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
@@ -18,6 +17,6 @@ private:
     void addFractals();
     void addDimensions();
     void openTransform();
-    void openMutate(view::MutateDialog::Source source);
+    void openMutate();
     void showPreferences();
 };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dialogs/mutate_dialog.h"
+#include "dialogs/variations/mutate_dialog.h"
+#include "dialogs/variations/picture_tiles.h"
+#include "dialogs/variations/random_dialog.h"
 #include "io/file/save_file.h"
 #include "io/fractint/fractint_reader.h"
 #include "panels/collection/collection_panel.h"
@@ -50,7 +52,6 @@ private:
             all << entry.fractal->name;
         return all;
     }
-    view::MutateDialog* fullSheet(const char* shortcut); // once all can be chosen
 };
 
 void RealEntriesTest::anEntryIsChosenAndRenamed() {
@@ -158,27 +159,25 @@ void RealEntriesTest::shiftEnterAddsFromTheCollection() {
     QCOMPARE(steps(), 1);
 }
 
-view::MutateDialog* RealEntriesTest::fullSheet(const char* shortcut) {
-    auto* dialog = static_cast<view::MutateDialog*>(openDialog(shortcut, "view::MutateDialog"));
-    if (!dialog) return nullptr;
-    const auto* sheet = dialog->findChild<QListWidget*>();
-    support::waitFor([&] { return !sheet->item(view::MutateDialog::count - 1)->icon().isNull(); });
-    return dialog;
-}
-
 void RealEntriesTest::aVariationIsPicked() {
     const document::Fractal before = fractal();
-    view::MutateDialog* dialog = fullSheet("Control+m");
+    auto* dialog = static_cast<view::MutateDialog*>(openDialog("Control+m", "view::MutateDialog"));
     QVERIFY(dialog);
-    auto* sheet = dialog->findChild<QListWidget*>();
+    const auto* ring = dialog->findChild<view::VariationRing*>();
+    const auto* line = dialog->findChild<QListWidget*>();
+    const auto clickOnChild = [&](int child) {
+        const auto isThere = [&] { return !ring->childPicture(child).isNull(); };
+        if (!support::waitFor(isThere)) return false;
+        hand().clickAt(ring->viewport()->mapToGlobal(ring->visualItemRect(ring->childItem(child)).center()));
+        return true;
+    };
+    QVERIFY(clickOnChild(5));
+    QTRY_COMPARE(line->count(), 2);
     photograph(QStringLiteral("mutate.png"));
-    clickOn(sheet, sheet->model()->index(5, 0));
-    click(named<QPushButton>(*dialog, QStringLiteral("Mutate Again")));
-    QTRY_VERIFY(sheet->selectedItems().isEmpty());
-    QVERIFY(support::waitFor([&] { return !sheet->item(7)->icon().isNull(); }));
-    clickOn(sheet, sheet->model()->index(7, 0));
+    QVERIFY(clickOnChild(7));
+    QTRY_COMPARE(line->count(), 3);
     QCOMPARE(steps(), 0);
-    click(named<QPushButton>(*dialog, QStringLiteral("Use This One")));
+    click(named<QPushButton>(*dialog, QStringLiteral("Use the Parent")));
     QTRY_VERIFY(!visible<view::MutateDialog>());
     QCOMPARE(steps(), 1);
     QVERIFY(!document::isSameSystem(fractal(), before));
@@ -188,11 +187,13 @@ void RealEntriesTest::aVariationIsPicked() {
 }
 
 void RealEntriesTest::aFractalByChanceIsAdded() {
-    view::MutateDialog* dialog = fullSheet("Control+Shift+m");
+    auto* dialog = static_cast<view::RandomDialog*>(openDialog("Control+Shift+m", "view::RandomDialog"));
     QVERIFY(dialog);
     auto* sheet = dialog->findChild<QListWidget*>();
+    const QModelIndex last = sheet->model()->index(view::RandomDialog::count - 1, 0);
+    QVERIFY(support::waitFor([&] { return !view::PictureTiles::shown(last).pixmap.isNull(); }));
     hand().doubleClickAt(sheet->viewport()->mapToGlobal(sheet->visualItemRect(sheet->item(6)).center()));
-    QTRY_VERIFY(!visible<view::MutateDialog>());
+    QTRY_VERIFY(!visible<view::RandomDialog>());
     QCOMPARE(names().size(), 3);
     QCOMPARE(document().undoStack()->undoText(), QStringLiteral("Add Random Fractal"));
     QVERIFY(code().maps.size() >= 2);

@@ -69,8 +69,8 @@ void WhatsThisTest::everyDialogIsLookedAt() {
         kinds << window->metaObject()->className();
     for (const char* kind :
          {"MainWindow", "view::ExportDialog", "view::ExportDataDialog", "view::TransformDialog",
-          "view::MutateDialog", "view::AifsDialog", "view::PreferencesDialog", "view::ShortcutsDialog",
-          "view::VertexDialog", "view::CommandPalette"})
+          "view::MutateDialog", "view::RandomDialog", "view::AifsDialog", "view::PreferencesDialog",
+          "view::ShortcutsDialog", "view::VertexDialog", "view::CommandPalette"})
         QVERIFY2(kinds.contains(kind), kind);
     QVERIFY(EveryWindow::controls(windows.all().first()).size() > 60);
 }

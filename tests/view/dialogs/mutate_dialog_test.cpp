@@ -1,120 +1,273 @@
 // SPDX-License-Identifier: MIT
-#include "dialogs/mutate_dialog.h"
-#include "document/variations.h"
+#include "dialogs/variations/mutate_dialog.h"
 
+#include "dialogs/variations/picture_tiles.h"
+#include "document/edits/entries_edits.h"
+#include "document/variations/random_systems.h"
+
+#include <QCheckBox>
+#include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
 
 using view::MutateDialog;
+using view::VariationRing;
 
 class MutateDialogTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyTileShowsAPicture_data();
     void everyTileShowsAPicture();
-    void theChosenOneIsSeen();
-    void thePickedOneIsOneStep();
-    void chanceAddsAnEntry();
-    void variesWhatIsChosen();
+    void theParentIsInTheMiddle();
+    void aClickMakesAChildTheParent();
+    void enterMakesAChildTheParent();
+    void whatIsInTheMiddleIsUsed();
+    void aDoubleClickUsesAChild();
+    void theLineLeadsBack();
+    void nothingMayChange();
+    void entriesAreCrossed();
+    void closingAtOnceIsSafe();
 };
 
 namespace {
 
-// Once all tiles can be chosen and their pictures are there.
+VariationRing& ringOf(const MutateDialog& dialog) {
+    return *dialog.findChild<VariationRing*>();
+}
+
+QPixmap pictureOf(const MutateDialog& dialog, QTableWidgetItem* item) {
+    return view::PictureTiles::shown(ringOf(dialog).indexFromItem(item)).pixmap;
+}
+
+// Once all pictures are there.
 bool isFull(const MutateDialog& dialog) {
-    const auto* grid = dialog.findChild<QListWidget*>();
-    for (int i = 0; i < MutateDialog::count; ++i)
-        if (grid->item(i)->icon().isNull()) return false;
-    return true;
+    for (int child = 0; child < MutateDialog::count; ++child)
+        if (pictureOf(dialog, ringOf(dialog).childItem(child)).isNull()) return false;
+    return !pictureOf(dialog, ringOf(dialog).parentItem()).isNull();
 }
 
 QPushButton* button(const MutateDialog& dialog, const QString& text) {
     for (auto* candidate : dialog.findChildren<QPushButton*>())
-        if (candidate->text().contains(text)) return candidate;
+        if (candidate->text().remove(u'&').contains(text)) return candidate;
     return nullptr;
 }
 
-} // namespace
-
-void MutateDialogTest::everyTileShowsAPicture() {
-    document::Document document;
-    MutateDialog dialog(&document, MutateDialog::Source::Current);
-    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
-    const auto* grid = dialog.findChild<QListWidget*>();
-    QVERIFY(grid->item(0)->icon().pixmap(64).toImage() != grid->item(1)->icon().pixmap(64).toImage());
-    QVERIFY(!button(dialog, QStringLiteral("Use"))->isEnabled());
+QPushButton* use(const MutateDialog& dialog) {
+    return button(dialog, QStringLiteral("Use the Parent"));
 }
 
-// The item in keyboard focus is not selected yet; the selected one is visible.
-void MutateDialogTest::theChosenOneIsSeen() {
-    document::Document document;
-    MutateDialog dialog(&document, MutateDialog::Source::Current);
+QListWidget* lineOf(const MutateDialog& dialog) {
+    return dialog.findChild<QListWidget*>();
+}
+
+QCheckBox* box(const MutateDialog& dialog, const QString& text) {
+    for (auto* candidate : dialog.findChildren<QCheckBox*>())
+        if (candidate->text().remove(u'&') == text) return candidate;
+    return nullptr;
+}
+
+document::Fractal child(const document::Fractal& parent, int index, int seed = 1) {
+    return document::variation(parent, {}, std::uint64_t(seed) * MutateDialog::count + std::uint64_t(index));
+}
+
+void click(const MutateDialog& dialog, QTableWidgetItem* item) {
+    QTest::mouseClick(ringOf(dialog).viewport(), Qt::LeftButton, {},
+                      ringOf(dialog).visualItemRect(item).center());
+}
+
+void open(MutateDialog& dialog) {
     dialog.show();
     dialog.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&dialog));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
-    auto* grid = dialog.findChild<QListWidget*>();
-    grid->setFocus();
-    QCOMPARE(grid->currentRow(), 0);
-    QVERIFY(!button(dialog, QStringLiteral("Use"))->isEnabled());
-    QVERIFY(!button(dialog, QStringLiteral("Mutate Again"))->isEnabled());
-    QTest::keyClick(grid, Qt::Key_Right);
-    QVERIFY(button(dialog, QStringLiteral("Use"))->isEnabled());
-
-    const QImage seen = grid->viewport()->grab().toImage();
-    const auto stripBelow = [&](int row) {
-        const QRect tile = grid->visualItemRect(grid->item(row));
-        return seen.copy(tile.left() + 8, tile.bottom() - 3, tile.width() - 16, 1);
-    };
-    for (int row = 0; row < MutateDialog::count; ++row) {
-        const QImage strip = stripBelow(row);
-        const QColor wanted = grid->palette().color(row == 1 ? QPalette::Highlight : QPalette::Base);
-        for (int x = 0; x < strip.width(); ++x)
-            QCOMPARE(strip.pixelColor(x, 0).name(), wanted.name());
-    }
 }
 
-void MutateDialogTest::thePickedOneIsOneStep() {
+} // namespace
+
+void MutateDialogTest::everyTileShowsAPicture_data() {
+    QTest::addColumn<int>("dimension");
+    QTest::newRow("plane") << 2;
+    QTest::newRow("space") << 3;
+}
+
+void MutateDialogTest::everyTileShowsAPicture() {
+    QFETCH(int, dimension);
+    document::Document document;
+    document.setFile(document::fileOf(document::randomFractal({dimension}, 3)));
+    MutateDialog dialog(&document);
+    open(dialog);
+    const VariationRing& ring = ringOf(dialog);
+    QVERIFY(pictureOf(dialog, ring.childItem(0)).toImage() != pictureOf(dialog, ring.childItem(1)).toImage());
+    QVERIFY(!use(dialog)->isEnabled());
+    for (int i = 0; i < MutateDialog::count; ++i)
+        QVERIFY(ring.childItem(i)->data(Qt::AccessibleTextRole).toString().contains(QString::number(i + 1)));
+}
+
+void MutateDialogTest::theParentIsInTheMiddle() {
+    document::Document document;
+    MutateDialog dialog(&document);
+    open(dialog);
+    const VariationRing& ring = ringOf(dialog);
+    const QRect middle = ring.visualItemRect(ring.parentItem());
+    QVERIFY((middle.center() - ring.viewport()->rect().center()).manhattanLength() <= 4);
+    for (int i = 0; i < MutateDialog::count; ++i) {
+        const QRect other = ring.visualItemRect(ring.childItem(i));
+        QVERIFY(!other.intersects(middle));
+        QVERIFY(2 * other.width() <= middle.width() + 2);
+    }
+    // On a tile of the colour of selections.
+    const QImage seen = ringOf(dialog).viewport()->grab().toImage();
+    const int inset = (middle.width() - ring.parentSide()) / 2;
+    QCOMPARE(seen.pixelColor(middle.center().x(), middle.top() + inset - 2).name(),
+             ring.palette().color(QPalette::Highlight).name());
+}
+
+void MutateDialogTest::aClickMakesAChildTheParent() {
+    document::Document document;
+    MutateDialog dialog(&document);
+    open(dialog);
+    const document::Fractal first = child(document.fractal(), 4);
+    click(dialog, ringOf(dialog).childItem(4));
+    QCOMPARE(lineOf(dialog)->count(), 2);
+    QVERIFY(use(dialog)->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    click(dialog, ringOf(dialog).childItem(7));
+    QCOMPARE(lineOf(dialog)->count(), 3);
+    QCOMPARE(document.undoStack()->count(), 0);
+    use(dialog)->click();
+    QVERIFY(document.fractal() == child(first, 7));
+    QCOMPARE(document.undoStack()->count(), 1);
+}
+
+void MutateDialogTest::enterMakesAChildTheParent() {
     document::Document document;
     const document::Fractal before = document.fractal();
-    MutateDialog dialog(&document, MutateDialog::Source::Current);
-    dialog.findChild<QSpinBox*>()->setValue(4);
-    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
-    dialog.findChild<QListWidget*>()->setCurrentRow(3);
-    button(dialog, QStringLiteral("Use"))->click();
+    MutateDialog dialog(&document);
+    open(dialog);
+    VariationRing& ring = ringOf(dialog);
+    QVERIFY(ring.hasFocus());
+    QCOMPARE(ring.currentItem(), ring.parentItem());
+    QTest::keyClick(&ring, Qt::Key_Return); // the original: nothing to use
+    QVERIFY(dialog.isVisible());
+    QTest::keyClick(&ring, Qt::Key_Right);
+    QTest::keyClick(&ring, Qt::Key_Return);
+    QVERIFY(dialog.isVisible());
+    QCOMPARE(lineOf(dialog)->count(), 2);
+    QTest::keyClick(&ring, Qt::Key_Left);
+    QCOMPARE(ring.visualItemRect(ring.currentItem()), ring.visualItemRect(ring.parentItem()));
+    QTest::keyClick(&ring, Qt::Key_Return);
     QCOMPARE(dialog.result(), int(QDialog::Accepted));
-    QVERIFY(document.fractal() == document::variation(before, 0.3, 4 * MutateDialog::count + 3));
+    QVERIFY(document.fractal() == child(before, 5)); // to the right of the parent
+}
+
+void MutateDialogTest::whatIsInTheMiddleIsUsed() {
+    document::Document document;
+    const document::Fractal before = document.fractal();
+    MutateDialog dialog(&document);
+    dialog.findChild<QSpinBox*>()->setValue(4);
+    open(dialog);
+    click(dialog, ringOf(dialog).childItem(3));
+    use(dialog)->click();
+    QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    QVERIFY(document.fractal() == child(before, 3, 4));
     QCOMPARE(document.undoStack()->count(), 1);
     document.undoStack()->undo();
     QVERIFY(document.fractal() == before);
 }
 
-void MutateDialogTest::chanceAddsAnEntry() {
+void MutateDialogTest::aDoubleClickUsesAChild() {
     document::Document document;
-    MutateDialog dialog(&document, MutateDialog::Source::Chance);
-    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
-    dialog.findChild<QListWidget*>()->setCurrentRow(0);
-    button(dialog, QStringLiteral("Add"))->click();
-    QCOMPARE(document.file().entries.size(), 2);
-    QCOMPARE(document.currentId(), document.file().entries[1].id);
-    document.undoStack()->undo();
-    QCOMPARE(document.file().entries.size(), 1);
+    const document::Fractal before = document.fractal();
+    MutateDialog dialog(&document);
+    open(dialog);
+    const QPoint middle = ringOf(dialog).visualItemRect(ringOf(dialog).parentItem()).center();
+    QTest::mouseDClick(ringOf(dialog).viewport(), Qt::LeftButton, {}, middle);
+    QVERIFY(dialog.isVisible()); // the original: nothing to use
+    const QPoint place = ringOf(dialog).visualItemRect(ringOf(dialog).childItem(9)).center();
+    QTest::mouseClick(ringOf(dialog).viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(ringOf(dialog).viewport(), Qt::LeftButton, {}, place);
+    QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    QVERIFY(document.fractal() == child(before, 9));
 }
 
-void MutateDialogTest::variesWhatIsChosen() {
+void MutateDialogTest::theLineLeadsBack() {
     document::Document document;
-    MutateDialog dialog(&document, MutateDialog::Source::Current);
-    const document::Fractal first =
-        document::variation(document.fractal(), 0.3, std::uint64_t{MutateDialog::count} + 2);
+    const document::Fractal before = document.fractal();
+    MutateDialog dialog(&document);
+    open(dialog);
+    for (const int picked : {1, 2}) {
+        click(dialog, ringOf(dialog).childItem(picked));
+        QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    }
+    dialog.findChild<QSpinBox*>()->setValue(8);
+    QCOMPARE(lineOf(dialog)->count(), 3);
+    lineOf(dialog)->setCurrentRow(1);
+    QCOMPARE(lineOf(dialog)->count(), 3);                // its descendants are still there
+    QCOMPARE(dialog.findChild<QSpinBox*>()->value(), 1); // its sheet
+    lineOf(dialog)->setCurrentRow(2);
+    QCOMPARE(dialog.findChild<QSpinBox*>()->value(), 8);
+    lineOf(dialog)->setCurrentRow(0);
+    QVERIFY(!use(dialog)->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
-    dialog.findChild<QListWidget*>()->setCurrentRow(2);
-    button(dialog, QStringLiteral("Mutate Again"))->click();
+    click(dialog, ringOf(dialog).childItem(11));
+    QCOMPARE(lineOf(dialog)->count(), 2); // another line
+    use(dialog)->click();
+    QVERIFY(document.fractal() == child(before, 11));
+}
+
+void MutateDialogTest::nothingMayChange() {
+    document::Document document;
+    MutateDialog dialog(&document);
+    open(dialog);
+    box(dialog, QStringLiteral("Shape"))->setChecked(false);
+    box(dialog, QStringLiteral("Weights"))->setChecked(false);
+    QVERIFY(!isFull(dialog));
+    click(dialog, ringOf(dialog).childItem(0));
+    QCOMPARE(lineOf(dialog)->count(), 1);
+    const document::Fractal before = document.fractal();
+    box(dialog, QStringLiteral("Colour"))->setChecked(true);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
-    dialog.findChild<QListWidget*>()->setCurrentRow(5);
-    dialog.accept();
-    QVERIFY(document.fractal() == document::variation(first, 0.3, std::uint64_t{MutateDialog::count} + 5));
+    click(dialog, ringOf(dialog).childItem(2));
+    use(dialog)->click();
+    QVERIFY(document::isSameSystem(document.fractal(), before));
+    QVERIFY(!(document.fractal().appearance == before.appearance));
+}
+
+void MutateDialogTest::entriesAreCrossed() {
+    document::Document document;
+    const document::Fractal before = document.fractal();
+    QVERIFY(!MutateDialog(&document).findChild<QComboBox*>()->isEnabled());
+    document::Entry plane, space;
+    plane.fractal = std::make_shared<const document::Fractal>(document::randomFractal({2}, 5));
+    space.fractal = std::make_shared<const document::Fractal>(document::randomFractal({3}, 5));
+    document.editFile(QStringLiteral("add"),
+                      document::inserted(document.file(), {plane, space}, document::EntryId::None).file,
+                      document.currentId());
+    MutateDialog dialog(&document);
+    auto* partner = dialog.findChild<QComboBox*>();
+    QCOMPARE(partner->count(), 2); // nothing, and the one in the plane
+    open(dialog);
+    partner->setCurrentIndex(1);
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    click(dialog, ringOf(dialog).childItem(6));
+    use(dialog)->click();
+    QVERIFY(document.fractal() == document::variation(before, {0.3, {}, document.file().entries[1].fractal},
+                                                      std::uint64_t{MutateDialog::count} + 6));
+}
+
+void MutateDialogTest::closingAtOnceIsSafe() {
+    document::Document document;
+    for (int i = 0; i < 5; ++i) {
+        MutateDialog dialog(&document);
+        dialog.show();
+        dialog.findChild<QSpinBox*>()->setValue(2 + i);
+        QTest::qWait(10 * i);
+    }
+    QVERIFY(document.undoStack()->count() == 0);
 }
 
 QTEST_MAIN(MutateDialogTest)

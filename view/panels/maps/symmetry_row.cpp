@@ -3,6 +3,7 @@
 
 #include "document/edits/symmetry_edits.h"
 #include "widgets/number_field.h"
+#include "widgets/symmetry_groups.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -20,14 +21,6 @@ namespace {
 using enum ifs::SymmetryGroup;
 
 constexpr int usualOrder = 6;
-
-bool hasOrder(ifs::SymmetryGroup group) {
-    return group == Rotation || group == Dihedral;
-}
-
-bool hasMirrors(ifs::SymmetryGroup group) {
-    return group == Mirror || group == Dihedral;
-}
 
 // Gives the symmetry of the fractal, in whichever dimension it is, to `change`.
 template <class Change> void changeSymmetry(document::Fractal& fractal, const Change& change) {
@@ -150,19 +143,7 @@ QWidget* SymmetryRow::makePlace() {
 void SymmetryRow::fillGroups(int dimension) {
     if (dimension == m_dimension) return;
     m_dimension = dimension;
-    const QSignalBlocker quiet(m_groups);
-    m_groups->clear();
-    const auto add = [&](const QString& text, ifs::SymmetryGroup group) {
-        m_groups->addItem(text, int(group));
-    };
-    add(tr("None"), None);
-    add(tr("Mirror"), Mirror);
-    add(tr("Rotation"), Rotation);
-    add(tr("Dihedral"), Dihedral);
-    if (dimension != 3) return;
-    add(tr("Tetrahedral"), Tetrahedral);
-    add(tr("Octahedral"), Octahedral);
-    add(tr("Icosahedral"), Icosahedral);
+    fillSymmetryGroups(m_groups, dimension);
 }
 
 template <int Dim> void SymmetryRow::showSymmetry(const ifs::Symmetry<Dim>& symmetry) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+namespace document {
+
+// How well an attractor fills a view that is fitted to it. Dust and lines fill it badly.
+struct Filling {
+    double share = 0;  // of the cells of a coarse grid over its box that hold points
+    double aspect = 0; // its shortest extent as a part of the longest one
+};
+constexpr Filling wellFilled{0.12, 0.25};
+
+// Of the code, without what its cage does to it; in space as it is seen at first. Zero without a certified
+// attractor.
+Filling filling(const Fractal& fractal);
+
+// At least 1 where a view is filled as well as that.
+double fillsAs(const Filling& filling, const Filling& wanted);
+
+// Whether it is proved that the maps that take part have an attractor.
+bool hasCertainAttractor(const Fractal& fractal);
+
+} // namespace document

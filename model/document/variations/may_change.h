@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace document {
+
+// What of a fractal may change when it is varied or crossed.
+struct MayChange {
+    bool shape = true; // the maps
+    bool colours = false;
+    bool weights = true;
+
+    bool anything() const { return shape || colours || weights; }
+    friend bool operator==(const MayChange&, const MayChange&) = default;
+};
+
+} // namespace document

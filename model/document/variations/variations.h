@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "document/variations/filling.h"
+#include "document/variations/may_change.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+
+namespace document {
+
+// Why there is nothing to vary, as a sentence; empty where there is.
+QString variationObstacle(const Fractal& fractal);
+
+// How a fractal is varied.
+struct Mutation {
+    double strength = 0.3; // from 0, nearly the same, to 1, hardly to be recognised
+    MayChange may{};
+    std::shared_ptr<const Fractal> partner{}; // crossed with first, of the same dimension; null: with none
+};
+
+// Variations of a fractal: its maps turned, stretched and moved a little, now and then with a map more or
+// less, in other hues and with other weights. Name, comments, labels, placement and what is locked stay; a
+// cage at rest goes, so that it fits the new system. docs/mathematics.md, "Systems by chance".
+class Variations {
+public:
+    // `parent` has no variationObstacle(). Takes as long as pairing its maps with those of the partner.
+    Variations(std::shared_ptr<const Fractal> parent, Mutation mutation);
+    ~Variations();
+
+    // The same seed gives the same fractal, and the same maps whether colours may change or not. If the shape
+    // may change, it has an attractor, for certain, which fills its view about as well as the parent's, or
+    // well; where maps are locked so that nothing near the parent is certain, it is the parent. Stopped, it
+    // may be any fractal.
+    Fractal of(std::uint64_t seed, const std::stop_token& stop = {}) const;
+
+private:
+    class Crossings;
+    struct Varied {
+        Fractal fractal;
+        Fractal from;      // what its maps were varied from
+        double fills = -1; // fillsAs(): below 0 without a certain attractor
+    };
+
+    Varied shaped(std::uint64_t seed, const std::stop_token& stop) const;
+    Fractal start(std::uint64_t seed, int trial) const;
+
+    std::shared_ptr<const Fractal> m_parent;
+    Mutation m_mutation;
+    Filling m_wanted;
+    std::unique_ptr<const Crossings> m_crossings; // null without a partner
+};
+
+// One of them.
+Fractal variation(const Fractal& fractal, const Mutation& mutation, std::uint64_t seed);
+
+} // namespace document

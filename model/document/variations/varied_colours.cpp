@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "document/variations/varied_colours.h"
+
+#include "attractor/colour/oklab.h"
+#include "attractor/colour/palette_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace document {
+
+namespace {
+
+using attractor::Oklab;
+using attractor::Rgba;
+
+Oklab labOf(const Rgba& colour) {
+    return attractor::oklab(attractor::linearColour(colour));
+}
+
+// By an angle in degrees; what is grey gets a little of a hue.
+Rgba turned(const Rgba& colour, double degrees, double tint, Chance& chance) {
+    Oklab lab = labOf(colour);
+    const double angle = degrees * std::numbers::pi / 180;
+    const double a = std::cos(angle) * lab.a - std::sin(angle) * lab.b + tint * chance.normal();
+    lab.b = std::sin(angle) * lab.a + std::cos(angle) * lab.b + tint * chance.normal();
+    lab.a = a;
+    return attractor::nearestShown(lab);
+}
+
+template <int Dim>
+void varyMapColours(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
+                    double degrees, double strength, Chance& chance) {
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const ifs::MapId id = system.maps[i].id;
+        const Rgba before = attractor::mapColour(appearance, id, i);
+        appearance.mapColours[id] =
+            turned(before, degrees + 60 * strength * chance.normal(), 0.04 * strength, chance);
+    }
+}
+
+} // namespace
+
+Rgba mixedColour(const Rgba& from, const Rgba& to, double share) {
+    if (share <= 0) return from;
+    if (share >= 1) return to;
+    const Oklab a = labOf(from), b = labOf(to);
+    const auto mixed = [&](double x, double y) { return (1 - share) * x + share * y; };
+    return attractor::nearestShown(
+        {mixed(a.lightness, b.lightness), mixed(a.a, b.a), mixed(a.b, b.b), mixed(a.alpha, b.alpha)});
+}
+
+void varyColours(Fractal& fractal, double strength, Chance& chance) {
+    attractor::Appearance& appearance = fractal.appearance;
+    const double degrees = std::clamp(150 * strength * chance.normal(), -180.0, 180.0);
+    const auto palettes = attractor::builtInPalettes();
+    const std::size_t other = chance.below(palettes.size());
+    if (chance.comes(strength)) appearance.palette = palettes[other];
+    attractor::turnHue(appearance.palette, degrees);
+    appearance.plain = turned(appearance.plain, degrees, 0.12 * strength, chance);
+    if (const System2* system = system2(fractal))
+        varyMapColours<2>(appearance, *system, degrees, strength, chance);
+    else if (const System3* solid = system3(fractal))
+        varyMapColours<3>(appearance, *solid, degrees, strength, chance);
+}
+
+} // namespace document

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+#include "document/variations/chance.h"
+
+namespace document {
+
+// How far maps go when they are varied.
+struct MapVariation {
+    double strength = 0;  // from 0 to 1
+    bool maySplit = true; // whether maps may be added and removed
+    bool tames = false;   // whether all maps must contract; else those may expand that do so before
+};
+
+// The maps turned, stretched and moved, those aside that are locked or off; what belonged to a map that is
+// gone goes too. The fractal holds a system.
+void varyMaps(Fractal& fractal, const MapVariation& variation, Chance& chance);
+
+// Weights by chance around what they are in `before`, from which `fractal` comes, where each map keeps its
+// relation to the determinant rule. Their sum stays. Locked maps, and maps that are off, keep theirs.
+void varyWeights(Fractal& fractal, const Fractal& before, double strength, Chance& chance);
+
+} // namespace document

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/variations/random_dialog.h"
+
+#include "dialogs/variations/picture_tiles.h"
+#include "widgets/symmetry_groups.h"
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+
+using enum ifs::SymmetryGroup;
+using view::RandomDialog;
+
+class RandomDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theChosenOneIsSeen();
+    void theChosenOneIsAdded();
+    void systemsAreAsAskedFor();
+    void symmetriesFollowTheDimension();
+    void beginsInTheDimensionOfTheEntry();
+};
+
+namespace {
+
+QListWidget* gridOf(const RandomDialog& dialog) {
+    return dialog.findChild<QListWidget*>();
+}
+
+bool isFull(const RandomDialog& dialog) {
+    for (int i = 0; i < RandomDialog::count; ++i)
+        if (view::PictureTiles::shown(gridOf(dialog)->model()->index(i, 0)).pixmap.isNull()) return false;
+    return true;
+}
+
+QPushButton* add(const RandomDialog& dialog) {
+    for (auto* candidate : dialog.findChildren<QPushButton*>())
+        if (candidate->text().contains(QStringLiteral("Add"))) return candidate;
+    return nullptr;
+}
+
+struct Boxes {
+    QComboBox *dimension, *maps, *groups;
+};
+
+Boxes boxesOf(const RandomDialog& dialog) {
+    const auto boxes = dialog.findChildren<QComboBox*>();
+    return {boxes[0], boxes[1], boxes[2]};
+}
+
+void choose(QComboBox* box, int data) {
+    const int index = box->findData(data);
+    QVERIFY(index >= 0);
+    box->setCurrentIndex(index);
+}
+
+} // namespace
+
+// The item in keyboard focus is not selected yet; the selected one is visible.
+void RandomDialogTest::theChosenOneIsSeen() {
+    document::Document document;
+    RandomDialog dialog(&document);
+    dialog.show();
+    dialog.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    auto* grid = gridOf(dialog);
+    grid->setFocus();
+    QCOMPARE(grid->currentRow(), 0);
+    QVERIFY(!add(dialog)->isEnabled());
+    QTest::keyClick(grid, Qt::Key_Right);
+    QVERIFY(add(dialog)->isEnabled());
+    QCOMPARE(grid->item(1)->data(Qt::AccessibleTextRole).toString(), QStringLiteral("Fractal 2"));
+
+    const QImage seen = grid->viewport()->grab().toImage();
+    const auto stripBelow = [&](int row) {
+        const QRect tile = grid->visualItemRect(grid->item(row));
+        return seen.copy(tile.left() + 8, tile.bottom() - 3, tile.width() - 16, 1);
+    };
+    for (int row = 0; row < RandomDialog::count; ++row) {
+        const QImage strip = stripBelow(row);
+        const QColor wanted = grid->palette().color(row == 1 ? QPalette::Highlight : QPalette::Base);
+        for (int x = 0; x < strip.width(); ++x)
+            QCOMPARE(strip.pixelColor(x, 0).name(), wanted.name());
+    }
+}
+
+void RandomDialogTest::theChosenOneIsAdded() {
+    document::Document document;
+    RandomDialog dialog(&document);
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    gridOf(dialog)->setCurrentRow(5);
+    add(dialog)->click();
+    QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    QCOMPARE(document.file().entries.size(), 2);
+    QCOMPARE(document.currentId(), document.file().entries[1].id);
+    QVERIFY(document::isSameSystem(document.fractal(),
+                                   document::randomFractal({}, std::uint64_t{RandomDialog::count} + 5)));
+    document.undoStack()->undo();
+    QCOMPARE(document.file().entries.size(), 1);
+}
+
+void RandomDialogTest::systemsAreAsAskedFor() {
+    document::Document document;
+    RandomDialog dialog(&document);
+    const Boxes boxes = boxesOf(dialog);
+    choose(boxes.dimension, 3);
+    choose(boxes.groups, int(Rotation));
+    choose(boxes.maps, 1);
+    dialog.findChildren<QSpinBox*>()[0]->setValue(7);
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    gridOf(dialog)->setCurrentRow(0);
+    dialog.accept();
+    const document::System3* system = document::system3(document.fractal());
+    QVERIFY(system);
+    QCOMPARE(system->maps.size(), std::size_t{1});
+    QCOMPARE(int(system->symmetry.group), int(Rotation));
+    QCOMPARE(system->symmetry.order, 7);
+}
+
+void RandomDialogTest::symmetriesFollowTheDimension() {
+    document::Document document;
+    RandomDialog dialog(&document);
+    const Boxes boxes = boxesOf(dialog);
+    auto* order = dialog.findChildren<QSpinBox*>()[0];
+    QVERIFY(!order->isEnabled());
+    QCOMPARE(boxes.maps->findData(1), -1); // it has a point
+    choose(boxes.groups, int(Mirror));
+    QVERIFY(!order->isEnabled());
+    QVERIFY(boxes.maps->findData(1) > 0);
+    QCOMPARE(boxes.groups->findData(int(Icosahedral)), -1);
+    choose(boxes.dimension, 3);
+    QCOMPARE(int(view::chosenSymmetryGroup(boxes.groups)), int(Mirror));
+    choose(boxes.groups, int(Icosahedral));
+    choose(boxes.dimension, 2);
+    QCOMPARE(int(view::chosenSymmetryGroup(boxes.groups)), int(None));
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+}
+
+void RandomDialogTest::beginsInTheDimensionOfTheEntry() {
+    document::Document document;
+    document.setFile(document::fileOf(document::randomFractal({3}, 1)));
+    RandomDialog dialog(&document);
+    QCOMPARE(boxesOf(dialog).dimension->currentData().toInt(), 3);
+}
+
+QTEST_MAIN(RandomDialogTest)
+#include "random_dialog_test.moc"

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/variations/random_dialog.h"
+
+#include "dialogs/variations/picture_tiles.h"
+#include "dialogs/variations/sheet_maker.h"
+#include "document/edits/entries_edits.h"
+#include "widgets/symmetry_groups.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+constexpr int side = 132; // of a picture
+constexpr int cell = side + 2 * PictureTiles::margin;
+constexpr int columns = 4;
+constexpr int usualOrder = 5;
+
+} // namespace
+
+RandomDialog::RandomDialog(document::Document* document, QWidget* parent)
+    : QDialog(parent),
+      m_document(document),
+      m_sheet(new SheetMaker(count, this)),
+      m_grid(new QListWidget(this)),
+      m_dimension(new QComboBox(this)),
+      m_maps(new QComboBox(this)),
+      m_groups(new QComboBox(this)),
+      m_order(new QSpinBox(this)),
+      m_seed(new QSpinBox(this)) {
+    setWindowTitle(tr("Random Fractals"));
+    m_sheet->setSide(side, devicePixelRatioF());
+    createGrid();
+    auto* controls = new QGridLayout;
+    createControls(controls);
+    addSeed(controls);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_add = buttons->addButton(tr("&Add to the File"), QDialogButtonBox::AcceptRole);
+    m_add->setWhatsThis(tr("Adds the selected one as an entry of its own, in one step that you can undo."));
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(controls);
+    layout->addWidget(m_grid, 1);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &RandomDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &RandomDialog::reject);
+    connect(m_grid, &QListWidget::itemDoubleClicked, this, &RandomDialog::accept);
+    connect(m_grid, &QListWidget::itemSelectionChanged, this, [this] { m_add->setEnabled(chosen() >= 0); });
+    connect(m_sheet, &SheetMaker::made, this, &RandomDialog::showPicture);
+    connect(m_sheet, &SheetMaker::drawn, this, &RandomDialog::showPicture);
+    m_dimension->setCurrentIndex(document::dimension(document->fractal()) == 3 ? 1 : 0);
+    chooseDimension();
+    connect(m_dimension, &QComboBox::currentIndexChanged, this, &RandomDialog::chooseDimension);
+    connect(m_groups, &QComboBox::currentIndexChanged, this, &RandomDialog::chooseSymmetry);
+    connect(m_maps, &QComboBox::currentIndexChanged, this, &RandomDialog::makeSheet);
+    connect(m_order, &QSpinBox::valueChanged, this, &RandomDialog::makeSheet);
+    connect(m_seed, &QSpinBox::valueChanged, this, &RandomDialog::makeSheet);
+    m_grid->setFocus();
+}
+
+RandomDialog::~RandomDialog() = default;
+
+void RandomDialog::createGrid() {
+    m_grid->setAccessibleName(tr("Random fractals"));
+    m_grid->setWhatsThis(
+        tr("Select one and confirm, or double-click it: it is added to the file, in one step that "
+           "you can undo."));
+    m_grid->setItemDelegate(new PictureTiles(m_grid));
+    m_grid->setViewMode(QListView::IconMode);
+    m_grid->setMovement(QListView::Static);
+    m_grid->setResizeMode(QListView::Adjust);
+    m_grid->setMouseTracking(true);
+    m_grid->setIconSize({side, side});
+    m_grid->setGridSize({cell, cell});
+    const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_grid);
+    m_grid->setMinimumSize(columns * cell + 2 * m_grid->frameWidth() + scrollBar + 8,
+                           count / columns * cell + 2 * m_grid->frameWidth() + 8);
+}
+
+void RandomDialog::createControls(QGridLayout* layout) {
+    m_dimension->addItem(tr("In the plane"), 2);
+    m_dimension->addItem(tr("In space"), 3);
+    m_dimension->setAccessibleName(tr("Plane or space"));
+    m_dimension->setToolTip(tr("Make systems in the plane or in space"));
+    m_dimension->setWhatsThis(tr(
+        "In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In "
+        "space there is no such rule: the two larger stretches of each map follow that of the plane, and the "
+        "third is smaller."));
+    m_maps->setToolTip(tr("How many maps the systems have"));
+    m_maps->setWhatsThis(
+        tr("How many maps each system lists. With a symmetry, each of them also acts rotated or "
+           "mirrored."));
+    m_groups->setAccessibleName(tr("Symmetry"));
+    m_groups->setToolTip(tr("Make systems that are symmetric about the origin"));
+    m_groups->setWhatsThis(
+        tr("Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. "
+           "You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and "
+           "icosahedral groups exist in space only."));
+    m_order->setRange(ifs::minSymmetryOrder, ifs::maxSymmetryOrder);
+    m_order->setValue(usualOrder);
+    m_order->setAccessibleName(tr("Order of the symmetry"));
+    m_order->setToolTip(tr("How many times the fractal repeats in a full turn"));
+    m_order->setWhatsThis(tr("A rotation of order 5 repeats the fractal five times in a full turn."));
+    const auto add = [&](int column, const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        layout->addWidget(label, 0, column);
+        layout->addWidget(field, 0, column + 1);
+    };
+    layout->addWidget(m_dimension, 0, 0);
+    add(1, tr("&Maps:"), m_maps);
+    add(3, tr("S&ymmetry:"), m_groups);
+    layout->addWidget(m_order, 0, 5);
+    layout->setColumnStretch(6, 1);
+}
+
+void RandomDialog::addSeed(QGridLayout* layout) {
+    m_seed->setRange(1, 999'999);
+    m_seed->setAccessibleName(tr("Seed of the random numbers"));
+    m_seed->setToolTip(tr("The same seed gives the same sheet again"));
+    m_seed->setWhatsThis(
+        tr("The number that the systems are made from. With the same settings and the same seed you "
+           "get the same sheet again."));
+    auto* other = new QPushButton(tr("&New Set"), this);
+    other->setToolTip(tr("Show another sheet, from the next seed"));
+    other->setWhatsThis(tr("Shows other systems of the same kind, from the next seed."));
+    other->setAutoDefault(false);
+    auto* label = new QLabel(tr("&Seed:"), this);
+    label->setBuddy(m_seed);
+    layout->addWidget(label, 0, 7);
+    layout->addWidget(m_seed, 0, 8);
+    layout->addWidget(other, 0, 9);
+    connect(other, &QPushButton::clicked, m_seed, &QSpinBox::stepUp);
+}
+
+document::RandomChoice RandomDialog::choice() const {
+    document::RandomChoice choice;
+    choice.dimension = m_dimension->currentData().toInt();
+    choice.maps = m_maps->currentData().toInt();
+    choice.symmetry = chosenSymmetryGroup(m_groups);
+    choice.order = hasOrder(choice.symmetry) ? m_order->value() : 1;
+    return choice;
+}
+
+void RandomDialog::chooseDimension() {
+    const int group = m_groups->currentData().toInt();
+    const QSignalBlocker quiet(m_groups);
+    fillSymmetryGroups(m_groups, m_dimension->currentData().toInt());
+    m_groups->setCurrentIndex(std::max(0, m_groups->findData(group)));
+    chooseSymmetry();
+}
+
+// A single map needs one: without, it has a point.
+void RandomDialog::chooseSymmetry() {
+    const auto group = chosenSymmetryGroup(m_groups);
+    const int before = m_maps->currentData().toInt();
+    const QSignalBlocker quiet(m_maps);
+    m_maps->clear();
+    m_maps->addItem(tr("Any"), 0);
+    for (int maps = group == ifs::SymmetryGroup::None ? 2 : 1; maps <= document::maxRandomMaps; ++maps)
+        m_maps->addItem(QString::number(maps), maps);
+    m_maps->setCurrentIndex(std::max(0, m_maps->findData(before)));
+    m_order->setEnabled(hasOrder(group));
+    makeSheet();
+}
+
+void RandomDialog::makeSheet() {
+    m_grid->clear();
+    for (int i = 0; i < count; ++i) {
+        auto* item = new QListWidgetItem(m_grid);
+        item->setSizeHint(m_grid->gridSize()); // before its picture is there
+    }
+    const auto prepare = [choice = choice()]() -> SheetMaker::Make {
+        return [choice](std::uint64_t seed, const std::stop_token&) {
+            return document::randomFractal(choice, seed);
+        };
+    };
+    m_sheet->make(prepare, std::uint64_t(m_seed->value()) * count);
+    m_add->setEnabled(false);
+}
+
+void RandomDialog::showPicture(int index) {
+    if (!m_sheet->fractal(index)) return;
+    m_grid->item(index)->setData(Qt::AccessibleTextRole, tr("Fractal %1").arg(index + 1));
+    PictureTiles::show(m_grid->model(), m_grid->model()->index(index, 0), m_sheet->picture(index));
+    m_add->setEnabled(chosen() >= 0);
+}
+
+int RandomDialog::chosen() const {
+    const QModelIndexList selected = m_grid->selectionModel()->selectedIndexes();
+    const int row = selected.isEmpty() ? -1 : selected.front().row();
+    return m_sheet->fractal(row) ? row : -1;
+}
+
+void RandomDialog::accept() {
+    if (chosen() < 0) return;
+    document::Entry entry;
+    entry.fractal = m_sheet->fractal(chosen());
+    const document::Inserted added = inserted(m_document->file(), {entry}, m_document->currentId());
+    m_document->editFile(tr("Add Random Fractal"), added.file, added.ids.value(0));
+    QDialog::accept();
+}
+
+} // namespace view

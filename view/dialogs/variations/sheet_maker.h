@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/thumbnails.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace view {
+
+// Makes a sheet of fractals from successive seeds, and their pictures, in the background. A new sheet takes
+// the place of the last one at once.
+class SheetMaker : public QObject {
+    Q_OBJECT
+
+public:
+    using FractalPointer = Thumbnails::FractalPointer;
+    using Make = std::function<document::Fractal(std::uint64_t seed, const std::stop_token& stop)>;
+
+    explicit SheetMaker(int count, QObject* parent = nullptr);
+    ~SheetMaker() override;
+
+    int count() const { return m_count; }
+    void setSide(int side, qreal devicePixelRatio); // of the pictures; made() asks for them anew
+
+    // `prepare` is called once, in the background too.
+    void make(const std::function<Make()>& prepare, std::uint64_t firstSeed);
+    void clear(); // an empty sheet
+
+    FractalPointer fractal(int index) const; // null until it is made
+    Thumbnail picture(int index);            // asks for it if it is not there
+
+signals:
+    void made(int index);  // a fractal
+    void drawn(int index); // its picture
+
+private:
+    quint64 key(int index) const { return m_sheet * quint64(m_count) + quint64(index); }
+    void take(int index);
+
+    const int m_count;
+    quint64 m_sheet = 0; // grows, so that no picture is taken for that of an earlier sheet
+    std::vector<FractalPointer> m_fractals;
+    std::stop_source m_stop;
+    QFutureWatcher<FractalPointer> m_making;
+    Thumbnails* m_thumbnails;
+};
+
+} // namespace view

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/thumbnails.h"
+
+#include <QTableWidget>
+
+namespace view {
+
+// The picture of a parent in the middle, and those of its children around it. A click, Enter or Space chooses
+// a child; a double click, or the same on the parent, says that it is to be used.
+class VariationRing : public QTableWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int count = 12; // children
+
+    explicit VariationRing(QWidget* parent = nullptr);
+
+    int childSide() const; // of the pictures, in pixels of the window
+    int parentSide() const;
+
+    void showParent(const Thumbnail& thumbnail, const QString& description);
+    void showChild(int child, const Thumbnail& thumbnail, const QString& description);
+    QPixmap childPicture(int child) const; // that is shown
+    QTableWidgetItem* parentItem() const;
+    QTableWidgetItem* childItem(int child) const;
+
+    QSize sizeHint() const override;
+
+signals:
+    void chosen(int child);
+    void used(); // what is in the middle now
+    void resized();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void choose(const QModelIndex& index);
+    int cell() const; // its shorter side
+
+    QPersistentModelIndex m_pressed;
+    bool m_hasChosen = false; // by the last click
+};
+
+} // namespace view

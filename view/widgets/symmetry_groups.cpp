@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/symmetry_groups.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QSignalBlocker>
+
+namespace view {
+
+namespace {
+
+using enum ifs::SymmetryGroup;
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(view::SymmetryRow)
+};
+
+} // namespace
+
+bool hasOrder(ifs::SymmetryGroup group) {
+    return group == Rotation || group == Dihedral;
+}
+
+bool hasMirrors(ifs::SymmetryGroup group) {
+    return group == Mirror || group == Dihedral;
+}
+
+void fillSymmetryGroups(QComboBox* box, int dimension) {
+    const QSignalBlocker quiet(box);
+    box->clear();
+    const auto add = [&](const QString& text, ifs::SymmetryGroup group) { box->addItem(text, int(group)); };
+    add(Text::tr("None"), None);
+    add(Text::tr("Mirror"), Mirror);
+    add(Text::tr("Rotation"), Rotation);
+    add(Text::tr("Dihedral"), Dihedral);
+    if (dimension != 3) return;
+    add(Text::tr("Tetrahedral"), Tetrahedral);
+    add(Text::tr("Octahedral"), Octahedral);
+    add(Text::tr("Icosahedral"), Icosahedral);
+}
+
+ifs::SymmetryGroup chosenSymmetryGroup(const QComboBox* box) {
+    return static_cast<ifs::SymmetryGroup>(box->currentData().toInt());
+}
+
+} // namespace view
