@@ -11,6 +11,7 @@
 #include "document/edits/dimension_edits.h"
 #include "document/variations/variations.h"
 #include "session.h"
+#include "snapshot_commands.h"
 #include "stage.h"
 #include "widgets/icon.h"
 #include "widgets/tooltip_text.h"
@@ -34,10 +35,13 @@ QString shadowObstacle(const document::Fractal& fractal) {
 
 } // namespace
 
-EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")) {
+EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
+    : ActionMenu(context, tr("&Edit")) {
     addHistory();
     addSeparator();
     addClipboard();
+    addSeparator();
+    snapshots.addTo(*this);
     addSeparator();
     addFractals();
     addDimensions();

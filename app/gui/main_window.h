@@ -18,6 +18,7 @@ class FileCommands;
 class LessonCommands;
 class QDockWidget;
 class QToolBar;
+class SnapshotCommands;
 class Stage;
 class StatusLine;
 class ViewMenu;
@@ -95,6 +96,7 @@ private:
     StatusLine* m_status;
     WindowMessages* m_messages;
     FileCommands* m_fileCommands;
+    SnapshotCommands* m_snapshots;
 
     EditMenu* m_editMenu = nullptr;
     ViewMenu* m_viewMenu = nullptr;

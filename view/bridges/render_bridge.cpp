@@ -80,6 +80,13 @@ void RenderBridge::fixLiveSamples(std::uint64_t samples) {
     m_adapting = false;
 }
 
+void RenderBridge::showInstead(std::shared_ptr<const document::Fractal> fractal) {
+    if (fractal == m_instead) return;
+    m_instead = std::move(fractal);
+    m_exposing = Exposing::Measured;
+    request(Haste::Now);
+}
+
 bool RenderBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && !m_waiting;
 }
@@ -108,7 +115,7 @@ void RenderBridge::request(Haste haste) {
 void RenderBridge::submit() {
     m_waiting = false;
     m_underWay.stop();
-    const document::Fractal& fractal = m_document->fractal();
+    const document::Fractal& fractal = m_instead ? *m_instead : m_document->fractal();
     if (!document::system2(fractal)) {
         m_thread->cancel();
         ++m_requested;
@@ -123,7 +130,7 @@ void RenderBridge::submit() {
         emit wanted(m_live);
         return;
     }
-    const ifs::MapId solo = SoloSwitch::of(*this);
+    const ifs::MapId solo = m_instead ? ifs::MapId::None : SoloSwitch::of(*this);
     attractor::RenderRequest request =
         solo == ifs::MapId::None ? document::renderRequest(fractal, m_camera)
                                  : document::renderRequest(document::soloed(fractal, solo), m_camera);

@@ -5,6 +5,7 @@
 #include "document/edits/map_locks.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/saved_views.h"
 #include "document/tops/kept_theft.h"
 
 #include <QCoreApplication>
@@ -62,6 +63,7 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     if (held.moved) lost << Text::tr("its moved branches");
     const bool losesLinks = held.linked && !kept.links;
     if (document::keptTheft(fractal) && !kept.transformation) lost << Text::tr("its fractal transformation");
+    if (!document::savedViews(fractal).empty()) lost << Text::tr("its saved views");
     if (losesLinks) lost << Text::tr("the links of its maps");
     if (held.named && !kept.mapNames) lost << Text::tr("the names of its maps");
     if (!document::lockedMaps(fractal).empty()) lost << Text::tr("the locks of its maps");

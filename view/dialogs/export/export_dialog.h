@@ -4,6 +4,7 @@
 #include "attractor/request/camera.h"
 #include "document/document.h"
 #include "document/fractal_geometry.h"
+#include "document/saved_views.h"
 #include "io/exports/export_recipe.h"
 
 #include <QDialog>
@@ -39,7 +40,7 @@ public:
     ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    enum class Section { View, Attractor };
+    enum class Section { View, Attractor }; // behind them in the list: the saved views
     void setSection(Section section);      // what the picture shows; the view at first
     void setFolder(const QString& folder); // to suggest; without one, that of the last export
     void setQueue(ExportQueue* queue);     // which outlives it; without one, there is no Add to Queue
@@ -85,6 +86,7 @@ private:
 
     document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
     attractor::Camera m_camera;
+    std::vector<document::SavedView> m_views;
     QString m_folder;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;

@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_camera.h"
 #include "document/document.h"
+#include "document/saved_views.h"
 #include "io/exports/export_recipe.h"
 
 #include <QDialog>
@@ -56,6 +57,7 @@ private:
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
     bool isBody() const { return !pictureFile() && format() != Format::OpenScad; }
     QString suffix() const;
+    attractor::OrbitCamera camera() const;
     std::optional<io::ExportRecipe> recipe() const; // nullopt of a program, which takes no time
     io::Export toExport();
     void update();
@@ -65,8 +67,10 @@ private:
 
     document::Fractal m_fractal; // as it was when the dialog opened
     attractor::OrbitCamera m_camera;
+    std::vector<document::SavedView> m_views;
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
+    QComboBox* m_section = nullptr; // the canvas, then the saved views
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
     ExportQueue* m_queue = nullptr;
