@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/animation.h"
+#include "animation/cage_path.h"
+#include "animation/camera_path.h"
+#include "animation/keys.h"
+#include "animation/look_path.h"
+#include "animation/map_path.h"
 
 // Where a track is within a segment of its keys. On a way that is not smooth, and on one without neighbours,
 // what between() says. A smooth one is a Catmull–Rom curve of time, exact at both keys, without a corner at a

@@ -124,12 +124,12 @@ void ClusterQueue::takeStates(int exitCode) {
     if (drawing.all() == 0) return;
     QString text = drawingText(drawing);
     bool isDone = drawing.done == drawing.all();
-    bool isOver = isDone || (drawing.failed > 0 && drawing.running + drawing.waiting == 0);
-    if (m_jobs.size() > 1 && (isDone || !isOver)) { // of frames that are missing there is no video
+    bool isOver = drawing.running + drawing.waiting == 0;
+    if (m_jobs.size() > 1 && (isDone || !isOver)) { // where frames are missing there is no video
         const Counts video = counted(jobs[m_jobs[1]]);
         text += u' ' + videoText(video);
         isDone = video.done > 0;
-        isOver = isDone || video.failed > 0;
+        isOver = isDone || (isOver && video.failed > 0);
     }
     if (isOver)
         text += u' ' + (isDone ? tr("The result is in %1.") : tr("The reason is in the logs in %1."))

@@ -144,9 +144,19 @@ bool Timeline::isEmpty() const {
 
 void Timeline::setTiming(const QString& text, const document::Timing& timing) {
     if (timing == m_timing || rowCount() == 0) return;
+    const auto keyCount = [this] {
+        std::size_t count = 0;
+        for (const document::TrackKeys& one : m_tracks)
+            count += one.keys.size();
+        return count;
+    };
     const int before = frame();
+    const std::size_t keysBefore = keyCount();
     m_document->editEntry(text, document::withTiming(m_document->entryFractal(), timing));
     if (before > lastFrame()) setFrame(lastFrame());
+    if (const std::size_t keysLeft = keyCount(); keysLeft < keysBefore)
+        emit message(tr("%n key(s) beyond the new end deleted. Undo brings them back.", nullptr,
+                        int(keysBefore - keysLeft)));
 }
 
 void Timeline::setRow(int row) {

@@ -213,8 +213,13 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
     if (m_document->currentEntry().fractal != entry) return;
     auto after = work.result();
     if (!after) return emit message(failure);
+    const std::size_t before = m_timeline.motions().size();
     m_document->editEntry(text, std::move(*after));
     m_timeline.playback().seek(0);
+    if (m_timeline.motions().size() > before) { // its row is the last one
+        m_timeline.setRow(m_timeline.rowCount() - 1);
+        m_tracks->reveal();
+    }
     m_timeline.playback().setPlaying(true);
 }
 

@@ -30,6 +30,7 @@ public:
 
     double pixelsPerFrame() const { return m_scale; }
     void fitLength(); // all frames into the width
+    void reveal();    // the playhead and the current row
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -61,7 +62,6 @@ private:
 
     void layOut();
     void zoomAt(double x, double factor);
-    void reveal(); // the playhead and the current row
     void describe();
     int snapped(int by) const;
     document::KeyMove moveKind() const;
