@@ -29,6 +29,11 @@ Rgba turned(const Rgba& colour, double degrees, double tint, Chance& chance) {
     return attractor::nearestShown(lab);
 }
 
+// Whether both end about as light: a palette for paper would not be seen on black.
+bool endAlike(const attractor::Palette& a, const attractor::Palette& b) {
+    return std::abs(labOf(a.stops.back().colour).lightness - labOf(b.stops.back().colour).lightness) < 0.25;
+}
+
 template <int Dim>
 void varyMapColours(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
                     double degrees, double strength, Chance& chance) {
@@ -56,7 +61,8 @@ void varyColours(Fractal& fractal, double strength, Chance& chance) {
     const double degrees = std::clamp(150 * strength * chance.normal(), -180.0, 180.0);
     const auto palettes = attractor::builtInPalettes();
     const std::size_t other = chance.below(palettes.size());
-    if (chance.comes(strength)) appearance.palette = palettes[other];
+    const bool takesOther = chance.comes(strength);
+    if (takesOther && endAlike(palettes[other], appearance.palette)) appearance.palette = palettes[other];
     attractor::turnHue(appearance.palette, degrees);
     appearance.plain = turned(appearance.plain, degrees, 0.12 * strength, chance);
     if (const System2* system = system2(fractal))

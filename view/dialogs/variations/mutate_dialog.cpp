@@ -44,6 +44,7 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent)
         tr("The parent is in the middle, its variations are around it. Click one, or press Enter "
            "on it, to make it the new parent. Double-click one to use it at once."));
     auto* columns = new QHBoxLayout;
+    columns->setSpacing(12);
     columns->addLayout(createLine());
     columns->addWidget(m_ring, 1);
     columns->addLayout(createControls());
@@ -174,7 +175,7 @@ void MutateDialog::addPartners(QFormLayout* form) {
     m_partnerPicture->hide();
     auto* field = new QVBoxLayout;
     field->addWidget(m_partner);
-    field->addWidget(m_partnerPicture);
+    field->addWidget(m_partnerPicture, 0, Qt::AlignLeft);
     auto* label = new QLabel(tr("C&ross with:"), this);
     label->setBuddy(m_partner);
     form->addRow(label, field);
@@ -294,7 +295,9 @@ void MutateDialog::showLine(quint64 key) {
     const int generation = int(key);
     if (generation >= m_descent->count()) return;
     const Thumbnail thumbnail = m_small->thumbnail(key, m_line[key].fractal);
-    m_descent->item(generation)->setIcon(thumbnail.pixmap);
+    QIcon icon(thumbnail.pixmap);
+    icon.addPixmap(thumbnail.pixmap, QIcon::Selected); // in its own colours
+    m_descent->item(generation)->setIcon(icon);
 }
 
 void MutateDialog::redraw() {
