@@ -110,7 +110,7 @@ private slots:
 
     void linkedMapsAreNotShownAlone() {
         Fractal fractal = triangle();
-        ifs::setLinks(*system2(fractal), {1, 0, 1, 1, 1, 1, 1, 1, 1});
+        ifs::setLinks(*system2(fractal), std::vector<double>{1, 0, 1, 1, 1, 1, 1, 1, 1});
         QVERIFY(!soloObstacle(fractal, idOf(fractal, 0)).isEmpty());
         QVERIFY(soloed(fractal, idOf(fractal, 0)) == fractal);
         QVERIFY(!soloObstacle(fractal, ifs::MapId::None).isEmpty());

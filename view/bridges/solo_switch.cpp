@@ -6,7 +6,7 @@
 namespace view {
 
 ifs::MapId SoloSwitch::of(const QObject& bridge) {
-    const auto* solo = bridge.findChild<SoloSwitch*>(Qt::FindDirectChildrenOnly);
+    const auto* solo = bridge.findChild<SoloSwitch*>({}, Qt::FindDirectChildrenOnly);
     return solo != nullptr ? solo->m_map : ifs::MapId::None;
 }
 
