@@ -26,6 +26,8 @@ using document::LessonStep;
 constexpr qsizetype maxBytes = 4 << 20;
 constexpr double largest = 3.4e38;
 constexpr double minTurn = 1e-6; // length of a quaternion
+constexpr double smallestView = 1e-30;
+constexpr double largestView = 1e30;
 constexpr int maxProblems = 20;
 constexpr int maxUnknown = 50; // lines in one place
 constexpr int maxPanels = 20;
@@ -63,10 +65,15 @@ std::optional<Value> meaningOf(std::span<const LessonWord<Value>> words, const Q
     return found == words.end() ? std::nullopt : std::optional(found->value);
 }
 
+bool isViewSize(double size) {
+    return size >= smallestView && size <= largestView;
+}
+
 bool readArea(const QStringList& texts, LessonState& state) {
     const bool isDown = texts.size() == 5 && texts.back() == QLatin1String("down");
     const auto values = numbersIn(isDown ? texts.first(4) : texts);
-    if (!values || values->size() != 4 || (*values)[2] <= 0 || (*values)[3] <= 0) return false;
+    if (!values || values->size() != 4 || !isViewSize((*values)[2]) || !isViewSize((*values)[3]))
+        return false;
     state.view = LessonArea{{(*values)[0], (*values)[1]},
                             (*values)[2],
                             (*values)[3],
@@ -83,8 +90,9 @@ bool readOrbit(const QStringList& texts, LessonState& state) {
     orbit.camera.target = {v[0], v[1], v[2]};
     const attractor::Orientation turn(v[6], v[3], v[4], v[5]);
     const double length = turn.norm();
-    if (!std::isfinite(length) || length < minTurn || v[7] <= 0) return false;
-    orbit.camera.orientation = std::abs(length - 1) < 1e-12 ? turn : turn.normalized();
+    if (!std::isfinite(length) || length < minTurn || !isViewSize(v[7])) return false;
+    orbit.camera.orientation = turn;
+    if (std::abs(length - 1) > 1e-12) orbit.camera.orientation.normalize();
     orbit.camera.height = v[7];
     if (isPerspective) {
         if (v[8] < 1 || v[8] > 170) return false;
@@ -323,11 +331,9 @@ void Reader::addText(const QString& line) {
     while (slashes < line.size() && line[slashes] == u'\\')
         ++slashes;
     const bool isQuoted = slashes > 0 && QStringView(line).sliced(slashes).startsWith(u"##");
-    if (m_text.size() + line.size() > 2 * document::maxLessonText) {
-        m_isTextCut = true;
-        return;
-    }
-    m_text += (isQuoted ? line.sliced(1) : line) + u'\n';
+    const qsizetype room = 2 * document::maxLessonText - m_text.size();
+    m_isTextCut = m_isTextCut || line.size() > room;
+    if (room > 0) m_text += (isQuoted ? line.sliced(1) : line).left(room) + u'\n';
 }
 
 void Reader::finishStep() {
