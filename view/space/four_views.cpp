@@ -114,7 +114,7 @@ void FourViews::showInstead(std::shared_ptr<const document::Fractal> fractal) {
     m_instead = std::move(fractal);
     m_bridge->showInstead(m_instead);
     for (SpaceView* view : m_others)
-        view->findChild<SolidBridge*>(Qt::FindDirectChildrenOnly)->showInstead(m_instead);
+        view->findChild<SolidBridge*>(QString(), Qt::FindDirectChildrenOnly)->showInstead(m_instead);
 }
 
 void FourViews::setStereo(attractor::Stereo stereo) {

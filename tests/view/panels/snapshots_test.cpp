@@ -310,7 +310,10 @@ void SnapshotsTest::aSolidIsLookedAt() {
     m_space->resize(320, 240);
     m_space->show();
     m_space->showFour(true);
-    const auto isDrawn = [this] { return m_solid->isCurrent() && !m_space->main()->picture().isNull(); };
+    const auto isDrawn = [this] {
+        const auto* top = m_space->others()[0]->findChild<view::SolidBridge*>();
+        return m_solid->isCurrent() && top->isCurrent();
+    };
     m_snapshots->take();
     Fractal smaller = m_document->fractal();
     document::system3(smaller)->maps[0].map.linear *= 0.3;

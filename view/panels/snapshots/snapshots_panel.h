@@ -3,6 +3,7 @@
 
 #include "panels/snapshots/snapshot_look.h"
 
+#include <QKeySequence>
 #include <QListWidget>
 #include <QWidget>
 
