@@ -83,16 +83,32 @@
         <translation>Als Lage bleiben die Koeffizienten; als Code werden sie zu denen des transformierten Fraktals. Die Zeichenfläche zeigt das Ergebnis, bevor Sie es annehmen.</translation>
     </message>
     <message>
-        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
-        <translation>Sagt eine Tabelle nicht, was ihre Spalten sind, werden Sie gefragt. Im Feld „Abbildungen“ ersetzt Einfügen stattdessen die gewählten Abbildungen.</translation>
-    </message>
-    <message>
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Eine neue Sprache gilt ab dem nächsten Start, alles andere sofort und in allen Fenstern.</translation>
     </message>
     <message>
         <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Wählen Sie eine Bewegung, die keine Schlüssel braucht, oder setzen Sie Schlüssel: Was Schlüssel hat, bekommt einen weiteren, wo immer Sie es ändern; was keine hat, ändert sich für die ganze Animation.</translation>
+    </message>
+    <message>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
+        <translation>Wenn eine Tabelle ihre Spalten nicht benennt, werden Sie nach deren Reihenfolge gefragt. Im Bereich Abbildungen fügt Einfügen die kopierten Abbildungen oder Zeilen von Zahlen zum Fraktal hinzu.</translation>
+    </message>
+    <message>
+        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <translation>Es gilt, was den Fokus hat: Die Tabelle der Abbildungen und die Leinwand mit dem Werkzeug Abbildungen verschieben Abbildungen, die Liste der Einträge Einträge.</translation>
+    </message>
+    <message>
+        <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
+        <translation>Abbildungen werden mit ihren Namen und als Zeilen von Zahlen kopiert, Einträge als .ifs-Text, den andere Programme lesen können.</translation>
+    </message>
+    <message>
+        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <translation>Eine gesperrte Abbildung lässt sich nicht überschreiben, ziehen, schieben, anordnen, anpassen oder löschen. Was das ganze Fraktal ändert, etwa ein Käfig, der den Code umschreibt, ändert auch seine gesperrten Abbildungen.</translation>
+    </message>
+    <message>
+        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <translation>Nur der Teil des Attraktors, den die Abbildung erzeugt, wird gezeichnet. Die Datei ändert sich nicht, und ein anderer Eintrag erscheint wieder ganz.</translation>
     </message>
 </context>
 <context>
@@ -718,10 +734,73 @@
     </message>
 </context>
 <context>
+    <name>Enqueue</name>
+    <message>
+        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <translation>Der Name „%1“ passt nicht zum gewählten Format. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Ein anderer Export in der Warteschlange schreibt „%1“. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>In die Warteschlange aufgenommen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Überabtastung.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportTask</name>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Er ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>Es ist kein Export dieses Programms.</translation>
+    </message>
+    <message>
+        <source>Its settings are not ones of this version.</source>
+        <translation>Seine Einstellungen gibt es in dieser Version nicht.</translation>
+    </message>
+    <message>
+        <source>The file that it names does not fit its format.</source>
+        <translation>Die Datei, die er nennt, passt nicht zu seinem Format.</translation>
+    </message>
+</context>
+<context>
+    <name>Exports</name>
+    <message numerus="yes">
+        <source>%n exports from last time are in the queue.</source>
+        <translation>
+            <numerusform>%n Export vom letzten Mal ist in der Warteschlange.</numerusform>
+            <numerusform>%n Exporte vom letzten Mal sind in der Warteschlange.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Exporte sind nicht fertig</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n Export ist noch in der Warteschlange.</numerusform>
+            <numerusform>%n Exporte sind noch in der Warteschlange.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <translation>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -763,11 +842,61 @@
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
+    <name>Lesson</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
-        <translation>Fractint-Sammlungen (*.ifs *.par);;Flames (*.flame *.flam3);;Zahlentabellen (*.csv *.tsv *.txt);;Bilder, die ihr Fraktal enthalten (*.png *.svg);;Alle Dateien (*)</translation>
+        <source>The file has no entry “%1”.</source>
+        <translation>Die Datei hat keinen Eintrag „%1“.</translation>
     </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Einen Schritt der Lektion zeigen</translation>
+    </message>
+    <message>
+        <source>The cage of this entry has other corners than in the lesson.</source>
+        <translation>Der Käfig dieses Eintrags hat andere Ecken als in der Lektion.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonReader</name>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>Die Lektion ist größer als 4 MB, die Grenze.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Das ist keine Lektion: Die erste Zeile beginnt nicht mit „lesson:“.</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>Die Lektion hat keine Schritte.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Diese Zeile wurde übergangen: Einstellungen sehen aus wie „file: name.ifs“, Schritte beginnen mit „##“.</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>Die Lektion hat mehr als %1 Schritte; die übrigen wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>Der Text von Schritt %1 ist länger als %2 Zeichen und wurde gekürzt.</translation>
+    </message>
+    <message>
+        <source>“%1” is not the name of a file in the folder of the lesson.</source>
+        <translation>„%1“ ist kein Name einer Datei im Ordner der Lektion.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>„%1: %2“ wurde nicht verstanden.</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>„%1“ ist dieser Version unbekannt und bleibt erhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
     <message>
         <source>Add %1</source>
         <translation>%1 hinzufügen</translation>
@@ -1093,10 +1222,6 @@
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Pick one of many variations of this fractal</source>
-        <translation>Eine von vielen Abwandlungen dieses Fraktals wählen</translation>
     </message>
     <message>
         <source>Ctrl+Shift+M</source>
@@ -1493,10 +1618,6 @@
     <message>
         <source>P&amp;aste</source>
         <translation>&amp;Einfügen</translation>
-    </message>
-    <message>
-        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
-        <translation>Die Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle</translation>
     </message>
     <message>
         <source>Your unsaved work was recovered nevertheless.</source>
@@ -1974,6 +2095,258 @@
         <source>De&amp;fine Tetrahedron</source>
         <translation>Tetraeder &amp;festlegen</translation>
     </message>
+    <message>
+        <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
+        <translation>Erst Abbildungen oder Einträge wählen: in ihren Bereichen, oder Abbildungen auf der Leinwand mit ihrem Werkzeug.</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>A&amp;usschneiden</translation>
+    </message>
+    <message>
+        <source>Move the selected maps or entries to the clipboard</source>
+        <translation>Die gewählten Abbildungen oder Einträge in die Zwischenablage verschieben</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps or entries</source>
+        <translation>Die gewählten Abbildungen oder Einträge kopieren</translation>
+    </message>
+    <message>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
+        <translation>Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle; oder Abbildungen zum Fraktal</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps or entries</source>
+        <translation>Die gewählten Abbildungen oder Einträge duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps or entries</source>
+        <translation>Die gewählten Abbildungen oder Einträge löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select all maps or all entries</source>
+        <translation>Alle Abbildungen oder alle Einträge auswählen</translation>
+    </message>
+    <message>
+        <source>Breed variations of this fractal, or cross it with another one</source>
+        <translation>Abwandlungen dieses Fraktals züchten oder es mit einem anderen kreuzen</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Fractint-Sammlungen (*.ifs *.par);;Flames (*.flame *.flam3);;Zahlentabellen (*.csv *.tsv *.txt);;Bilder, die ihr Fraktal enthalten (*.png *.svg);;Lektionen (*.lesson);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The Chaos Game</source>
+        <translation>Das Chaos-Spiel</translation>
+    </message>
+    <message>
+        <source>Why the Maple Fits Its Triangle</source>
+        <translation>Warum der Ahorn in sein Dreieck passt</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Play Lesson</source>
+        <translation>Lektion &amp;abspielen</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen</source>
+        <translation>Die Lektion auf dem ganzen Bildschirm abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>&amp;Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Show the next step of the lesson that is played</source>
+        <translation>Den nächsten Schritt der Lektion zeigen, die läuft</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Step</source>
+        <translation>&amp;Voriger Schritt</translation>
+    </message>
+    <message>
+        <source>Show the previous step of the lesson that is played</source>
+        <translation>Den vorigen Schritt der Lektion zeigen, die läuft</translation>
+    </message>
+    <message>
+        <source>&amp;Add Step</source>
+        <translation>Schritt &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a step to the lesson, with the state of the window now</source>
+        <translation>Der Lektion einen Schritt mit dem jetzigen Zustand des Fensters hinzufügen</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>Lektion &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
+    </message>
+    <message>
+        <source>The step now has the state of the window.</source>
+        <translation>Der Schritt hat nun den Zustand des Fensters.</translation>
+    </message>
+    <message>
+        <source>End the lesson before you save (Esc).</source>
+        <translation>Beenden Sie vor dem Speichern die Lektion (Esc).</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
+        <translation>Die Lektion nennt keine Datei mit Fraktalen in ihrem Ordner („file: name.ifs“).</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Play this lesson, in a window of its own if this one is in use</source>
+        <translation>Diese Lektion abspielen, in einem eigenen Fenster, falls dieses benutzt wird</translation>
+    </message>
+    <message>
+        <source>Unsaved lesson</source>
+        <translation>Nicht gespeicherte Lektion</translation>
+    </message>
+    <message>
+        <source>The lesson “%1” has unsaved changes.</source>
+        <translation>Die Lektion „%1“ hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>The lesson was not saved</source>
+        <translation>Die Lektion wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
+        <translation>Eine Lektion kann keine Datei namens „%1“ nennen. Speichern Sie die Fraktale zuerst unter einem Namen ohne : * ? &quot; &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Lessons (*.lesson)</source>
+        <translation>Lektionen (*.lesson)</translation>
+    </message>
+    <message>
+        <source>A lesson must be in the folder of its fractals, “%1”.</source>
+        <translation>Eine Lektion muss im Ordner ihrer Fraktale sein, „%1“.</translation>
+    </message>
+    <message>
+        <source>The fractals have unsaved changes.</source>
+        <translation>Die Fraktale haben ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Step %1 has the state of the window. Write its text.</source>
+        <translation>Schritt %1 hat den Zustand des Fensters. Schreiben Sie seinen Text.</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Schnappschüsse</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exporte</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Ready-Made Lessons</source>
+        <translation>&amp;Fertige Lektionen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name Map</source>
+        <translation>Abbildung &amp;umbenennen</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Der aktuellen Abbildung einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k or Unlock Maps</source>
+        <translation>Abbildungen sperren oder &amp;freigeben</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits, or stop doing so</source>
+        <translation>Die gewählten Abbildungen vor Änderungen schützen oder wieder freigeben</translation>
+    </message>
+    <message>
+        <source>Show Map Al&amp;one</source>
+        <translation>Abbildung alle&amp;in zeigen</translation>
+    </message>
+    <message>
+        <source>Show the current map alone, or all of them again</source>
+        <translation>Die aktuelle Abbildung allein zeigen, oder wieder alle</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>Zustände dieses Fraktals, die Sie beim Arbeiten festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <translation>Bilder, die nacheinander im Hintergrund gezeichnet werden, und wie weit jedes ist.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <translation>Eine Lektion über diese Fraktale: ihre Schritte, jeder mit einem Text und dem Zustand des Fensters, auf dem ganzen Bildschirm abzuspielen.</translation>
+    </message>
+    <message>
+        <source>Saved &amp;Views</source>
+        <translation>Ge&amp;speicherte Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Save View…</source>
+        <translation>Ansicht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Keep what the canvas shows under a name, with the fractal</source>
+        <translation>Was die Zeichenfläche zeigt, unter einem Namen mit dem Fraktal aufbewahren</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Views…</source>
+        <translation>Ansichten &amp;bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Go to saved views, rename or delete them</source>
+        <translation>Zu gespeicherten Ansichten gehen, sie umbenennen oder löschen</translation>
+    </message>
+    <message>
+        <source>No saved views</source>
+        <translation>Keine gespeicherten Ansichten</translation>
+    </message>
+    <message>
+        <source>Views that you save are listed here.</source>
+        <translation>Hier stehen die Ansichten, die Sie speichern.</translation>
+    </message>
+    <message>
+        <source>Show this part of the fractal again</source>
+        <translation>Diesen Teil des Fraktals wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Save the view “%1”</source>
+        <translation>Die Ansicht „%1“ speichern</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2035,6 +2408,10 @@
     <message>
         <source>“%1” is not an ordinary file and cannot be opened.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Adjust Picture Paths</source>
+        <translation>Pfade der Bilder anpassen</translation>
     </message>
 </context>
 <context>
@@ -2352,6 +2729,72 @@
     </message>
 </context>
 <context>
+    <name>SnapshotBanner</name>
+    <message>
+        <source>Snapshot on the canvas</source>
+        <translation>Schnappschuss auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>Back to the Fractal</source>
+        <translation>Zurück zum Fraktal</translation>
+    </message>
+    <message>
+        <source>Shows the fractal again. Nothing has changed.</source>
+        <translation>Zeigt wieder das Fraktal. Nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <translation>Macht das Fraktal so, wie es in diesem Schnappschuss war: ein Schritt im Verlauf.</translation>
+    </message>
+    <message>
+        <source>The canvas shows “%1”.</source>
+        <translation>Die Zeichenfläche zeigt „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotCommands</name>
+    <message>
+        <source>Snapshots cannot be compared while a fractal transformation is shown.</source>
+        <translation>Schnappschüsse lassen sich nicht vergleichen, während eine fraktale Transformation gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Take &amp;Snapshot</source>
+        <translation>&amp;Schnappschuss aufnehmen</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <translation>Den jetzigen Zustand dieses Fraktals im Feld „Schnappschüsse“ festhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with Snapshot</source>
+        <translation>Mit Schnappschuss &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Q</source>
+        <translation>Q</translation>
+    </message>
+    <message>
+        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Anstelle des Fraktals den mit B markierten Schnappschuss zeigen; drücken Sie noch einmal, oder halten Sie die Taste und lassen los, um zurückzukehren</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <translation>Als „%1“ festgehalten. „Ansicht“, „Felder“, „Schnappschüsse“ zeigt ihn.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -2564,6 +3007,40 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>Das Bild enthält kein System: Es wurde nicht von Barycage geschrieben, oder ein anderes Programm hat es entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskFolder</name>
+    <message>
+        <source>It is not an ordinary file.</source>
+        <translation>Es ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Er ist zu groß.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Er kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
+        <translation>Ein Export vom letzten Mal wurde übergangen. %1 Was davon übrig ist, liegt in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskJob</name>
+    <message>
+        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <translation>Seit Sie diesen Export hinzugefügt haben, ist eine Datei „%1“ entstanden. „Erneut versuchen“ ersetzt sie.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>Das Fraktal in diesem Export kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Für dieses Bild reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>
@@ -3660,10 +4137,6 @@
         <translation>Zwischen diesen Einträgen gibt es keine fraktale Transformation.</translation>
     </message>
     <message>
-        <source>Exporting the picture…</source>
-        <translation>Bild wird exportiert …</translation>
-    </message>
-    <message>
         <source>“%1” is not a system of the plane.</source>
         <translation>„%1“ ist kein System der Ebene.</translation>
     </message>
@@ -3878,6 +4351,18 @@
     <message>
         <source>its fractal transformation</source>
         <translation>seine fraktale Transformation</translation>
+    </message>
+    <message>
+        <source>its saved views</source>
+        <translation>seine gespeicherten Ansichten</translation>
+    </message>
+    <message>
+        <source>the names of its maps</source>
+        <translation>die Namen seiner Abbildungen</translation>
+    </message>
+    <message>
+        <source>the locks of its maps</source>
+        <translation>die Sperren seiner Abbildungen</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4754,60 @@
     </message>
 </context>
 <context>
+    <name>document::MapLocks</name>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Eine Abbildung sperren</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Eine Abbildung freigeben</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>%1 Abbildungen sperren</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>%1 Abbildungen freigeben</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Den Namen der Abbildung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Abbildung %1 „%2“ nennen</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapSolo</name>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Erst eine Abbildung wählen.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Die Abbildungen sind verknüpft. Nur Abbildungen, die alle aufeinander folgen dürfen, lassen sich allein zeigen.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>Der Käfig biegt das Bild, in dem sich keine Abbildung allein zeigen lässt. Setzen Sie erst den Käfig zurück.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>Abbildung %1 führt alles in einen Punkt, es gibt also nichts allein zu zeigen.</translation>
+    </message>
+</context>
+<context>
     <name>document::MapsArrange</name>
     <message>
         <source>Flip maps</source>
@@ -4339,6 +4878,13 @@
     <message>
         <source>This entry is not a system in space.</source>
         <translation>Dieser Eintrag ist kein System im Raum.</translation>
+    </message>
+</context>
+<context>
+    <name>document::Variations</name>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Dieser Eintrag hat keine Abbildungen, die sich abwandeln ließen.</translation>
     </message>
 </context>
 <context>
@@ -4785,6 +5331,10 @@
         <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
         <translation>Der Auftrag ist in %1. Hier gibt es kein sbatch: Führen Sie submit.sh in diesem Ordner auf dem Cluster aus.</translation>
     </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>Die Ansicht „%1“</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -4955,6 +5505,30 @@
     <message>
         <source>Browse hundreds of palettes, turn and shift them</source>
         <translation>Hunderte Paletten durchsehen, drehen und verschieben</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Above 1, light parts become lighter and dark parts darker</source>
+        <translation>Über 1 werden helle Teile heller und dunkle dunkler</translation>
+    </message>
+    <message>
+        <source>Above 1, tones lighter than the middle become lighter, and darker ones darker. Below 1, they come closer together. Black, middle and white stay.</source>
+        <translation>Über 1 werden Töne, die heller sind als der mittlere, heller und dunklere dunkler. Unter 1 rücken sie zusammen. Schwarz, Mitte und Weiß bleiben.</translation>
+    </message>
+    <message>
+        <source>Vibrancy</source>
+        <translation>Leuchtkraft</translation>
+    </message>
+    <message>
+        <source>Below 1, colours are paler, the more so the higher the gamma</source>
+        <translation>Unter 1 sind die Farben blasser, umso mehr, je höher das Gamma</translation>
+    </message>
+    <message>
+        <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
+        <translation>Bei 1 bestimmt das Gamma nur, wie stark eine Farbe erscheint, und die Farbe behält ihren Farbton. Bei 0 wirkt das Gamma auch auf Rot, Grün und Blau, und die Farben sind blasser. Flames haben dieselbe Einstellung.</translation>
     </message>
 </context>
 <context>
@@ -5596,8 +6170,8 @@
         <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
+        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
+        <translation>So viele Teile liegen aufeinander, dass manches an diesem Körper grob gezeichnet ist. Die Darstellung „Wolke“ zeigt alles.</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +6416,22 @@
         <source>Removes this map from the system</source>
         <translation>Diese Abbildung aus dem System nehmen</translation>
     </message>
+    <message>
+        <source>Un&amp;lock</source>
+        <translation>&amp;Freigeben</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Sperren</translation>
+    </message>
+    <message>
+        <source>Lets this map be edited again</source>
+        <translation>Lässt diese Abbildung wieder ändern</translation>
+    </message>
+    <message>
+        <source>Protects this map against edits</source>
+        <translation>Schützt diese Abbildung vor Änderungen</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -6006,6 +6596,14 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm hat den Auftrag nicht angenommen: %1</translation>
+    </message>
+    <message>
+        <source>The result is in %1.</source>
+        <translation>Das Ergebnis ist in %1.</translation>
+    </message>
+    <message>
+        <source>The reason is in the logs in %1.</source>
+        <translation>Der Grund steht in den Protokollen in %1.</translation>
     </message>
 </context>
 <context>
@@ -6851,6 +7449,25 @@
         <source>Adding entries…</source>
         <translation>Einträge werden hinzugefügt …</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Aus&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Move the selected entries to the clipboard.</source>
+        <translation>Verschiebt die gewählten Einträge in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 ausschneiden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n entries</source>
+        <translation>
+            <numerusform>%n Eintrag ausschneiden</numerusform>
+            <numerusform>%n Einträge ausschneiden</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>
@@ -7250,10 +7867,6 @@
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
-        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt.</translation>
-    </message>
-    <message>
         <source>S&amp;ection:</source>
         <translation>Au&amp;sschnitt:</translation>
     </message>
@@ -7280,6 +7893,56 @@
     <message>
         <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>Der Name „%1“ nennt kein Format: Er muss auf .png, .jpg, .webp, .tiff, .exr, .svg oder .pdf enden.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>In die Warteschlange…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>Die Ansicht „%1“</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt. Gespeicherte Ansichten stehen ebenfalls in der Liste.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>What the file will show</source>
+        <translation>Was die Datei zeigen wird</translation>
+    </message>
+    <message>
+        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <translation>Das Bild, wie es exportiert wird: seine Form und der Ausschnitt, den es zeigt. Wo es durchsichtig ist, scheint ein Schachbrett durch. Es folgt jedem Feld.</translation>
+    </message>
+    <message>
+        <source>Drawing the preview…</source>
+        <translation>Die Vorschau wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>No preview</source>
+        <translation>Keine Vorschau</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportQueue</name>
+    <message>
+        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <translation>Das Programm wurde zweimal beendet, während es dieses Bild zeichnete. Versuchen Sie es allein noch einmal, oder exportieren Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <translation>Die Warteschlange der Exporte kann nicht für den nächsten Start aufbewahrt werden: Ihr Ordner ist nicht beschreibbar, oder der Datenträger ist voll.</translation>
     </message>
 </context>
 <context>
@@ -7379,6 +8042,143 @@
     <message>
         <source>A3 at 300 dpi</source>
         <translation>A3 mit 300 dpi</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsModel</name>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation>
+            <numerusform>noch etwa %n Sekunde</numerusform>
+            <numerusform>noch etwa %n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) left</source>
+        <translation>
+            <numerusform>noch etwa %n Minute</numerusform>
+            <numerusform>noch etwa %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n hour(s) left</source>
+        <translation>
+            <numerusform>noch etwa %n Stunde</numerusform>
+            <numerusform>noch etwa %n Stunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Paused at %1 %</source>
+        <translation>Angehalten bei %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %, %2</source>
+        <comment>how much is done, time left</comment>
+        <translation>%1 %, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>file, how far it is</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsPanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>Exporte</translation>
+    </message>
+    <message>
+        <source>Queue of exports</source>
+        <translation>Warteschlange der Exporte</translation>
+    </message>
+    <message>
+        <source>The exports, drawn from the top to the bottom.</source>
+        <translation>Die Exporte, von oben nach unten gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
+        <translation>Die Exporte, die Sie in die Warteschlange gestellt haben. Sie werden von oben nach unten nacheinander gezeichnet, während Sie weiterarbeiten. Was beim Ende des Programms nicht fertig ist, wird beim nächsten Mal gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <translation>Keine Exporte warten. Wählen Sie „In die Warteschlange“ unter „Datei › Bild exportieren…“, um Bilder nacheinander zu zeichnen, während Sie weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
+        <translation>Alle Exporte anhalten oder fortsetzen; was schon gezeichnet ist, geht nicht verloren.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Draw the selected export earlier.</source>
+        <translation>Den ausgewählten Export früher zeichnen.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Draw the selected export later.</source>
+        <translation>Den ausgewählten Export später zeichnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Try Again</source>
+        <translation>&amp;Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Draw the selected exports that failed once more.</source>
+        <translation>Die ausgewählten Exporte, die fehlgeschlagen sind, noch einmal zeichnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>&amp;Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Show the folder of the selected export in the file manager.</source>
+        <translation>Den Ordner des ausgewählten Exports in der Dateiverwaltung zeigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel Export</source>
+        <translation>Export a&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
+        <translation>Die ausgewählten Exporte von der Liste nehmen; was nicht fertig ist, wird nicht gezeichnet. Geschriebene Dateien bleiben.</translation>
+    </message>
+    <message>
+        <source>Clear &amp;Finished</source>
+        <translation>Fertige entf&amp;ernen</translation>
+    </message>
+    <message>
+        <source>Take all exports that are done off the list; their files stay.</source>
+        <translation>Alle fertigen Exporte von der Liste nehmen; ihre Dateien bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -7816,6 +8616,224 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::LessonCard</name>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Text des Schritts</translation>
+    </message>
+    <message>
+        <source>Show the previous step (Page Up)</source>
+        <translation>Den vorigen Schritt zeigen (Bild auf)</translation>
+    </message>
+    <message>
+        <source>Show the next step (Page Down)</source>
+        <translation>Den nächsten Schritt zeigen (Bild ab)</translation>
+    </message>
+    <message>
+        <source>End the lesson and return to the window as it was (Esc)</source>
+        <translation>Die Lektion beenden und zum Fenster zurückkehren, wie es war (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonNotebook</name>
+    <message>
+        <source>Rename lesson</source>
+        <translation>Lektion umbenennen</translation>
+    </message>
+    <message>
+        <source>Add step</source>
+        <translation>Schritt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Update step</source>
+        <translation>Schritt aktualisieren</translation>
+    </message>
+    <message>
+        <source>Rename step</source>
+        <translation>Schritt umbenennen</translation>
+    </message>
+    <message>
+        <source>Edit text</source>
+        <translation>Text ändern</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Schritt verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonPanel</name>
+    <message>
+        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <translation>Richten Sie das Fenster so ein, wie die Klasse es sehen soll, und klicken Sie auf „Schritt hinzufügen“. Schreiben Sie dann, was Sie dazu sagen wollen.</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>Lektion &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Add Step</source>
+        <translation>Schritt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a step with the state of the window now</source>
+        <translation>Einen Schritt mit dem jetzigen Zustand des Fensters hinzufügen</translation>
+    </message>
+    <message>
+        <source>Update Step</source>
+        <translation>Schritt aktualisieren</translation>
+    </message>
+    <message>
+        <source>Give the selected step the state of the window now</source>
+        <translation>Dem gewählten Schritt den jetzigen Zustand des Fensters geben</translation>
+    </message>
+    <message>
+        <source>Show Step</source>
+        <translation>Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>Bring the window into the state of the selected step</source>
+        <translation>Das Fenster in den Zustand des gewählten Schritts bringen</translation>
+    </message>
+    <message>
+        <source>Remove Step</source>
+        <translation>Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected step</source>
+        <translation>Den gewählten Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Show the selected step earlier</source>
+        <translation>Den gewählten Schritt früher zeigen</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Show the selected step later</source>
+        <translation>Den gewählten Schritt später zeigen</translation>
+    </message>
+    <message>
+        <source>Undo in the Lesson</source>
+        <translation>In der Lektion rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the lesson</source>
+        <translation>Die letzte Änderung der Lektion rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo in the Lesson</source>
+        <translation>In der Lektion wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo the change of the lesson</source>
+        <translation>Die Änderung der Lektion wiederholen</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Titel der Lektion</translation>
+    </message>
+    <message>
+        <source>Shown above every step while the lesson is played</source>
+        <translation>Steht über jedem Schritt, während die Lektion läuft</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Schritte der Lektion</translation>
+    </message>
+    <message>
+        <source>Double-click a step to bring the window into its state</source>
+        <translation>Ein Doppelklick auf einen Schritt bringt das Fenster in seinen Zustand</translation>
+    </message>
+    <message>
+        <source>Title of the step</source>
+        <translation>Titel des Schritts</translation>
+    </message>
+    <message>
+        <source>Shown in large letters above the text</source>
+        <translation>Steht in großer Schrift über dem Text</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Text des Schritts</translation>
+    </message>
+    <message>
+        <source>Shown beside the picture; leave a line empty to begin a paragraph</source>
+        <translation>Steht neben dem Bild; eine leere Zeile beginnt einen Absatz</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen, from the selected step</source>
+        <translation>Die Lektion vom gewählten Schritt an auf dem ganzen Bildschirm abspielen</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>The panels that this step shows beside the canvas; all others are hidden</source>
+        <translation>Die Felder, die dieser Schritt neben der Zeichenfläche zeigt; alle anderen sind verborgen</translation>
+    </message>
+    <message>
+        <source>Panels of the step</source>
+        <translation>Felder des Schritts</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number and title of a step</comment>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LightBall</name>
     <message>
         <source>Direction of the light</source>
@@ -7926,6 +8944,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Unlink map %1 from map %2</source>
         <translation>Abbildung %1 von Abbildung %2 lösen</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n link(s)</source>
+        <translation>
+            <numerusform>%n Verbindung entfernen</numerusform>
+            <numerusform>%n Verbindungen entfernen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7960,6 +8985,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
         <translation>Jede Abbildung darf auf jede folgen. Klicken Sie auf einen Pfeil und drücken Sie Entf, um es zu verbieten.</translation>
+    </message>
+    <message>
+        <source>No map has a choice of what follows it, so only single points are drawn.</source>
+        <translation>Auf jede Abbildung kann nur eine folgen, deshalb werden nur einzelne Punkte gezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -8123,6 +9152,25 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Translation l, applied last</source>
         <translation>Verschiebung l, zuletzt angewandt</translation>
     </message>
+    <message>
+        <source>Map %1, locked</source>
+        <translation>Abbildung %1, gesperrt</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapsClipboard</name>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in space.</source>
+        <translation>Nichts wurde eingefügt: Die kopierten Abbildungen gehören zu einem System im Raum.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in the plane.</source>
+        <translation>Nichts wurde eingefügt: Die kopierten Abbildungen gehören zu einem System in der Ebene.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 12 or 13 numbers.</source>
+        <translation>Nichts wurde eingefügt: Die Zwischenablage enthält keine Zeilen von 12 oder 13 Zahlen.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsDelegate</name>
@@ -8133,6 +9181,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>%1 The cell keeps its value.</source>
         <translation>%1 Die Zelle behält ihren Wert.</translation>
+    </message>
+    <message>
+        <source>Name of map %1</source>
+        <translation>Name der Abbildung %1</translation>
     </message>
 </context>
 <context>
@@ -8204,14 +9256,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Effektiver Code: die Abbildung, wie sie unter dem jetzigen Käfig auf das Bild wirkt. Einrechnen macht sie zum Code.</translation>
-    </message>
-    <message>
-        <source>Whether the map is switched on.</source>
-        <translation>Ob die Abbildung eingeschaltet ist.</translation>
-    </message>
-    <message>
-        <source>Colour of the map, used when the picture is coloured by map.</source>
-        <translation>Farbe der Abbildung, wenn das Bild nach Abbildungen gefärbt wird.</translation>
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
@@ -8316,6 +9360,62 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
         <translation>Determinante: der Faktor der Volumen; negativ, wenn die Abbildung spiegelt.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Whether the map is switched on. Alt+click shows one map alone.</source>
+        <translation>Ob die Abbildung eingeschaltet ist. Alt+Klick zeigt eine Abbildung allein.</translation>
+    </message>
+    <message>
+        <source>Whether the map is locked: then it cannot be edited, moved or deleted by mistake.</source>
+        <translation>Ob die Abbildung gesperrt ist: Dann lässt sie sich nicht versehentlich ändern, verschieben oder löschen.</translation>
+    </message>
+    <message>
+        <source>Colour of the map, used when the picture is coloured by map, and the part of the attractor that the map makes.</source>
+        <translation>Farbe der Abbildung, wenn das Bild nach Abbildungen gefärbt ist, und der Teil des Attraktors, den die Abbildung erzeugt.</translation>
+    </message>
+    <message>
+        <source>Name of the map.</source>
+        <translation>Name der Abbildung.</translation>
+    </message>
+    <message>
+        <source>Map %1 is shown alone.</source>
+        <translation>Abbildung %1 wird allein gezeigt.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked.</source>
+        <translation>Abbildung %1 ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>Map %1 is not locked.</source>
+        <translation>Abbildung %1 ist nicht gesperrt.</translation>
+    </message>
+    <message>
+        <source>Map %1 has no name. Double-click to name it.</source>
+        <translation>Abbildung %1 hat keinen Namen. Doppelklick gibt ihr einen.</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>nicht gesperrt</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>kein Name</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Den Namen der Abbildung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Abbildung %1 „%2“ nennen</translation>
     </message>
 </context>
 <context>
@@ -8564,6 +9664,66 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Jede Zeile ist eine Abbildung: (x, y, z) geht über in (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), so oft, wie ihr Gewicht p sagt. Klicken Sie doppelt auf eine Zahl oder beginnen Sie zu tippen, um sie zu ändern; das Bild folgt jeder Taste. Ziehen Sie die Nummer einer Zeile, um sie zu verschieben.</translation>
     </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Move the selected maps to the clipboard</source>
+        <translation>Die gewählten Abbildungen in die Zwischenablage verschieben</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Der aktuellen Abbildung einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits</source>
+        <translation>Die gewählten Abbildungen vor Änderungen schützen</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>Show the current map alone; the file does not change</source>
+        <translation>Die aktuelle Abbildung allein zeigen; die Datei ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Show the names of the maps</source>
+        <translation>Die Namen der Abbildungen zeigen</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps as rows a b c d e f g h i j k l p, separated by tabs</source>
+        <translation>Die gewählten Abbildungen als Zeilen a b c d e f g h i j k l p kopieren, durch Tabulatoren getrennt</translation>
+    </message>
+    <message>
+        <source>Add rows of 12 or 13 numbers from the clipboard as new maps</source>
+        <translation>Zeilen von 12 oder 13 Zahlen aus der Zwischenablage als neue Abbildungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Replace the selected maps by rows of 12 or 13 numbers from the clipboard</source>
+        <translation>Die gewählten Abbildungen durch Zeilen von 12 oder 13 Zahlen aus der Zwischenablage ersetzen</translation>
+    </message>
+    <message>
+        <source>Cut a map</source>
+        <translation>Eine Abbildung ausschneiden</translation>
+    </message>
+    <message>
+        <source>Cut %1 maps</source>
+        <translation>%1 Abbildungen ausschneiden</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -8739,28 +9899,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abwandlungen von „%1“</translation>
     </message>
     <message>
-        <source>Random Fractals</source>
-        <translation>Zufällige Fraktale</translation>
-    </message>
-    <message>
         <source>Variations</source>
         <translation>Abwandlungen</translation>
-    </message>
-    <message>
-        <source>&amp;Use This One</source>
-        <translation>&amp;Dieses nehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Add to the File</source>
-        <translation>Der Datei &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>&amp;Mutate Again</source>
-        <translation>&amp;Noch einmal abwandeln</translation>
-    </message>
-    <message>
-        <source>Use the selected one as the new starting point</source>
-        <translation>Das gewählte zum Ausgangspunkt der Abwandlungen machen</translation>
     </message>
     <message>
         <source>How strongly the variations differ</source>
@@ -8799,20 +9939,132 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Mutieren</translation>
     </message>
     <message>
-        <source>Add Random Fractal</source>
-        <translation>Zufälliges Fraktal hinzufügen</translation>
+        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
+        <translation>In der Mitte ist das Elternbild, ringsum sind seine Abwandlungen. Klicken Sie auf eine oder drücken Sie darauf die Eingabetaste, um sie zum neuen Elternbild zu machen. Ein Doppelklick verwendet sie sofort.</translation>
     </message>
     <message>
-        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
-        <translation>Wählen Sie eines und bestätigen Sie, oder klicken Sie doppelt darauf: Es ersetzt das Fraktal in einem Schritt, den Sie rückgängig machen können.</translation>
+        <source>&amp;Use the Parent</source>
+        <translation>&amp;Elternbild verwenden</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
-        <translation>Links sind die Abwandlungen dem Ausgangspunkt sehr ähnlich, rechts sind sie wild.</translation>
+        <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
+        <translation>Das Fraktal in der Mitte ersetzt das, mit dem Sie begonnen haben, in einem Schritt, den Sie rückgängig machen können.</translation>
     </message>
     <message>
-        <source>Uses the selected one, in one step that you can undo.</source>
-        <translation>Nimmt das gewählte, in einem Schritt, der sich zurücknehmen lässt.</translation>
+        <source>Line of descent</source>
+        <translation>Abstammungslinie</translation>
+    </message>
+    <message>
+        <source>Every parent so far, the oldest at the top. Select one to go back to it. Its descendants stay in the list until you choose another child of it.</source>
+        <translation>Alle bisherigen Elternbilder, das älteste oben. Wählen Sie eines, um zu ihm zurückzukehren. Seine Nachkommen bleiben in der Liste, bis Sie ein anderes Kind von ihm wählen.</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Line of &amp;descent</source>
+        <translation>Abstammungs&amp;linie</translation>
+    </message>
+    <message>
+        <source>How far the variations are from their parent</source>
+        <translation>Wie weit die Abwandlungen vom Elternbild entfernt sind</translation>
+    </message>
+    <message>
+        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <translation>Links bleiben die Abwandlungen dem Elternbild ähnlich, rechts weichen sie stark ab.</translation>
+    </message>
+    <message>
+        <source>Sha&amp;pe</source>
+        <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>Turn, stretch and move the maps</source>
+        <translation>Die Abbildungen drehen, strecken und verschieben</translation>
+    </message>
+    <message>
+        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <translation>Die Abbildungen werden gedreht, gestreckt und verschoben; hin und wieder kommt eine hinzu oder fällt weg. Gesperrte und ausgeschaltete Abbildungen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>Far&amp;be</translation>
+    </message>
+    <message>
+        <source>Try other colours</source>
+        <translation>Andere Farben ausprobieren</translation>
+    </message>
+    <message>
+        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <translation>Palette, einfache Farbe und die Farben der Abbildungen ändern ihren Farbton. Der Hintergrund bleibt, ebenso das, wofür die Farben stehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Weights</source>
+        <translation>&amp;Gewichte</translation>
+    </message>
+    <message>
+        <source>Make some maps denser and others fainter</source>
+        <translation>Manche Abbildungen dichter, andere schwächer machen</translation>
+    </message>
+    <message>
+        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <translation>Die Gewichte ändern sich zufällig und folgen der Größe der Abbildungen. Sonst behält jede Abbildung ihr Gewicht. Ein Körper im Raum hängt nicht von den Gewichten ab, eine Wolke schon.</translation>
+    </message>
+    <message>
+        <source>What may change:</source>
+        <translation>Was sich ändern darf:</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Diese Datei hat kein anderes Fraktal dieser Dimension.</translation>
+    </message>
+    <message>
+        <source>Mix the parent with another entry of this file</source>
+        <translation>Das Elternbild mit einem anderen Eintrag dieser Datei mischen</translation>
+    </message>
+    <message>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <translation>Die Abwandlungen übernehmen manche Abbildungen vom Elternbild, manche vom anderen Eintrag, und manche liegen zwischen zwei zusammengehörigen. Die Kästchen oben bestimmen, ob Form, Farbe und Gewichte gemischt werden. Jedes Kind hat einen Attraktor.</translation>
+    </message>
+    <message>
+        <source>C&amp;ross with:</source>
+        <translation>&amp;Kreuzen mit:</translation>
+    </message>
+    <message>
+        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <translation>Die Zahl, aus der die Abwandlungen entstehen. Mit demselben Elternbild, denselben Einstellungen und demselben Startwert erhalten Sie wieder dasselbe Blatt.</translation>
+    </message>
+    <message>
+        <source>Shows other variations of the same parent, from the next seed.</source>
+        <translation>Zeigt andere Abwandlungen desselben Elternbilds, mit dem nächsten Startwert.</translation>
+    </message>
+    <message>
+        <source>Variation %1, not made yet</source>
+        <translation>Abwandlung %1, noch nicht fertig</translation>
+    </message>
+    <message>
+        <source>Generation %1</source>
+        <translation>Generation %1</translation>
+    </message>
+    <message>
+        <source>Parent: the original</source>
+        <translation>Elternbild: das Original</translation>
+    </message>
+    <message>
+        <source>Parent: generation %1</source>
+        <translation>Elternbild: Generation %1</translation>
+    </message>
+    <message>
+        <source>Click a picture to make it the new parent.</source>
+        <translation>Klicken Sie auf ein Bild, um es zum neuen Elternbild zu machen.</translation>
+    </message>
+    <message>
+        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <translation>Nichts darf sich ändern, also gibt es keine Abwandlungen. Kreuzen Sie mindestens ein Kästchen an.</translation>
     </message>
 </context>
 <context>
@@ -9209,6 +10461,235 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::RandomDialog</name>
+    <message>
+        <source>Random Fractals</source>
+        <translation>Zufällige Fraktale</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the File</source>
+        <translation>Der Datei &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the selected one as an entry of its own, in one step that you can undo.</source>
+        <translation>Fügt das gewählte als eigenen Eintrag hinzu, in einem Schritt, den Sie rückgängig machen können.</translation>
+    </message>
+    <message>
+        <source>Random fractals</source>
+        <translation>Zufällige Fraktale</translation>
+    </message>
+    <message>
+        <source>Select one and confirm, or double-click it: it is added to the file, in one step that you can undo.</source>
+        <translation>Wählen Sie eines und bestätigen Sie, oder klicken Sie doppelt darauf: Es wird der Datei hinzugefügt, in einem Schritt, den Sie rückgängig machen können.</translation>
+    </message>
+    <message>
+        <source>In the plane</source>
+        <translation>In der Ebene</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>Plane or space</source>
+        <translation>Ebene oder Raum</translation>
+    </message>
+    <message>
+        <source>Make systems in the plane or in space</source>
+        <translation>Systeme in der Ebene oder im Raum erzeugen</translation>
+    </message>
+    <message>
+        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <translation>In der Ebene folgt die Stärke, mit der die Abbildungen zusammenziehen, einer Regel, nach der das Fraktal sein Bild füllt. Im Raum gibt es keine solche Regel: Die beiden größeren Streckungen jeder Abbildung folgen der Regel der Ebene, die dritte ist kleiner.</translation>
+    </message>
+    <message>
+        <source>How many maps the systems have</source>
+        <translation>Wie viele Abbildungen die Systeme haben</translation>
+    </message>
+    <message>
+        <source>How many maps each system lists. With a symmetry, each of them also acts rotated or mirrored.</source>
+        <translation>Wie viele Abbildungen in der Liste jedes Systems stehen. Mit einer Symmetrie wirkt jede auch gedreht oder gespiegelt.</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Make systems that are symmetric about the origin</source>
+        <translation>Systeme erzeugen, die um den Ursprung symmetrisch sind</translation>
+    </message>
+    <message>
+        <source>Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and icosahedral groups exist in space only.</source>
+        <translation>Jede Abbildung wirkt auch um den Ursprung gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Später können Sie die Symmetrie im Bereich „Abbildungen“ ändern. Tetraeder-, Oktaeder- und Ikosaedergruppe gibt es nur im Raum.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ordnung der Symmetrie</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Wie oft sich das Fraktal bei einer vollen Drehung wiederholt</translation>
+    </message>
+    <message>
+        <source>A rotation of order 5 repeats the fractal five times in a full turn.</source>
+        <translation>Eine Drehung der Ordnung 5 wiederholt das Fraktal fünfmal bei einer vollen Drehung.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps:</source>
+        <translation>Abbil&amp;dungen:</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry:</source>
+        <translation>S&amp;ymmetrie:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Startwert der Zufallszahlen</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same sheet again</source>
+        <translation>Derselbe Startwert gibt wieder dasselbe Blatt</translation>
+    </message>
+    <message>
+        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <translation>Die Zahl, aus der die Systeme entstehen. Mit denselben Einstellungen und demselben Startwert erhalten Sie wieder dasselbe Blatt.</translation>
+    </message>
+    <message>
+        <source>&amp;New Set</source>
+        <translation>&amp;Neue Auswahl</translation>
+    </message>
+    <message>
+        <source>Show another sheet, from the next seed</source>
+        <translation>Ein anderes Blatt: der nächste Startwert</translation>
+    </message>
+    <message>
+        <source>Shows other systems of the same kind, from the next seed.</source>
+        <translation>Zeigt andere Systeme derselben Art, mit dem nächsten Startwert.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed:</source>
+        <translation>&amp;Startwert:</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>Fractal %1</source>
+        <translation>Fraktal %1</translation>
+    </message>
+    <message>
+        <source>Add Random Fractal</source>
+        <translation>Zufälliges Fraktal hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>view::SaveViewDialog</name>
+    <message>
+        <source>Save View</source>
+        <translation>Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Name der Ansicht</translation>
+    </message>
+    <message>
+        <source>The name under which the view is listed in View, Saved Views, beside the zoom and in the export dialogs.</source>
+        <translation>Der Name, unter dem die Ansicht in „Ansicht“, „Gespeicherte Ansichten“, neben dem Zoom und in den Exportdialogen steht.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view:</source>
+        <translation>&amp;Name der Ansicht:</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history.</source>
+        <translation>Bewahrt die Ansicht mit dem Fraktal auf: ein Schritt im Verlauf.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>A fractal can have at most %1 saved views. Delete one first.</source>
+        <translation>Ein Fraktal kann höchstens %1 gespeicherte Ansichten haben. Löschen Sie zuerst eine.</translation>
+    </message>
+    <message>
+        <source>Replaces the view of this name.</source>
+        <translation>Ersetzt die Ansicht dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Wird als „%1“ gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SavedViewsDialog</name>
+    <message>
+        <source>Saved Views</source>
+        <translation>Gespeicherte Ansichten</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Gespeicherte Ansichten</translation>
+    </message>
+    <message>
+        <source>The views of this fractal. Double-click one to go to it, press F2 to rename it.</source>
+        <translation>Die Ansichten dieses Fraktals. Ein Doppelklick geht zu einer Ansicht, F2 benennt sie um.</translation>
+    </message>
+    <message>
+        <source>&amp;Go To</source>
+        <translation>&amp;Gehe zu</translation>
+    </message>
+    <message>
+        <source>Shows this view on the canvas.</source>
+        <translation>Zeigt diese Ansicht auf der Zeichenfläche.</translation>
+    </message>
+    <message>
+        <source>&amp;Update</source>
+        <translation>&amp;Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Replaces it by what the canvas shows now.</source>
+        <translation>Ersetzt sie durch das, was die Zeichenfläche jetzt zeigt.</translation>
+    </message>
+    <message>
+        <source>Update the view “%1”</source>
+        <translation>Die Ansicht „%1“ aktualisieren</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Gives the view another name.</source>
+        <translation>Gibt der Ansicht einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the view; the fractal stays as it is.</source>
+        <translation>Löscht die Ansicht; das Fraktal bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Delete the view “%1”</source>
+        <translation>Die Ansicht „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Rename the view “%1” to “%2”</source>
+        <translation>Die Ansicht „%1“ in „%2“ umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
@@ -9530,6 +11011,18 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>In the timeline</source>
         <translation>In der Zeitleiste</translation>
     </message>
+    <message>
+        <source>In the table of maps</source>
+        <translation>In der Tabelle der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Show one map alone, or all of them again</source>
+        <translation>Eine Abbildung allein zeigen, oder wieder alle</translation>
+    </message>
+    <message>
+        <source>Alt + click on its eye</source>
+        <translation>Alt + Klick auf ihr Auge</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -9632,6 +11125,157 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Cut the Solid</source>
         <translation>Den Körper aufschneiden</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotDelegate</name>
+    <message>
+        <source>Name of the snapshot</source>
+        <translation>Name des Schnappschusses</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotLook</name>
+    <message>
+        <source>There is no snapshot to compare with yet. Take one first: Edit, Take Snapshot.</source>
+        <translation>Es gibt noch keinen Schnappschuss zum Vergleichen. Nehmen Sie zuerst einen auf: „Bearbeiten“, „Schnappschuss aufnehmen“.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since “%1”.</source>
+        <translation>Seit „%1“ hat sich nichts geändert.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be compared: one is in the plane, the other in space. Click the snapshot to restore it.</source>
+        <translation>„%1“ lässt sich nicht vergleichen: Eines liegt in der Ebene, das andere im Raum. Klicken Sie den Schnappschuss an, um ihn wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>This is “%1”. Esc returns to the fractal.</source>
+        <translation>Das ist „%1“. Esc kehrt zum Fraktal zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Snapshots</name>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Ein Eintrag, der nicht gelesen werden konnte, hat keine Schnappschüsse.</translation>
+    </message>
+    <message>
+        <source>“%1” is the same already.</source>
+        <translation>„%1“ ist bereits dasselbe.</translation>
+    </message>
+    <message>
+        <source>Snapshot %1</source>
+        <translation>Schnappschuss %1</translation>
+    </message>
+    <message>
+        <source>Restore “%1”</source>
+        <translation>„%1“ wiederherstellen</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <translation>„%1“ wurde gelöscht. Das Kontextmenü des Feldes holt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Add “%1” as an entry</source>
+        <translation>„%1“ als Eintrag hinzufügen</translation>
+    </message>
+    <message>
+        <source>Added to the file as the entry “%1”.</source>
+        <translation>Als Eintrag „%1“ zur Datei hinzugefügt.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotsPanel</name>
+    <message>
+        <source>Snapshots</source>
+        <translation>Schnappschüsse</translation>
+    </message>
+    <message>
+        <source>Snapshots of the fractal</source>
+        <translation>Schnappschüsse des Fraktals</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
+        <translation>Klicken Sie einen Schnappschuss an, um ihn wiederherzustellen; Rückgängig führt zurück. F2 benennt ihn um, Entf löscht ihn.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>Zustände dieses Fraktals, die Sie festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen: ein Schritt im Verlauf. Der umrahmte ist der, den die Zeichenfläche zeigt; mit dem, der ein B trägt, wird verglichen. Schnappschüsse bleiben, bis die Datei geschlossen wird; „Als Eintrag hinzufügen“ bewahrt einen in der Datei auf.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Make the fractal as it was in this snapshot.</source>
+        <translation>Das Fraktal so machen, wie es in diesem Schnappschuss war.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with This One</source>
+        <translation>Mit diesem &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Make this snapshot the one to compare with.</source>
+        <translation>Diesen Schnappschuss zu dem machen, mit dem verglichen wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Add as Entry</source>
+        <translation>&amp;Als Eintrag hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <translation>Den Schnappschuss als eigenen Eintrag hinter diesem zur Datei hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Give the snapshot another name.</source>
+        <translation>Dem Schnappschuss einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the snapshot; the fractal stays as it is.</source>
+        <translation>Den Schnappschuss löschen; das Fraktal bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back</source>
+        <translation>&amp;Zurückholen</translation>
+    </message>
+    <message>
+        <source>Bring back the snapshot that was deleted last.</source>
+        <translation>Den zuletzt gelöschten Schnappschuss zurückholen.</translation>
+    </message>
+    <message>
+        <source>shown on the canvas</source>
+        <translation>auf der Zeichenfläche gezeigt</translation>
+    </message>
+    <message>
+        <source>the one to compare with</source>
+        <translation>der zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back “%1”</source>
+        <translation>„%1“ &amp;zurückholen</translation>
+    </message>
+    <message>
+        <source>No snapshots of this fractal yet. Press %1 to keep its state, change it, and press %2 to compare.</source>
+        <translation>Noch keine Schnappschüsse dieses Fraktals. Drücken Sie %1, um seinen Zustand festzuhalten, ändern Sie es, und drücken Sie %2, um zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Ein Eintrag, der nicht gelesen werden konnte, hat keine Schnappschüsse.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SoloMap</name>
+    <message>
+        <source>One map is shown alone. Choose Solo again to show all; the file does not change.</source>
+        <translation>Eine Abbildung wird allein gezeigt. Solo noch einmal wählen zeigt alle; die Datei ändert sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -9831,6 +11475,34 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Depths are written as PNG only.</source>
         <translation>Tiefen werden nur als PNG geschrieben.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>In die Warteschlange…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Fragt nach einem Dateinamen und erstellt die Datei, wenn sie an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Die Ansicht auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>Die Ansicht „%1“</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder eine gespeicherte Ansicht.</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>Aus&amp;schnitt:</translation>
     </message>
 </context>
 <context>
@@ -10397,6 +12069,85 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::TheftExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>„%1“ exportieren</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <translation>Fragt nach einem Dateinamen und schreibt das Bild. Sie können währenddessen weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Die Ansicht auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>Der ganze Attraktor</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>Au&amp;sschnitt:</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Größe:</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Übertragenes Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not end with .png. Choose another name.</source>
+        <translation>Der Name „%1“ endet nicht auf .png. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+</context>
+<context>
     <name>view::Timeline</name>
     <message>
         <source>Wind</source>
@@ -10529,6 +12280,24 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Custom…</source>
         <translation>Eigener …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) beyond the new end deleted. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n Schlüssel hinter dem neuen Ende gelöscht. Rückgängig bringt ihn zurück.</numerusform>
+            <numerusform>%n Schlüssel hinter dem neuen Ende gelöscht. Rückgängig bringt sie zurück.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) not pasted: beyond the end of the animation, or of a part that this fractal does not have.</source>
+        <translation>
+            <numerusform>%n Schlüssel nicht eingefügt: hinter dem Ende der Animation, oder von einem Teil, den dieses Fraktal nicht hat.</numerusform>
+            <numerusform>%n Schlüssel nicht eingefügt: hinter dem Ende der Animation, oder von einem Teil, den dieses Fraktal nicht hat.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Fließend</translation>
     </message>
 </context>
 <context>
@@ -10712,10 +12481,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Spuren und Schlüssel</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
-        <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang.</translation>
-    </message>
-    <message>
         <source>Unit of the ruler</source>
         <translation>Einheit des Lineals</translation>
     </message>
@@ -10742,6 +12507,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>, keys in this row: %1</source>
         <translation>, Schlüssel in dieser Zeile: %1</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
+        <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang. Runde Schlüssel sind fließend: Die Bewegung läuft ohne Knick durch sie hindurch.</translation>
     </message>
 </context>
 <context>
@@ -11049,6 +12818,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Waves</source>
         <translation>Wellen</translation>
     </message>
+    <message>
+        <source>State of the fractal transformation</source>
+        <translation>Zustand der fraktalen Transformation</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet</source>
+        <translation>Es gibt noch kein gestohlenes Bild</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -11095,22 +12872,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
         <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>There is no stolen picture yet.</source>
-        <translation>Es gibt noch kein gestohlenes Bild.</translation>
-    </message>
-    <message>
-        <source>Export Stolen Picture</source>
-        <translation>Gestohlenes Bild exportieren</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Exported %1.</source>
-        <translation>%1 exportiert.</translation>
     </message>
 </context>
 <context>

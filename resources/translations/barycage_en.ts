@@ -12,6 +12,23 @@
     </message>
 </context>
 <context>
+    <name>Exports</name>
+    <message numerus="yes">
+        <source>%n exports from last time are in the queue.</source>
+        <translation>
+            <numerusform>%n export from last time is in the queue.</numerusform>
+            <numerusform>%n exports from last time are in the queue.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n export is still in the queue.</numerusform>
+            <numerusform>%n exports are still in the queue.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message numerus="yes">
         <source>%n flames</source>
@@ -153,6 +170,47 @@
             <numerusform>Delete %n entries</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Cut %n entries</source>
+        <translation>
+            <numerusform>Cut %n entry</numerusform>
+            <numerusform>Cut %n entries</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsModel</name>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation>
+            <numerusform>about %n second left</numerusform>
+            <numerusform>about %n seconds left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) left</source>
+        <translation>
+            <numerusform>about %n minute left</numerusform>
+            <numerusform>about %n minutes left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n hour(s) left</source>
+        <translation>
+            <numerusform>about %n hour left</numerusform>
+            <numerusform>about %n hours left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::LinksModel</name>
+    <message numerus="yes">
+        <source>Remove %n link(s)</source>
+        <translation>
+            <numerusform>Remove %n link</numerusform>
+            <numerusform>Remove %n links</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::ProblemsPanel</name>
@@ -171,6 +229,23 @@
         <translation>
             <numerusform>%n map</numerusform>
             <numerusform>%n maps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::Timeline</name>
+    <message numerus="yes">
+        <source>%n key(s) beyond the new end deleted. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n key beyond the new end deleted. Undo brings it back.</numerusform>
+            <numerusform>%n keys beyond the new end deleted. Undo brings them back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) not pasted: beyond the end of the animation, or of a part that this fractal does not have.</source>
+        <translation>
+            <numerusform>%n key not pasted: beyond the end of the animation, or of a part that this fractal does not have.</numerusform>
+            <numerusform>%n keys not pasted: beyond the end of the animation, or of a part that this fractal does not have.</numerusform>
         </translation>
     </message>
 </context>

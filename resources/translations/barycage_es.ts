@@ -83,16 +83,32 @@
         <translation>Como colocación, los coeficientes no cambian; como código, pasan a ser los del fractal transformado. El lienzo muestra el resultado antes de aceptarlo.</translation>
     </message>
     <message>
-        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
-        <translation>Si una tabla no dice cuáles son sus columnas, se le pregunta. En el panel de aplicaciones, Pegar sustituye las aplicaciones seleccionadas.</translation>
-    </message>
-    <message>
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Un idioma nuevo se aplica al volver a iniciar; todo lo demás, enseguida y en todas las ventanas.</translation>
     </message>
     <message>
         <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Elija un movimiento que no necesita claves o cree claves: lo que tiene claves recibe otra allí donde lo cambie; lo que no tiene ninguna cambia para toda la animación.</translation>
+    </message>
+    <message>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
+        <translation>Si una tabla no nombra sus columnas, se le pregunta el orden. En el panel Aplicaciones, Pegar añade al fractal las aplicaciones copiadas o las filas de números.</translation>
+    </message>
+    <message>
+        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <translation>Decide lo que tiene el foco: la tabla de aplicaciones y el lienzo con la herramienta de aplicaciones mueven aplicaciones; la lista de entradas, entradas.</translation>
+    </message>
+    <message>
+        <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
+        <translation>Las aplicaciones se copian con sus nombres y como filas de números; las entradas, como texto .ifs que otros programas pueden leer.</translation>
+    </message>
+    <message>
+        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <translation>Una aplicación bloqueada no se puede sobrescribir, arrastrar, empujar, ordenar, ajustar ni eliminar. Lo que cambia todo el fractal, como una jaula que reescribe el código, cambia también sus aplicaciones bloqueadas.</translation>
+    </message>
+    <message>
+        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <translation>Solo se dibuja la parte del atractor que produce la aplicación. El archivo no cambia, y otra entrada se muestra de nuevo entera.</translation>
     </message>
 </context>
 <context>
@@ -718,10 +734,73 @@
     </message>
 </context>
 <context>
+    <name>Enqueue</name>
+    <message>
+        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <translation>El nombre «%1» no corresponde al formato elegido. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Otra exportación de la cola escribe «%1». Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>Añadida a la cola: %1.</translation>
+    </message>
+</context>
+<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>No hay memoria suficiente para esta imagen. Hágala más pequeña o use menos supermuestreo.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportTask</name>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Está dañada.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>No es una exportación de este programa.</translation>
+    </message>
+    <message>
+        <source>Its settings are not ones of this version.</source>
+        <translation>Sus ajustes no son de esta versión.</translation>
+    </message>
+    <message>
+        <source>The file that it names does not fit its format.</source>
+        <translation>El archivo que nombra no corresponde a su formato.</translation>
+    </message>
+</context>
+<context>
+    <name>Exports</name>
+    <message numerus="yes">
+        <source>%n exports from last time are in the queue.</source>
+        <translation>
+            <numerusform>%n exportación de la última vez está en la cola.</numerusform>
+            <numerusform>%n exportaciones de la última vez están en la cola.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Hay exportaciones sin terminar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n exportación sigue en la cola.</numerusform>
+            <numerusform>%n exportaciones siguen en la cola.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <translation>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -763,11 +842,61 @@
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
+    <name>Lesson</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
-        <translation>Colecciones de Fractint (*.ifs *.par);;Flames (*.flame *.flam3);;Tablas de números (*.csv *.tsv *.txt);;Imágenes que llevan su fractal (*.png *.svg);;Todos los archivos (*)</translation>
+        <source>The file has no entry “%1”.</source>
+        <translation>El archivo no tiene ninguna entrada «%1».</translation>
     </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Mostrar un paso de la lección</translation>
+    </message>
+    <message>
+        <source>The cage of this entry has other corners than in the lesson.</source>
+        <translation>La jaula de esta entrada tiene otros vértices que en la lección.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonReader</name>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>La lección ocupa más de 4 MB, que es el límite.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Esto no es una lección: su primera línea no empieza por «lesson:».</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>La lección no tiene pasos.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Se ha pasado por alto esta línea: los ajustes tienen la forma «file: nombre.ifs» y los pasos empiezan por «##».</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>La lección tiene más de %1 pasos; los demás se han pasado por alto.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>El texto del paso %1 tiene más de %2 caracteres y se ha cortado.</translation>
+    </message>
+    <message>
+        <source>“%1” is not the name of a file in the folder of the lesson.</source>
+        <translation>«%1» no es el nombre de un archivo de la carpeta de la lección.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>No se ha entendido «%1: %2».</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>Esta versión no conoce «%1» y lo conserva.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
     <message>
         <source>Add %1</source>
         <translation>Añadir %1</translation>
@@ -1093,10 +1222,6 @@
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Pick one of many variations of this fractal</source>
-        <translation>Elegir una entre muchas variaciones de este fractal</translation>
     </message>
     <message>
         <source>Ctrl+Shift+M</source>
@@ -1493,10 +1618,6 @@
     <message>
         <source>P&amp;aste</source>
         <translation>P&amp;egar</translation>
-    </message>
-    <message>
-        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
-        <translation>Añadir al archivo los fractales del portapapeles: entradas de un archivo .ifs, flames o una tabla de números</translation>
     </message>
     <message>
         <source>Your unsaved work was recovered nevertheless.</source>
@@ -1974,6 +2095,258 @@
         <source>De&amp;fine Tetrahedron</source>
         <translation>&amp;Definir el tetraedro</translation>
     </message>
+    <message>
+        <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
+        <translation>Seleccione primero aplicaciones o entradas: en sus paneles, o en el lienzo con la herramienta de aplicaciones.</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>Move the selected maps or entries to the clipboard</source>
+        <translation>Mover al portapapeles las aplicaciones o entradas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps or entries</source>
+        <translation>Copiar las aplicaciones o entradas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
+        <translation>Añadir al archivo fractales del portapapeles: entradas de un archivo .ifs, flames o una tabla de números; o aplicaciones al fractal</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>D&amp;uplicar</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps or entries</source>
+        <translation>Duplicar las aplicaciones o entradas seleccionadas</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps or entries</source>
+        <translation>Eliminar las aplicaciones o entradas seleccionadas</translation>
+    </message>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Seleccionar todo</translation>
+    </message>
+    <message>
+        <source>Select all maps or all entries</source>
+        <translation>Seleccionar todas las aplicaciones o todas las entradas</translation>
+    </message>
+    <message>
+        <source>Breed variations of this fractal, or cross it with another one</source>
+        <translation>Criar variaciones de este fractal o cruzarlo con otro</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Colecciones de Fractint (*.ifs *.par);;Flames (*.flame *.flam3);;Tablas de números (*.csv *.tsv *.txt);;Imágenes que llevan su fractal (*.png *.svg);;Lecciones (*.lesson);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The Chaos Game</source>
+        <translation>El juego del caos</translation>
+    </message>
+    <message>
+        <source>Why the Maple Fits Its Triangle</source>
+        <translation>Por qué el arce cabe en su triángulo</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Lección</translation>
+    </message>
+    <message>
+        <source>&amp;Play Lesson</source>
+        <translation>&amp;Reproducir la lección</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen</source>
+        <translation>Reproducir la lección en toda la pantalla</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>Paso &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Show the next step of the lesson that is played</source>
+        <translation>Mostrar el paso siguiente de la lección en curso</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Step</source>
+        <translation>Paso &amp;anterior</translation>
+    </message>
+    <message>
+        <source>Show the previous step of the lesson that is played</source>
+        <translation>Mostrar el paso anterior de la lección en curso</translation>
+    </message>
+    <message>
+        <source>&amp;Add Step</source>
+        <translation>Aña&amp;dir un paso</translation>
+    </message>
+    <message>
+        <source>Add a step to the lesson, with the state of the window now</source>
+        <translation>Añadir a la lección un paso con el estado actual de la ventana</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>Guardar la l&amp;ección…</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Guardar la lección junto al archivo de sus fractales</translation>
+    </message>
+    <message>
+        <source>The step now has the state of the window.</source>
+        <translation>El paso tiene ahora el estado de la ventana.</translation>
+    </message>
+    <message>
+        <source>End the lesson before you save (Esc).</source>
+        <translation>Termine la lección antes de guardar (Esc).</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
+        <translation>La lección no nombra ningún archivo de fractales de su carpeta («file: nombre.ifs»).</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
+    </message>
+    <message>
+        <source>Play this lesson, in a window of its own if this one is in use</source>
+        <translation>Reproducir esta lección, en una ventana propia si esta está en uso</translation>
+    </message>
+    <message>
+        <source>Unsaved lesson</source>
+        <translation>Lección sin guardar</translation>
+    </message>
+    <message>
+        <source>The lesson “%1” has unsaved changes.</source>
+        <translation>La lección «%1» tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>The lesson was not saved</source>
+        <translation>No se guardó la lección</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
+        <translation>Una lección no puede referirse a un archivo llamado «%1». Guarde antes los fractales con un nombre sin : * ? &quot; &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Guardar la lección</translation>
+    </message>
+    <message>
+        <source>Lessons (*.lesson)</source>
+        <translation>Lecciones (*.lesson)</translation>
+    </message>
+    <message>
+        <source>A lesson must be in the folder of its fractals, “%1”.</source>
+        <translation>Una lección debe estar en la carpeta de sus fractales, «%1».</translation>
+    </message>
+    <message>
+        <source>The fractals have unsaved changes.</source>
+        <translation>Los fractales tienen cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>Step %1 has the state of the window. Write its text.</source>
+        <translation>El paso %1 tiene el estado de la ventana. Escriba su texto.</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Instantáneas</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exportaciones</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>&amp;Ready-Made Lessons</source>
+        <translation>Lecciones &amp;preparadas</translation>
+    </message>
+    <message>
+        <source>Re&amp;name Map</source>
+        <translation>Cambiar &amp;nombre de la aplicación</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Dar un nombre a la aplicación actual</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k or Unlock Maps</source>
+        <translation>Blo&amp;quear o desbloquear aplicaciones</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits, or stop doing so</source>
+        <translation>Proteger de cambios las aplicaciones seleccionadas, o dejar de hacerlo</translation>
+    </message>
+    <message>
+        <source>Show Map Al&amp;one</source>
+        <translation>Mostrar &amp;sola la aplicación</translation>
+    </message>
+    <message>
+        <source>Show the current map alone, or all of them again</source>
+        <translation>Mostrar sola la aplicación actual, o todas de nuevo</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>Estados de este fractal que guardó mientras trabajaba. Haga clic en uno para restaurarlo.</translation>
+    </message>
+    <message>
+        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <translation>Imágenes que se dibujan una tras otra en segundo plano, y el progreso de cada una.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <translation>Una lección sobre estos fractales: sus pasos, cada uno con un texto y el estado de la ventana, para reproducirla en toda la pantalla.</translation>
+    </message>
+    <message>
+        <source>Saved &amp;Views</source>
+        <translation>&amp;Vistas guardadas</translation>
+    </message>
+    <message>
+        <source>&amp;Save View…</source>
+        <translation>&amp;Guardar la vista…</translation>
+    </message>
+    <message>
+        <source>Keep what the canvas shows under a name, with the fractal</source>
+        <translation>Guardar con un nombre, junto al fractal, lo que muestra el lienzo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Views…</source>
+        <translation>&amp;Editar vistas…</translation>
+    </message>
+    <message>
+        <source>Go to saved views, rename or delete them</source>
+        <translation>Ir a las vistas guardadas, cambiarles el nombre o eliminarlas</translation>
+    </message>
+    <message>
+        <source>No saved views</source>
+        <translation>No hay vistas guardadas</translation>
+    </message>
+    <message>
+        <source>Views that you save are listed here.</source>
+        <translation>Aquí aparecen las vistas que guarde.</translation>
+    </message>
+    <message>
+        <source>Show this part of the fractal again</source>
+        <translation>Volver a mostrar esta parte del fractal</translation>
+    </message>
+    <message>
+        <source>Save the view “%1”</source>
+        <translation>Guardar la vista «%1»</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2035,6 +2408,10 @@
     <message>
         <source>“%1” is not an ordinary file and cannot be opened.</source>
         <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
+    </message>
+    <message>
+        <source>Adjust Picture Paths</source>
+        <translation>Ajustar las rutas de las imágenes</translation>
     </message>
 </context>
 <context>
@@ -2352,6 +2729,72 @@
     </message>
 </context>
 <context>
+    <name>SnapshotBanner</name>
+    <message>
+        <source>Snapshot on the canvas</source>
+        <translation>Instantánea en el lienzo</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>Back to the Fractal</source>
+        <translation>Volver al fractal</translation>
+    </message>
+    <message>
+        <source>Shows the fractal again. Nothing has changed.</source>
+        <translation>Vuelve a mostrar el fractal. Nada ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <translation>Deja el fractal como estaba en esta instantánea: un paso del historial.</translation>
+    </message>
+    <message>
+        <source>The canvas shows “%1”.</source>
+        <translation>El lienzo muestra «%1».</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotCommands</name>
+    <message>
+        <source>Snapshots cannot be compared while a fractal transformation is shown.</source>
+        <translation>No se pueden comparar instantáneas mientras se muestra una transformación fractal.</translation>
+    </message>
+    <message>
+        <source>Take &amp;Snapshot</source>
+        <translation>Tomar una &amp;instantánea</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <translation>Guardar el estado actual de este fractal en el panel «Instantáneas»</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with Snapshot</source>
+        <translation>&amp;Comparar con la instantánea</translation>
+    </message>
+    <message>
+        <source>Q</source>
+        <translation>Q</translation>
+    </message>
+    <message>
+        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Mostrar la instantánea marcada con B en lugar del fractal; pulse de nuevo, o mantenga la tecla y suéltela, para volver</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <translation>Guardado como «%1». «Ver», «Paneles», «Instantáneas» la muestra.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -2564,6 +3007,40 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>La imagen no contiene ningún sistema: no la escribió Barycage, u otro programa lo eliminó.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskFolder</name>
+    <message>
+        <source>It is not an ordinary file.</source>
+        <translation>No es un archivo ordinario.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>No se puede leer.</translation>
+    </message>
+    <message>
+        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
+        <translation>Se ha omitido una exportación de la última vez. %1 Lo que queda de ella está en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskJob</name>
+    <message>
+        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <translation>Desde que añadió esta exportación ha aparecido un archivo «%1». Reintentar lo reemplaza.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>No se puede leer el fractal de esta exportación.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>No hay memoria suficiente para esta imagen.</translation>
     </message>
 </context>
 <context>
@@ -3660,10 +4137,6 @@
         <translation>No hay transformación fractal entre estas entradas.</translation>
     </message>
     <message>
-        <source>Exporting the picture…</source>
-        <translation>Exportando la imagen…</translation>
-    </message>
-    <message>
         <source>“%1” is not a system of the plane.</source>
         <translation>«%1» no es un sistema del plano.</translation>
     </message>
@@ -3878,6 +4351,18 @@
     <message>
         <source>its fractal transformation</source>
         <translation>su transformación fractal</translation>
+    </message>
+    <message>
+        <source>its saved views</source>
+        <translation>sus vistas guardadas</translation>
+    </message>
+    <message>
+        <source>the names of its maps</source>
+        <translation>los nombres de sus aplicaciones</translation>
+    </message>
+    <message>
+        <source>the locks of its maps</source>
+        <translation>los bloqueos de sus aplicaciones</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4754,60 @@
     </message>
 </context>
 <context>
+    <name>document::MapLocks</name>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>La aplicación %1 está bloqueada. Desbloquéela antes en el panel Aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Las aplicaciones %1 están bloqueadas. Desbloquéelas antes en el panel Aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Bloquear una aplicación</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Desbloquear una aplicación</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>Bloquear %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>Desbloquear %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Quitar el nombre de la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Llamar «%2» a la aplicación %1</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapSolo</name>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Elija primero una aplicación.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Las aplicaciones están enlazadas. Solo se pueden mostrar solas aplicaciones que puedan seguirse todas entre sí.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>La jaula dobla la imagen, y así no se puede mostrar una sola aplicación. Restablezca antes la jaula.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>La aplicación %1 lleva todo a un punto, así que no hay nada que mostrar solo.</translation>
+    </message>
+</context>
+<context>
     <name>document::MapsArrange</name>
     <message>
         <source>Flip maps</source>
@@ -4339,6 +4878,13 @@
     <message>
         <source>This entry is not a system in space.</source>
         <translation>Esta entrada no es un sistema en el espacio.</translation>
+    </message>
+</context>
+<context>
+    <name>document::Variations</name>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Esta entrada no tiene aplicaciones que variar.</translation>
     </message>
 </context>
 <context>
@@ -4785,6 +5331,10 @@
         <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
         <translation>El trabajo está en %1. Aquí no hay sbatch: ejecute submit.sh de esa carpeta en el clúster.</translation>
     </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>La vista «%1»</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -4955,6 +5505,30 @@
     <message>
         <source>Browse hundreds of palettes, turn and shift them</source>
         <translation>Explorar cientos de paletas, girarlas y desplazarlas</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Contraste</translation>
+    </message>
+    <message>
+        <source>Above 1, light parts become lighter and dark parts darker</source>
+        <translation>Por encima de 1, las partes claras se aclaran y las oscuras se oscurecen</translation>
+    </message>
+    <message>
+        <source>Above 1, tones lighter than the middle become lighter, and darker ones darker. Below 1, they come closer together. Black, middle and white stay.</source>
+        <translation>Por encima de 1, los tonos más claros que el medio se aclaran y los más oscuros se oscurecen. Por debajo de 1, se acercan entre sí. El negro, el medio y el blanco no cambian.</translation>
+    </message>
+    <message>
+        <source>Vibrancy</source>
+        <translation>Vivacidad</translation>
+    </message>
+    <message>
+        <source>Below 1, colours are paler, the more so the higher the gamma</source>
+        <translation>Por debajo de 1, los colores son más pálidos, tanto más cuanto mayor es el gamma</translation>
+    </message>
+    <message>
+        <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
+        <translation>Con 1, el gamma solo decide con qué intensidad se ve un color, y el color conserva su matiz. Con 0, el gamma actúa también sobre el rojo, el verde y el azul, y los colores son más pálidos. Las flames tienen el mismo ajuste.</translation>
     </message>
 </context>
 <context>
@@ -5596,8 +6170,8 @@
         <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
+        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
+        <translation>Tantas piezas se superponen que partes de este sólido se dibujan de forma tosca. El aspecto Nube lo muestra todo.</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +6416,22 @@
         <source>Removes this map from the system</source>
         <translation>Quita esta aplicación del sistema</translation>
     </message>
+    <message>
+        <source>Un&amp;lock</source>
+        <translation>Des&amp;bloquear</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Bloquear</translation>
+    </message>
+    <message>
+        <source>Lets this map be edited again</source>
+        <translation>Permite editar de nuevo esta aplicación</translation>
+    </message>
+    <message>
+        <source>Protects this map against edits</source>
+        <translation>Protege esta aplicación de cambios</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -6006,6 +6596,14 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm no aceptó el trabajo: %1</translation>
+    </message>
+    <message>
+        <source>The result is in %1.</source>
+        <translation>El resultado está en %1.</translation>
+    </message>
+    <message>
+        <source>The reason is in the logs in %1.</source>
+        <translation>La causa está en los registros de %1.</translation>
     </message>
 </context>
 <context>
@@ -6851,6 +7449,25 @@
         <source>Adding entries…</source>
         <translation>Añadiendo entradas…</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>Move the selected entries to the clipboard.</source>
+        <translation>Mueve al portapapeles las entradas seleccionadas.</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Cortar %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n entries</source>
+        <translation>
+            <numerusform>Cortar %n entrada</numerusform>
+            <numerusform>Cortar %n entradas</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>
@@ -7250,10 +7867,6 @@
         <translation>Encuadre</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
-        <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo.</translation>
-    </message>
-    <message>
         <source>S&amp;ection:</source>
         <translation>&amp;Encuadre:</translation>
     </message>
@@ -7280,6 +7893,56 @@
     <message>
         <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>El nombre «%1» no indica el formato: debe terminar en .png, .jpg, .webp, .tiff, .exr, .svg o .pdf.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Añadir a la cola…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Pide un nombre de archivo y dibuja la imagen cuando le toca, después de las que esperan en el panel Exportaciones. La cola continúa tras reiniciar.</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>La vista «%1»</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo. Las vistas guardadas también están en la lista.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>What the file will show</source>
+        <translation>Lo que mostrará el archivo</translation>
+    </message>
+    <message>
+        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <translation>La imagen tal como se exportará: su forma y la sección que muestra. Donde es transparente se ve un damero. Sigue todos los campos.</translation>
+    </message>
+    <message>
+        <source>Drawing the preview…</source>
+        <translation>Dibujando la vista previa…</translation>
+    </message>
+    <message>
+        <source>No preview</source>
+        <translation>Sin vista previa</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportQueue</name>
+    <message>
+        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <translation>El programa ha terminado dos veces mientras dibujaba esta imagen. Vuelva a intentarlo con ella sola o exporte una más pequeña.</translation>
+    </message>
+    <message>
+        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <translation>La cola de exportaciones no se puede conservar para el próximo inicio: no se puede escribir en su carpeta o el disco está lleno.</translation>
     </message>
 </context>
 <context>
@@ -7379,6 +8042,143 @@
     <message>
         <source>A3 at 300 dpi</source>
         <translation>A3 a 300 ppp</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsModel</name>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation>
+            <numerusform>falta aproximadamente %n segundo</numerusform>
+            <numerusform>faltan aproximadamente %n segundos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) left</source>
+        <translation>
+            <numerusform>falta aproximadamente %n minuto</numerusform>
+            <numerusform>faltan aproximadamente %n minutos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n hour(s) left</source>
+        <translation>
+            <numerusform>falta aproximadamente %n hora</numerusform>
+            <numerusform>faltan aproximadamente %n horas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En espera</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminada</translation>
+    </message>
+    <message>
+        <source>Paused at %1 %</source>
+        <translation>En pausa al %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %, %2</source>
+        <comment>how much is done, time left</comment>
+        <translation>%1 %, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>file, how far it is</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsPanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>Exportaciones</translation>
+    </message>
+    <message>
+        <source>Queue of exports</source>
+        <translation>Cola de exportaciones</translation>
+    </message>
+    <message>
+        <source>The exports, drawn from the top to the bottom.</source>
+        <translation>Las exportaciones, dibujadas de arriba abajo.</translation>
+    </message>
+    <message>
+        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
+        <translation>Las exportaciones que ha añadido a la cola, dibujadas una tras otra de arriba abajo mientras sigue editando. Lo que no esté terminado cuando se cierre el programa se dibujará la próxima vez.</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <translation>No hay exportaciones en espera. Elija Añadir a la cola en Archivo › Exportar imagen… para dibujar imágenes una tras otra mientras sigue editando.</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
+        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
+        <translation>Poner en pausa todas las exportaciones o continuarlas; lo ya dibujado no se pierde.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>&amp;Subir</translation>
+    </message>
+    <message>
+        <source>Draw the selected export earlier.</source>
+        <translation>Dibujar antes la exportación seleccionada.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>&amp;Bajar</translation>
+    </message>
+    <message>
+        <source>Draw the selected export later.</source>
+        <translation>Dibujar después la exportación seleccionada.</translation>
+    </message>
+    <message>
+        <source>&amp;Try Again</source>
+        <translation>Rein&amp;tentar</translation>
+    </message>
+    <message>
+        <source>Draw the selected exports that failed once more.</source>
+        <translation>Volver a dibujar las exportaciones seleccionadas que fallaron.</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>Abrir la &amp;carpeta</translation>
+    </message>
+    <message>
+        <source>Show the folder of the selected export in the file manager.</source>
+        <translation>Mostrar la carpeta de la exportación seleccionada en el gestor de archivos.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel Export</source>
+        <translation>Ca&amp;ncelar la exportación</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
+        <translation>Quitar de la lista las exportaciones seleccionadas; lo que no esté terminado no se dibuja. Los archivos escritos se conservan.</translation>
+    </message>
+    <message>
+        <source>Clear &amp;Finished</source>
+        <translation>Quitar las &amp;terminadas</translation>
+    </message>
+    <message>
+        <source>Take all exports that are done off the list; their files stay.</source>
+        <translation>Quitar de la lista todas las exportaciones terminadas; sus archivos se conservan.</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Reanudar</translation>
     </message>
 </context>
 <context>
@@ -7816,6 +8616,224 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::LessonCard</name>
+    <message>
+        <source>&amp;Back</source>
+        <translation>At&amp;rás</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>Ter&amp;minar</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Texto del paso</translation>
+    </message>
+    <message>
+        <source>Show the previous step (Page Up)</source>
+        <translation>Mostrar el paso anterior (Re Pág)</translation>
+    </message>
+    <message>
+        <source>Show the next step (Page Down)</source>
+        <translation>Mostrar el paso siguiente (Av Pág)</translation>
+    </message>
+    <message>
+        <source>End the lesson and return to the window as it was (Esc)</source>
+        <translation>Terminar la lección y volver a la ventana como estaba (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminar</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Siguiente</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonNotebook</name>
+    <message>
+        <source>Rename lesson</source>
+        <translation>Cambiar el título de la lección</translation>
+    </message>
+    <message>
+        <source>Add step</source>
+        <translation>Añadir un paso</translation>
+    </message>
+    <message>
+        <source>Update step</source>
+        <translation>Actualizar el paso</translation>
+    </message>
+    <message>
+        <source>Rename step</source>
+        <translation>Cambiar el título del paso</translation>
+    </message>
+    <message>
+        <source>Edit text</source>
+        <translation>Editar el texto</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>Quitar el paso</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Mover el paso</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonPanel</name>
+    <message>
+        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <translation>Disponga la ventana como debe verla la clase y pulse «Añadir un paso». Escriba después lo que quiera decir.</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproducir</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>Guardar la l&amp;ección…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>Add Step</source>
+        <translation>Añadir un paso</translation>
+    </message>
+    <message>
+        <source>Add a step with the state of the window now</source>
+        <translation>Añadir un paso con el estado actual de la ventana</translation>
+    </message>
+    <message>
+        <source>Update Step</source>
+        <translation>Actualizar el paso</translation>
+    </message>
+    <message>
+        <source>Give the selected step the state of the window now</source>
+        <translation>Dar al paso elegido el estado actual de la ventana</translation>
+    </message>
+    <message>
+        <source>Show Step</source>
+        <translation>Mostrar el paso</translation>
+    </message>
+    <message>
+        <source>Bring the window into the state of the selected step</source>
+        <translation>Poner la ventana en el estado del paso elegido</translation>
+    </message>
+    <message>
+        <source>Remove Step</source>
+        <translation>Quitar el paso</translation>
+    </message>
+    <message>
+        <source>Remove the selected step</source>
+        <translation>Quitar el paso elegido</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Subir</translation>
+    </message>
+    <message>
+        <source>Show the selected step earlier</source>
+        <translation>Mostrar antes el paso elegido</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Show the selected step later</source>
+        <translation>Mostrar después el paso elegido</translation>
+    </message>
+    <message>
+        <source>Undo in the Lesson</source>
+        <translation>Deshacer en la lección</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the lesson</source>
+        <translation>Deshacer el último cambio de la lección</translation>
+    </message>
+    <message>
+        <source>Redo in the Lesson</source>
+        <translation>Rehacer en la lección</translation>
+    </message>
+    <message>
+        <source>Redo the change of the lesson</source>
+        <translation>Rehacer el cambio de la lección</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Título de la lección</translation>
+    </message>
+    <message>
+        <source>Shown above every step while the lesson is played</source>
+        <translation>Aparece sobre cada paso mientras se reproduce la lección</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Pasos de la lección</translation>
+    </message>
+    <message>
+        <source>Double-click a step to bring the window into its state</source>
+        <translation>Haga doble clic en un paso para poner la ventana en su estado</translation>
+    </message>
+    <message>
+        <source>Title of the step</source>
+        <translation>Título del paso</translation>
+    </message>
+    <message>
+        <source>Shown in large letters above the text</source>
+        <translation>Aparece en letras grandes sobre el texto</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Texto del paso</translation>
+    </message>
+    <message>
+        <source>Shown beside the picture; leave a line empty to begin a paragraph</source>
+        <translation>Aparece junto a la imagen; una línea vacía empieza un párrafo</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen, from the selected step</source>
+        <translation>Reproducir la lección en toda la pantalla desde el paso elegido</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Guardar la lección junto al archivo de sus fractales</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>The panels that this step shows beside the canvas; all others are hidden</source>
+        <translation>Los paneles que este paso muestra junto al lienzo; los demás quedan ocultos</translation>
+    </message>
+    <message>
+        <source>Panels of the step</source>
+        <translation>Paneles del paso</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number and title of a step</comment>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LightBall</name>
     <message>
         <source>Direction of the light</source>
@@ -7926,6 +8944,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Unlink map %1 from map %2</source>
         <translation>Desenlazar la aplicación %1 de la aplicación %2</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n link(s)</source>
+        <translation>
+            <numerusform>Eliminar %n enlace</numerusform>
+            <numerusform>Eliminar %n enlaces</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7960,6 +8985,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
         <translation>Cualquier aplicación puede seguir a cualquier otra. Haga clic en una flecha y pulse Supr para prohibirlo.</translation>
+    </message>
+    <message>
+        <source>No map has a choice of what follows it, so only single points are drawn.</source>
+        <translation>A cada aplicación solo puede seguirle una, por lo que solo se dibujan puntos aislados.</translation>
     </message>
 </context>
 <context>
@@ -8123,6 +9152,25 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Translation l, applied last</source>
         <translation>Traslación l, que se aplica al final</translation>
     </message>
+    <message>
+        <source>Map %1, locked</source>
+        <translation>Aplicación %1, bloqueada</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapsClipboard</name>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in space.</source>
+        <translation>No se pegó nada: las aplicaciones copiadas son de un sistema en el espacio.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in the plane.</source>
+        <translation>No se pegó nada: las aplicaciones copiadas son de un sistema en el plano.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 12 or 13 numbers.</source>
+        <translation>No se pegó nada: el portapapeles no contiene filas de 12 o 13 números.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsDelegate</name>
@@ -8133,6 +9181,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>%1 The cell keeps its value.</source>
         <translation>%1 La celda conserva su valor.</translation>
+    </message>
+    <message>
+        <source>Name of map %1</source>
+        <translation>Nombre de la aplicación %1</translation>
     </message>
 </context>
 <context>
@@ -8204,14 +9256,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Código efectivo: la aplicación tal como actúa sobre la imagen con la jaula actual. «Incorporar» lo convierte en el código.</translation>
-    </message>
-    <message>
-        <source>Whether the map is switched on.</source>
-        <translation>Si la aplicación interviene.</translation>
-    </message>
-    <message>
-        <source>Colour of the map, used when the picture is coloured by map.</source>
-        <translation>Color de la aplicación, que se usa cuando la imagen se colorea por aplicación.</translation>
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
@@ -8316,6 +9360,62 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
         <translation>Determinante: el factor de los volúmenes; negativo cuando la aplicación refleja.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Whether the map is switched on. Alt+click shows one map alone.</source>
+        <translation>Si la aplicación interviene. Alt+clic muestra una sola aplicación.</translation>
+    </message>
+    <message>
+        <source>Whether the map is locked: then it cannot be edited, moved or deleted by mistake.</source>
+        <translation>Si la aplicación está bloqueada: así no se puede editar, mover ni eliminar por error.</translation>
+    </message>
+    <message>
+        <source>Colour of the map, used when the picture is coloured by map, and the part of the attractor that the map makes.</source>
+        <translation>Color de la aplicación, cuando la imagen se colorea por aplicaciones, y la parte del atractor que produce.</translation>
+    </message>
+    <message>
+        <source>Name of the map.</source>
+        <translation>Nombre de la aplicación.</translation>
+    </message>
+    <message>
+        <source>Map %1 is shown alone.</source>
+        <translation>La aplicación %1 se muestra sola.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked.</source>
+        <translation>La aplicación %1 está bloqueada.</translation>
+    </message>
+    <message>
+        <source>Map %1 is not locked.</source>
+        <translation>La aplicación %1 no está bloqueada.</translation>
+    </message>
+    <message>
+        <source>Map %1 has no name. Double-click to name it.</source>
+        <translation>La aplicación %1 no tiene nombre. Haga doble clic para dárselo.</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueada</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>no bloqueada</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>sin nombre</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Quitar el nombre de la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Llamar «%2» a la aplicación %1</translation>
     </message>
 </context>
 <context>
@@ -8564,6 +9664,66 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Cada fila es una aplicación: (x, y, z) pasa a (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), tan a menudo como dice su peso p. Haga doble clic en un número o empiece a escribir para cambiarlo; la imagen sigue cada tecla. Arrastre el número de una fila para moverla.</translation>
     </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Move the selected maps to the clipboard</source>
+        <translation>Mover al portapapeles las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Cambiar nombre</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Dar un nombre a la aplicación actual</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Bloquear</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits</source>
+        <translation>Proteger de cambios las aplicaciones seleccionadas</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>Show the current map alone; the file does not change</source>
+        <translation>Mostrar sola la aplicación actual; el archivo no cambia</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Show the names of the maps</source>
+        <translation>Mostrar los nombres de las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps as rows a b c d e f g h i j k l p, separated by tabs</source>
+        <translation>Copiar las aplicaciones seleccionadas como filas a b c d e f g h i j k l p, separadas por tabuladores</translation>
+    </message>
+    <message>
+        <source>Add rows of 12 or 13 numbers from the clipboard as new maps</source>
+        <translation>Añadir filas de 12 o 13 números del portapapeles como aplicaciones nuevas</translation>
+    </message>
+    <message>
+        <source>Replace the selected maps by rows of 12 or 13 numbers from the clipboard</source>
+        <translation>Sustituir las aplicaciones seleccionadas por filas de 12 o 13 números del portapapeles</translation>
+    </message>
+    <message>
+        <source>Cut a map</source>
+        <translation>Cortar una aplicación</translation>
+    </message>
+    <message>
+        <source>Cut %1 maps</source>
+        <translation>Cortar %1 aplicaciones</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -8739,28 +9899,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Variaciones de «%1»</translation>
     </message>
     <message>
-        <source>Random Fractals</source>
-        <translation>Fractales al azar</translation>
-    </message>
-    <message>
         <source>Variations</source>
         <translation>Variaciones</translation>
-    </message>
-    <message>
-        <source>&amp;Use This One</source>
-        <translation>&amp;Usar esta</translation>
-    </message>
-    <message>
-        <source>&amp;Add to the File</source>
-        <translation>&amp;Añadir al archivo</translation>
-    </message>
-    <message>
-        <source>&amp;Mutate Again</source>
-        <translation>&amp;Variar de nuevo</translation>
-    </message>
-    <message>
-        <source>Use the selected one as the new starting point</source>
-        <translation>Tomar la elegida como punto de partida de las variaciones</translation>
     </message>
     <message>
         <source>How strongly the variations differ</source>
@@ -8799,20 +9939,132 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mutar</translation>
     </message>
     <message>
-        <source>Add Random Fractal</source>
-        <translation>Añadir un fractal al azar</translation>
+        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
+        <translation>El progenitor está en el centro y sus variaciones alrededor. Haga clic en una, o pulse Intro sobre ella, para convertirla en el nuevo progenitor. Con un doble clic se usa de inmediato.</translation>
     </message>
     <message>
-        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
-        <translation>Elija una y pulse Aceptar, o haga doble clic en ella: ocupa el lugar del fractal, en un solo paso que se puede deshacer.</translation>
+        <source>&amp;Use the Parent</source>
+        <translation>&amp;Usar el progenitor</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
-        <translation>Hacia la izquierda, las variaciones se parecen mucho a su punto de partida; hacia la derecha, se alejan sin freno.</translation>
+        <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
+        <translation>El fractal del centro sustituye a aquel con el que empezó, en un solo paso que puede deshacer.</translation>
     </message>
     <message>
-        <source>Uses the selected one, in one step that you can undo.</source>
-        <translation>Acepta la elegida, en un solo paso que se puede deshacer.</translation>
+        <source>Line of descent</source>
+        <translation>Línea de descendencia</translation>
+    </message>
+    <message>
+        <source>Every parent so far, the oldest at the top. Select one to go back to it. Its descendants stay in the list until you choose another child of it.</source>
+        <translation>Todos los progenitores hasta ahora, el más antiguo arriba. Elija uno para volver a él. Sus descendientes siguen en la lista hasta que elija otro hijo suyo.</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Line of &amp;descent</source>
+        <translation>Línea de &amp;descendencia</translation>
+    </message>
+    <message>
+        <source>How far the variations are from their parent</source>
+        <translation>Cuánto se alejan las variaciones de su progenitor</translation>
+    </message>
+    <message>
+        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <translation>A la izquierda, las variaciones se parecen a su progenitor; a la derecha, difieren mucho.</translation>
+    </message>
+    <message>
+        <source>Sha&amp;pe</source>
+        <translation>&amp;Forma</translation>
+    </message>
+    <message>
+        <source>Turn, stretch and move the maps</source>
+        <translation>Girar, estirar y mover las aplicaciones</translation>
+    </message>
+    <message>
+        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <translation>Las aplicaciones se giran, se estiran y se mueven; de vez en cuando se añade o se quita una. Las bloqueadas y las desactivadas se quedan como están.</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>C&amp;olor</translation>
+    </message>
+    <message>
+        <source>Try other colours</source>
+        <translation>Probar otros colores</translation>
+    </message>
+    <message>
+        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <translation>La paleta, el color único y los colores de las aplicaciones cambian de tono. El fondo se mantiene, igual que lo que representan los colores.</translation>
+    </message>
+    <message>
+        <source>&amp;Weights</source>
+        <translation>&amp;Pesos</translation>
+    </message>
+    <message>
+        <source>Make some maps denser and others fainter</source>
+        <translation>Hacer unas aplicaciones más densas y otras más tenues</translation>
+    </message>
+    <message>
+        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <translation>Los pesos cambian al azar y siguen el tamaño de las aplicaciones. Si no, cada aplicación conserva el suyo. Un sólido en el espacio no depende de los pesos; una nube, sí.</translation>
+    </message>
+    <message>
+        <source>What may change:</source>
+        <translation>Qué puede cambiar:</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nada</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Este archivo no tiene otro fractal de esta dimensión.</translation>
+    </message>
+    <message>
+        <source>Mix the parent with another entry of this file</source>
+        <translation>Mezclar el progenitor con otra entrada de este archivo</translation>
+    </message>
+    <message>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <translation>Las variaciones toman unas aplicaciones del progenitor, otras de la otra entrada, y otras que están entre dos que se corresponden. Las casillas de arriba indican si se mezclan forma, color y pesos. Cada hijo tiene un atractor.</translation>
+    </message>
+    <message>
+        <source>C&amp;ross with:</source>
+        <translation>C&amp;ruzar con:</translation>
+    </message>
+    <message>
+        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <translation>El número del que salen las variaciones. Con el mismo progenitor, los mismos ajustes y la misma semilla se obtiene otra vez la misma lámina.</translation>
+    </message>
+    <message>
+        <source>Shows other variations of the same parent, from the next seed.</source>
+        <translation>Muestra otras variaciones del mismo progenitor, con la semilla siguiente.</translation>
+    </message>
+    <message>
+        <source>Variation %1, not made yet</source>
+        <translation>Variación %1, todavía sin hacer</translation>
+    </message>
+    <message>
+        <source>Generation %1</source>
+        <translation>Generación %1</translation>
+    </message>
+    <message>
+        <source>Parent: the original</source>
+        <translation>Progenitor: el original</translation>
+    </message>
+    <message>
+        <source>Parent: generation %1</source>
+        <translation>Progenitor: generación %1</translation>
+    </message>
+    <message>
+        <source>Click a picture to make it the new parent.</source>
+        <translation>Haga clic en una imagen para convertirla en el nuevo progenitor.</translation>
+    </message>
+    <message>
+        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <translation>Nada puede cambiar: no hay variaciones. Marque al menos una casilla.</translation>
     </message>
 </context>
 <context>
@@ -9209,6 +10461,235 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::RandomDialog</name>
+    <message>
+        <source>Random Fractals</source>
+        <translation>Fractales al azar</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the File</source>
+        <translation>&amp;Añadir al archivo</translation>
+    </message>
+    <message>
+        <source>Adds the selected one as an entry of its own, in one step that you can undo.</source>
+        <translation>Añade el elegido como entrada propia, en un solo paso que puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Random fractals</source>
+        <translation>Fractales al azar</translation>
+    </message>
+    <message>
+        <source>Select one and confirm, or double-click it: it is added to the file, in one step that you can undo.</source>
+        <translation>Elija uno y confirme, o haga doble clic en él: se añade al archivo, en un solo paso que puede deshacer.</translation>
+    </message>
+    <message>
+        <source>In the plane</source>
+        <translation>En el plano</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>En el espacio</translation>
+    </message>
+    <message>
+        <source>Plane or space</source>
+        <translation>Plano o espacio</translation>
+    </message>
+    <message>
+        <source>Make systems in the plane or in space</source>
+        <translation>Crear sistemas en el plano o en el espacio</translation>
+    </message>
+    <message>
+        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <translation>En el plano, lo que contraen las aplicaciones sigue una regla con la que el fractal llena su vista. En el espacio no existe tal regla: los dos estiramientos mayores de cada aplicación siguen la del plano y el tercero es menor.</translation>
+    </message>
+    <message>
+        <source>How many maps the systems have</source>
+        <translation>Cuántas aplicaciones tienen los sistemas</translation>
+    </message>
+    <message>
+        <source>How many maps each system lists. With a symmetry, each of them also acts rotated or mirrored.</source>
+        <translation>Cuántas aplicaciones figuran en la lista de cada sistema. Con una simetría, cada una actúa también girada o reflejada.</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Simetría</translation>
+    </message>
+    <message>
+        <source>Make systems that are symmetric about the origin</source>
+        <translation>Crear sistemas simétricos respecto al origen</translation>
+    </message>
+    <message>
+        <source>Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and icosahedral groups exist in space only.</source>
+        <translation>Cada aplicación actúa también girada o reflejada respecto al origen, de modo que el fractal es simétrico. Puede cambiar la simetría después en el panel Aplicaciones. Los grupos tetraédrico, octaédrico e icosaédrico solo existen en el espacio.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Orden de la simetría</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Cuántas veces se repite el fractal en una vuelta completa</translation>
+    </message>
+    <message>
+        <source>A rotation of order 5 repeats the fractal five times in a full turn.</source>
+        <translation>Una rotación de orden 5 repite el fractal cinco veces en una vuelta completa.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps:</source>
+        <translation>A&amp;plicaciones:</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry:</source>
+        <translation>S&amp;imetría:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Semilla de los números aleatorios</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same sheet again</source>
+        <translation>La misma semilla vuelve a dar la misma lámina</translation>
+    </message>
+    <message>
+        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <translation>El número del que salen los sistemas. Con los mismos ajustes y la misma semilla se obtiene otra vez la misma lámina.</translation>
+    </message>
+    <message>
+        <source>&amp;New Set</source>
+        <translation>&amp;Nuevo conjunto</translation>
+    </message>
+    <message>
+        <source>Show another sheet, from the next seed</source>
+        <translation>Otra lámina: la semilla siguiente</translation>
+    </message>
+    <message>
+        <source>Shows other systems of the same kind, from the next seed.</source>
+        <translation>Muestra otros sistemas del mismo tipo, con la semilla siguiente.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed:</source>
+        <translation>&amp;Semilla:</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Cualquiera</translation>
+    </message>
+    <message>
+        <source>Fractal %1</source>
+        <translation>Fractal %1</translation>
+    </message>
+    <message>
+        <source>Add Random Fractal</source>
+        <translation>Añadir un fractal al azar</translation>
+    </message>
+</context>
+<context>
+    <name>view::SaveViewDialog</name>
+    <message>
+        <source>Save View</source>
+        <translation>Guardar la vista</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Nombre de la vista</translation>
+    </message>
+    <message>
+        <source>The name under which the view is listed in View, Saved Views, beside the zoom and in the export dialogs.</source>
+        <translation>El nombre con el que la vista aparece en «Ver», «Vistas guardadas», junto al zoom y en los diálogos de exportación.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view:</source>
+        <translation>&amp;Nombre de la vista:</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history.</source>
+        <translation>Guarda la vista con el fractal: un paso del historial.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>A fractal can have at most %1 saved views. Delete one first.</source>
+        <translation>Un fractal puede tener como máximo %1 vistas guardadas. Elimine antes una.</translation>
+    </message>
+    <message>
+        <source>Replaces the view of this name.</source>
+        <translation>Sustituye la vista de este nombre.</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Se guarda como «%1».</translation>
+    </message>
+</context>
+<context>
+    <name>view::SavedViewsDialog</name>
+    <message>
+        <source>Saved Views</source>
+        <translation>Vistas guardadas</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Vistas guardadas</translation>
+    </message>
+    <message>
+        <source>The views of this fractal. Double-click one to go to it, press F2 to rename it.</source>
+        <translation>Las vistas de este fractal. Haga doble clic en una para ir a ella, pulse F2 para cambiarle el nombre.</translation>
+    </message>
+    <message>
+        <source>&amp;Go To</source>
+        <translation>&amp;Ir</translation>
+    </message>
+    <message>
+        <source>Shows this view on the canvas.</source>
+        <translation>Muestra esta vista en el lienzo.</translation>
+    </message>
+    <message>
+        <source>&amp;Update</source>
+        <translation>&amp;Actualizar</translation>
+    </message>
+    <message>
+        <source>Replaces it by what the canvas shows now.</source>
+        <translation>La sustituye por lo que muestra ahora el lienzo.</translation>
+    </message>
+    <message>
+        <source>Update the view “%1”</source>
+        <translation>Actualizar la vista «%1»</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Ca&amp;mbiar nombre</translation>
+    </message>
+    <message>
+        <source>Gives the view another name.</source>
+        <translation>Da otro nombre a la vista.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Deletes the view; the fractal stays as it is.</source>
+        <translation>Elimina la vista; el fractal queda como está.</translation>
+    </message>
+    <message>
+        <source>Delete the view “%1”</source>
+        <translation>Eliminar la vista «%1»</translation>
+    </message>
+    <message>
+        <source>Rename the view “%1” to “%2”</source>
+        <translation>Cambiar el nombre de la vista «%1» por «%2»</translation>
+    </message>
+</context>
+<context>
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
@@ -9530,6 +11011,18 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>In the timeline</source>
         <translation>En la línea de tiempo</translation>
     </message>
+    <message>
+        <source>In the table of maps</source>
+        <translation>En la tabla de aplicaciones</translation>
+    </message>
+    <message>
+        <source>Show one map alone, or all of them again</source>
+        <translation>Mostrar una sola aplicación, o todas de nuevo</translation>
+    </message>
+    <message>
+        <source>Alt + click on its eye</source>
+        <translation>Alt + clic en su ojo</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -9632,6 +11125,157 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Cut the Solid</source>
         <translation>Cortar el sólido</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotDelegate</name>
+    <message>
+        <source>Name of the snapshot</source>
+        <translation>Nombre de la instantánea</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotLook</name>
+    <message>
+        <source>There is no snapshot to compare with yet. Take one first: Edit, Take Snapshot.</source>
+        <translation>Todavía no hay ninguna instantánea con la que comparar. Tome antes una: «Editar», «Tomar una instantánea».</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since “%1”.</source>
+        <translation>Nada ha cambiado desde «%1».</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be compared: one is in the plane, the other in space. Click the snapshot to restore it.</source>
+        <translation>«%1» no se puede comparar: uno está en el plano y el otro en el espacio. Haga clic en la instantánea para restaurarla.</translation>
+    </message>
+    <message>
+        <source>This is “%1”. Esc returns to the fractal.</source>
+        <translation>Esto es «%1». Esc vuelve al fractal.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Snapshots</name>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Una entrada que no se pudo leer no tiene instantáneas.</translation>
+    </message>
+    <message>
+        <source>“%1” is the same already.</source>
+        <translation>«%1» ya es igual.</translation>
+    </message>
+    <message>
+        <source>Snapshot %1</source>
+        <translation>Instantánea %1</translation>
+    </message>
+    <message>
+        <source>Restore “%1”</source>
+        <translation>Restaurar «%1»</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <translation>«%1» se ha eliminado. El menú del panel la recupera.</translation>
+    </message>
+    <message>
+        <source>Add “%1” as an entry</source>
+        <translation>Añadir «%1» como entrada</translation>
+    </message>
+    <message>
+        <source>Added to the file as the entry “%1”.</source>
+        <translation>Añadida al archivo como la entrada «%1».</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotsPanel</name>
+    <message>
+        <source>Snapshots</source>
+        <translation>Instantáneas</translation>
+    </message>
+    <message>
+        <source>Snapshots of the fractal</source>
+        <translation>Instantáneas del fractal</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
+        <translation>Haga clic en una instantánea para restaurarla; deshacer vuelve atrás. F2 le cambia el nombre, Supr la elimina.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>Estados de este fractal que guardó. Haga clic en uno para restaurarlo: un paso del historial. El que tiene marco es el que muestra el lienzo; con el que lleva una B se compara. Las instantáneas duran hasta que se cierra el archivo; «Añadir como entrada» guarda una en el archivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Restaurar</translation>
+    </message>
+    <message>
+        <source>Make the fractal as it was in this snapshot.</source>
+        <translation>Dejar el fractal como estaba en esta instantánea.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with This One</source>
+        <translation>&amp;Comparar con esta</translation>
+    </message>
+    <message>
+        <source>Make this snapshot the one to compare with.</source>
+        <translation>Hacer de esta instantánea aquella con la que se compara.</translation>
+    </message>
+    <message>
+        <source>&amp;Add as Entry</source>
+        <translation>&amp;Añadir como entrada</translation>
+    </message>
+    <message>
+        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <translation>Añadir la instantánea al archivo como entrada propia, detrás de esta.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Ca&amp;mbiar nombre</translation>
+    </message>
+    <message>
+        <source>Give the snapshot another name.</source>
+        <translation>Dar otro nombre a la instantánea.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete the snapshot; the fractal stays as it is.</source>
+        <translation>Eliminar la instantánea; el fractal queda como está.</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back</source>
+        <translation>Rec&amp;uperar</translation>
+    </message>
+    <message>
+        <source>Bring back the snapshot that was deleted last.</source>
+        <translation>Recuperar la última instantánea eliminada.</translation>
+    </message>
+    <message>
+        <source>shown on the canvas</source>
+        <translation>se muestra en el lienzo</translation>
+    </message>
+    <message>
+        <source>the one to compare with</source>
+        <translation>aquella con la que se compara</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back “%1”</source>
+        <translation>Rec&amp;uperar «%1»</translation>
+    </message>
+    <message>
+        <source>No snapshots of this fractal yet. Press %1 to keep its state, change it, and press %2 to compare.</source>
+        <translation>Todavía no hay instantáneas de este fractal. Pulse %1 para guardar su estado, cámbielo y pulse %2 para comparar.</translation>
+    </message>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Una entrada que no se pudo leer no tiene instantáneas.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SoloMap</name>
+    <message>
+        <source>One map is shown alone. Choose Solo again to show all; the file does not change.</source>
+        <translation>Se muestra una sola aplicación. Elija de nuevo Solo para verlas todas; el archivo no cambia.</translation>
     </message>
 </context>
 <context>
@@ -9831,6 +11475,34 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Depths are written as PNG only.</source>
         <translation>Las profundidades solo se escriben como PNG.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Añadir a la cola…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Pide un nombre de archivo y crea el archivo cuando le toca, después de los que esperan en el panel Exportaciones. La cola continúa tras reiniciar.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vista del lienzo</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>La vista «%1»</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Encuadre</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <translation>Lo que muestra la imagen: lo que muestra el lienzo o una vista guardada.</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>Enc&amp;uadre:</translation>
     </message>
 </context>
 <context>
@@ -10397,6 +12069,85 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::TheftExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exportar «%1»</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progreso de la exportación</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <translation>Pide un nombre de archivo y escribe la imagen. Mientras tanto puede seguir trabajando.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vista del lienzo</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>El atractor completo</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Encuadre</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un margen pequeño, mire donde mire el lienzo.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Encuadre:</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Tamaño:</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Exportar la imagen robada</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not end with .png. Choose another name.</source>
+        <translation>El nombre «%1» no termina en .png. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>La exportación se detuvo; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Ce&amp;rrar</translation>
+    </message>
+</context>
+<context>
     <name>view::Timeline</name>
     <message>
         <source>Wind</source>
@@ -10529,6 +12280,24 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Custom…</source>
         <translation>Propia…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) beyond the new end deleted. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n clave más allá del nuevo final eliminada. Deshacer la recupera.</numerusform>
+            <numerusform>%n claves más allá del nuevo final eliminadas. Deshacer las recupera.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) not pasted: beyond the end of the animation, or of a part that this fractal does not have.</source>
+        <translation>
+            <numerusform>%n clave no pegada: más allá del final de la animación, o de una parte que este fractal no tiene.</numerusform>
+            <numerusform>%n claves no pegadas: más allá del final de la animación, o de una parte que este fractal no tiene.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Suave</translation>
     </message>
 </context>
 <context>
@@ -10712,10 +12481,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pistas y claves</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
-        <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición.</translation>
-    </message>
-    <message>
         <source>Unit of the ruler</source>
         <translation>Unidad de la regla</translation>
     </message>
@@ -10742,6 +12507,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>, keys in this row: %1</source>
         <translation>, claves en esta fila: %1</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
+        <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición. Las claves redondas son suaves: el movimiento pasa por ellas sin esquinas.</translation>
     </message>
 </context>
 <context>
@@ -11049,6 +12818,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Waves</source>
         <translation>Olas</translation>
     </message>
+    <message>
+        <source>State of the fractal transformation</source>
+        <translation>Estado de la transformación fractal</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet</source>
+        <translation>Aún no hay ninguna imagen robada</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -11095,22 +12872,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
         <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>There is no stolen picture yet.</source>
-        <translation>Todavía no hay imagen robada.</translation>
-    </message>
-    <message>
-        <source>Export Stolen Picture</source>
-        <translation>Exportar la imagen robada</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Imágenes (*.png)</translation>
-    </message>
-    <message>
-        <source>Exported %1.</source>
-        <translation>%1 exportado.</translation>
     </message>
 </context>
 <context>

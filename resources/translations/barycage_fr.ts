@@ -83,16 +83,32 @@
         <translation>Comme placement, les coefficients restent&#x202f;; comme code, ils deviennent ceux de la fractale transformée. Le canevas montre le résultat avant que vous l’acceptiez.</translation>
     </message>
     <message>
-        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
-        <translation>Si un tableau ne dit pas quelles sont ses colonnes, la question vous est posée. Dans le panneau des applications, Coller remplace les applications sélectionnées.</translation>
-    </message>
-    <message>
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Une nouvelle langue prend effet au prochain démarrage, tout le reste aussitôt et dans toutes les fenêtres.</translation>
     </message>
     <message>
         <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Choisissez un mouvement qui n’a pas besoin de clés, ou créez des clés : ce qui a des clés en reçoit une autre partout où vous le modifiez ; ce qui n’en a pas change pour toute l’animation.</translation>
+    </message>
+    <message>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
+        <translation>Si un tableau ne nomme pas ses colonnes, leur ordre vous est demandé. Dans le panneau Applications, Coller ajoute à la fractale les applications copiées ou les lignes de nombres.</translation>
+    </message>
+    <message>
+        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <translation>Ce qui a le focus décide : le tableau des applications et le canevas avec l’outil des applications déplacent des applications, la liste des entrées des entrées.</translation>
+    </message>
+    <message>
+        <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
+        <translation>Les applications sont copiées avec leurs noms et en lignes de nombres, les entrées en texte .ifs que d’autres programmes peuvent lire.</translation>
+    </message>
+    <message>
+        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <translation>Une application verrouillée ne peut être ni retapée, ni glissée, ni poussée, ni disposée, ni ajustée, ni supprimée. Ce qui change toute la fractale, comme une cage qui réécrit le code, change aussi ses applications verrouillées.</translation>
+    </message>
+    <message>
+        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <translation>Seule la partie de l’attracteur que produit l’application est dessinée. Le fichier ne change pas, et une autre entrée est de nouveau affichée entière.</translation>
     </message>
 </context>
 <context>
@@ -718,10 +734,73 @@
     </message>
 </context>
 <context>
+    <name>Enqueue</name>
+    <message>
+        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <translation>Le nom « %1 » ne correspond pas au format choisi. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Un autre export de la file d’attente écrit « %1 ». Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>Ajouté à la file d’attente : %1.</translation>
+    </message>
+</context>
+<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>La mémoire ne suffit pas pour cette image. Réduisez-la, ou diminuez le suréchantillonnage.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportTask</name>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Il est endommagé.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>Ce n’est pas un export de ce programme.</translation>
+    </message>
+    <message>
+        <source>Its settings are not ones of this version.</source>
+        <translation>Ses réglages ne sont pas ceux de cette version.</translation>
+    </message>
+    <message>
+        <source>The file that it names does not fit its format.</source>
+        <translation>Le fichier qu’il nomme ne correspond pas à son format.</translation>
+    </message>
+</context>
+<context>
+    <name>Exports</name>
+    <message numerus="yes">
+        <source>%n exports from last time are in the queue.</source>
+        <translation>
+            <numerusform>%n export de la dernière fois est dans la file d’attente.</numerusform>
+            <numerusform>%n exports de la dernière fois sont dans la file d’attente.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Des exports ne sont pas terminés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n export est encore dans la file d’attente.</numerusform>
+            <numerusform>%n exports sont encore dans la file d’attente.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <translation>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -763,11 +842,61 @@
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
+    <name>Lesson</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
-        <translation>Collections Fractint (*.ifs *.par);;Flammes (*.flame *.flam3);;Tableaux de nombres (*.csv *.tsv *.txt);;Images contenant leur fractale (*.png *.svg);;Tous les fichiers (*)</translation>
+        <source>The file has no entry “%1”.</source>
+        <translation>Le fichier n’a pas d’entrée « %1 ».</translation>
     </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Montrer une étape de la leçon</translation>
+    </message>
+    <message>
+        <source>The cage of this entry has other corners than in the lesson.</source>
+        <translation>La cage de cette entrée a d’autres sommets que dans la leçon.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonReader</name>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>La leçon dépasse la limite de 4 Mo.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Ce n’est pas une leçon : sa première ligne ne commence pas par « lesson: ».</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>La leçon n’a pas d’étapes.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Cette ligne a été ignorée : les réglages ont la forme « file: nom.ifs » et les étapes commencent par « ## ».</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>La leçon a plus de %1 étapes ; les autres ont été ignorées.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>Le texte de l’étape %1 dépasse %2 caractères et a été coupé.</translation>
+    </message>
+    <message>
+        <source>“%1” is not the name of a file in the folder of the lesson.</source>
+        <translation>« %1 » n’est pas le nom d’un fichier du dossier de la leçon.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>« %1: %2 » n’a pas été compris.</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>« %1 » est inconnu de cette version et reste conservé.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
     <message>
         <source>Add %1</source>
         <translation>Ajouter %1</translation>
@@ -1093,10 +1222,6 @@
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Pick one of many variations of this fractal</source>
-        <translation>Choisir parmi de nombreuses variations de cette fractale</translation>
     </message>
     <message>
         <source>Ctrl+Shift+M</source>
@@ -1493,10 +1618,6 @@
     <message>
         <source>P&amp;aste</source>
         <translation>C&amp;oller</translation>
-    </message>
-    <message>
-        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
-        <translation>Ajouter au fichier les fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres</translation>
     </message>
     <message>
         <source>Your unsaved work was recovered nevertheless.</source>
@@ -1974,6 +2095,258 @@
         <source>De&amp;fine Tetrahedron</source>
         <translation>Définir un &amp;tétraèdre</translation>
     </message>
+    <message>
+        <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
+        <translation>Sélectionnez d’abord des applications ou des entrées : dans leurs panneaux, ou sur le canevas avec l’outil des applications.</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>Cou&amp;per</translation>
+    </message>
+    <message>
+        <source>Move the selected maps or entries to the clipboard</source>
+        <translation>Déplacer les applications ou les entrées sélectionnées dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps or entries</source>
+        <translation>Copier les applications ou les entrées sélectionnées</translation>
+    </message>
+    <message>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
+        <translation>Ajouter au fichier des fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres ; ou des applications à la fractale</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps or entries</source>
+        <translation>Dupliquer les applications ou les entrées sélectionnées</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps or entries</source>
+        <translation>Supprimer les applications ou les entrées sélectionnées</translation>
+    </message>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>Tout sélec&amp;tionner</translation>
+    </message>
+    <message>
+        <source>Select all maps or all entries</source>
+        <translation>Sélectionner toutes les applications ou toutes les entrées</translation>
+    </message>
+    <message>
+        <source>Breed variations of this fractal, or cross it with another one</source>
+        <translation>Élever des variations de cette fractale ou la croiser avec une autre</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Collections Fractint (*.ifs *.par);;Flammes (*.flame *.flam3);;Tableaux de nombres (*.csv *.tsv *.txt);;Images contenant leur fractale (*.png *.svg);;Leçons (*.lesson);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The Chaos Game</source>
+        <translation>Le jeu du chaos</translation>
+    </message>
+    <message>
+        <source>Why the Maple Fits Its Triangle</source>
+        <translation>Pourquoi l’érable tient dans son triangle</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Leçon</translation>
+    </message>
+    <message>
+        <source>&amp;Play Lesson</source>
+        <translation>&amp;Jouer la leçon</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen</source>
+        <translation>Jouer la leçon sur tout l’écran</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>Étape &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Show the next step of the lesson that is played</source>
+        <translation>Montrer l’étape suivante de la leçon en cours</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Step</source>
+        <translation>Étape &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Show the previous step of the lesson that is played</source>
+        <translation>Montrer l’étape précédente de la leçon en cours</translation>
+    </message>
+    <message>
+        <source>&amp;Add Step</source>
+        <translation>A&amp;jouter une étape</translation>
+    </message>
+    <message>
+        <source>Add a step to the lesson, with the state of the window now</source>
+        <translation>Ajouter à la leçon une étape avec l’état actuel de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>&amp;Enregistrer la leçon…</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
+    </message>
+    <message>
+        <source>The step now has the state of the window.</source>
+        <translation>L’étape a maintenant l’état de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>End the lesson before you save (Esc).</source>
+        <translation>Terminez la leçon avant d’enregistrer (Échap).</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
+        <translation>La leçon ne nomme aucun fichier de fractales de son dossier (« file: nom.ifs »).</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
+    </message>
+    <message>
+        <source>Play this lesson, in a window of its own if this one is in use</source>
+        <translation>Jouer cette leçon, dans une fenêtre à part si celle-ci sert déjà</translation>
+    </message>
+    <message>
+        <source>Unsaved lesson</source>
+        <translation>Leçon non enregistrée</translation>
+    </message>
+    <message>
+        <source>The lesson “%1” has unsaved changes.</source>
+        <translation>La leçon « %1 » contient des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>The lesson was not saved</source>
+        <translation>La leçon n’a pas été enregistrée</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
+        <translation>Une leçon ne peut pas désigner un fichier nommé « %1 ». Enregistrez d’abord les fractales sous un nom sans : * ? &quot; &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Enregistrer la leçon</translation>
+    </message>
+    <message>
+        <source>Lessons (*.lesson)</source>
+        <translation>Leçons (*.lesson)</translation>
+    </message>
+    <message>
+        <source>A lesson must be in the folder of its fractals, “%1”.</source>
+        <translation>Une leçon doit se trouver dans le dossier de ses fractales, « %1 ».</translation>
+    </message>
+    <message>
+        <source>The fractals have unsaved changes.</source>
+        <translation>Les fractales contiennent des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>Step %1 has the state of the window. Write its text.</source>
+        <translation>L’étape %1 a l’état de la fenêtre. Écrivez son texte.</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Instantanés</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exports</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>&amp;Ready-Made Lessons</source>
+        <translation>Leçons prê&amp;tes</translation>
+    </message>
+    <message>
+        <source>Re&amp;name Map</source>
+        <translation>Re&amp;nommer l’application</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Donner un nom à l’application courante</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k or Unlock Maps</source>
+        <translation>&amp;Verrouiller ou déverrouiller les applications</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits, or stop doing so</source>
+        <translation>Protéger les applications sélectionnées des modifications, ou cesser de le faire</translation>
+    </message>
+    <message>
+        <source>Show Map Al&amp;one</source>
+        <translation>Afficher l’applicati&amp;on seule</translation>
+    </message>
+    <message>
+        <source>Show the current map alone, or all of them again</source>
+        <translation>Afficher seule l’application courante, ou de nouveau toutes</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>États de cette fractale que vous avez gardés en travaillant. Cliquez sur l’un d’eux pour le rétablir.</translation>
+    </message>
+    <message>
+        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <translation>Les images dessinées l’une après l’autre en arrière-plan, et l’avancement de chacune.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <translation>Une leçon sur ces fractales : ses étapes, chacune avec un texte et l’état de la fenêtre, à jouer sur tout l’écran.</translation>
+    </message>
+    <message>
+        <source>Saved &amp;Views</source>
+        <translation>V&amp;ues enregistrées</translation>
+    </message>
+    <message>
+        <source>&amp;Save View…</source>
+        <translation>&amp;Enregistrer la vue…</translation>
+    </message>
+    <message>
+        <source>Keep what the canvas shows under a name, with the fractal</source>
+        <translation>Garder sous un nom, avec la fractale, ce que montre le canevas</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Views…</source>
+        <translation>&amp;Modifier les vues…</translation>
+    </message>
+    <message>
+        <source>Go to saved views, rename or delete them</source>
+        <translation>Aller aux vues enregistrées, les renommer ou les supprimer</translation>
+    </message>
+    <message>
+        <source>No saved views</source>
+        <translation>Aucune vue enregistrée</translation>
+    </message>
+    <message>
+        <source>Views that you save are listed here.</source>
+        <translation>Les vues que vous enregistrez sont listées ici.</translation>
+    </message>
+    <message>
+        <source>Show this part of the fractal again</source>
+        <translation>Montrer de nouveau cette partie de la fractale</translation>
+    </message>
+    <message>
+        <source>Save the view “%1”</source>
+        <translation>Enregistrer la vue « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2035,6 +2408,10 @@
     <message>
         <source>“%1” is not an ordinary file and cannot be opened.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
+    </message>
+    <message>
+        <source>Adjust Picture Paths</source>
+        <translation>Adapter les chemins des images</translation>
     </message>
 </context>
 <context>
@@ -2352,6 +2729,72 @@
     </message>
 </context>
 <context>
+    <name>SnapshotBanner</name>
+    <message>
+        <source>Snapshot on the canvas</source>
+        <translation>Instantané sur le canevas</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B : %1</translation>
+    </message>
+    <message>
+        <source>Back to the Fractal</source>
+        <translation>Retour à la fractale</translation>
+    </message>
+    <message>
+        <source>Shows the fractal again. Nothing has changed.</source>
+        <translation>Montre de nouveau la fractale. Rien n’a changé.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <translation>Remet la fractale comme elle était dans cet instantané : une étape de l’historique.</translation>
+    </message>
+    <message>
+        <source>The canvas shows “%1”.</source>
+        <translation>Le canevas montre « %1 ».</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotCommands</name>
+    <message>
+        <source>Snapshots cannot be compared while a fractal transformation is shown.</source>
+        <translation>On ne peut pas comparer d’instantanés tant qu’une transformation fractale est affichée.</translation>
+    </message>
+    <message>
+        <source>Take &amp;Snapshot</source>
+        <translation>Prendre un &amp;instantané</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <translation>Garder l’état présent de cette fractale dans le panneau « Instantanés »</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with Snapshot</source>
+        <translation>&amp;Comparer avec l’instantané</translation>
+    </message>
+    <message>
+        <source>Q</source>
+        <translation>Q</translation>
+    </message>
+    <message>
+        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Montrer l’instantané marqué B à la place de la fractale ; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <translation>Gardé sous « %1 ». « Affichage », « Panneaux », « Instantanés » le montre.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -2564,6 +3007,40 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme l’en a retiré.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskFolder</name>
+    <message>
+        <source>It is not an ordinary file.</source>
+        <translation>Ce n’est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Il est trop volumineux.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Il ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
+        <translation>Un export de la dernière fois a été ignoré. %1 Ce qu’il en reste se trouve dans %2.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskJob</name>
+    <message>
+        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <translation>Un fichier « %1 » est apparu depuis que vous avez ajouté cet export. Réessayer le remplace.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>La fractale de cet export ne peut pas être lue.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Il n’y a pas assez de mémoire pour cette image.</translation>
     </message>
 </context>
 <context>
@@ -3660,10 +4137,6 @@
         <translation>Il n’y a pas de transformation fractale entre ces entrées.</translation>
     </message>
     <message>
-        <source>Exporting the picture…</source>
-        <translation>Exportation de l’image…</translation>
-    </message>
-    <message>
         <source>“%1” is not a system of the plane.</source>
         <translation>« %1 » n’est pas un système du plan.</translation>
     </message>
@@ -3878,6 +4351,18 @@
     <message>
         <source>its fractal transformation</source>
         <translation>sa transformation fractale</translation>
+    </message>
+    <message>
+        <source>its saved views</source>
+        <translation>ses vues enregistrées</translation>
+    </message>
+    <message>
+        <source>the names of its maps</source>
+        <translation>les noms de ses applications</translation>
+    </message>
+    <message>
+        <source>the locks of its maps</source>
+        <translation>les verrous de ses applications</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4754,60 @@
     </message>
 </context>
 <context>
+    <name>document::MapLocks</name>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>L’application %1 est verrouillée. Déverrouillez-la d’abord dans le panneau Applications.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Les applications %1 sont verrouillées. Déverrouillez-les d’abord dans le panneau Applications.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Verrouiller une application</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Déverrouiller une application</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>Verrouiller %1 applications</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>Déverrouiller %1 applications</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Supprimer le nom de l’application %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Nommer « %2 » l’application %1</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapSolo</name>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Choisissez d’abord une application.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Les applications sont liées. Seules des applications qui peuvent toutes se suivre peuvent être affichées seules.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>La cage courbe l’image : aucune application ne peut y être affichée seule. Réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>L’application %1 envoie tout en un point : il n’y a rien à afficher seul.</translation>
+    </message>
+</context>
+<context>
     <name>document::MapsArrange</name>
     <message>
         <source>Flip maps</source>
@@ -4339,6 +4878,13 @@
     <message>
         <source>This entry is not a system in space.</source>
         <translation>Cette entrée n’est pas un système dans l’espace.</translation>
+    </message>
+</context>
+<context>
+    <name>document::Variations</name>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Cette entrée n’a pas d’applications à faire varier.</translation>
     </message>
 </context>
 <context>
@@ -4785,6 +5331,10 @@
         <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
         <translation>Le travail est dans %1. Il n’y a pas de sbatch ici : lancez submit.sh de ce dossier sur la grappe.</translation>
     </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>La vue « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -4955,6 +5505,30 @@
     <message>
         <source>Browse hundreds of palettes, turn and shift them</source>
         <translation>Parcourir des centaines de palettes, les tourner et les décaler</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Contraste</translation>
+    </message>
+    <message>
+        <source>Above 1, light parts become lighter and dark parts darker</source>
+        <translation>Au-dessus de 1, les parties claires s’éclaircissent et les sombres s’assombrissent</translation>
+    </message>
+    <message>
+        <source>Above 1, tones lighter than the middle become lighter, and darker ones darker. Below 1, they come closer together. Black, middle and white stay.</source>
+        <translation>Au-dessus de 1, les tons plus clairs que le ton moyen s’éclaircissent et les plus sombres s’assombrissent. Au-dessous de 1, ils se rapprochent. Le noir, le ton moyen et le blanc ne changent pas.</translation>
+    </message>
+    <message>
+        <source>Vibrancy</source>
+        <translation>Vivacité</translation>
+    </message>
+    <message>
+        <source>Below 1, colours are paler, the more so the higher the gamma</source>
+        <translation>Au-dessous de 1, les couleurs sont plus pâles, d’autant plus que le gamma est élevé</translation>
+    </message>
+    <message>
+        <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
+        <translation>À 1, le gamma décide seulement de la force avec laquelle une couleur apparaît, et la couleur garde sa teinte. À 0, le gamma agit aussi sur le rouge, le vert et le bleu, et les couleurs sont plus pâles. Les flammes ont le même réglage.</translation>
     </message>
 </context>
 <context>
@@ -5596,8 +6170,8 @@
         <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
+        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
+        <translation>Tant de pièces se superposent que des parties de ce solide sont dessinées grossièrement. L’aspect Nuage montre tout.</translation>
     </message>
 </context>
 <context>
@@ -5842,6 +6416,22 @@
         <source>Removes this map from the system</source>
         <translation>Retire cette application du système</translation>
     </message>
+    <message>
+        <source>Un&amp;lock</source>
+        <translation>Dé&amp;verrouiller</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Verrouiller</translation>
+    </message>
+    <message>
+        <source>Lets this map be edited again</source>
+        <translation>Permet de nouveau de modifier cette application</translation>
+    </message>
+    <message>
+        <source>Protects this map against edits</source>
+        <translation>Protège cette application des modifications</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -6006,6 +6596,14 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm n’a pas accepté le travail : %1</translation>
+    </message>
+    <message>
+        <source>The result is in %1.</source>
+        <translation>Le résultat est dans %1.</translation>
+    </message>
+    <message>
+        <source>The reason is in the logs in %1.</source>
+        <translation>La raison est dans les journaux de %1.</translation>
     </message>
 </context>
 <context>
@@ -6851,6 +7449,25 @@
         <source>Adding entries…</source>
         <translation>Ajout des entrées…</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Coupe&amp;r</translation>
+    </message>
+    <message>
+        <source>Move the selected entries to the clipboard.</source>
+        <translation>Déplace les entrées sélectionnées dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Couper %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n entries</source>
+        <translation>
+            <numerusform>Couper %n entrée</numerusform>
+            <numerusform>Couper %n entrées</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>
@@ -7250,10 +7867,6 @@
         <translation>Cadrage</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
-        <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas.</translation>
-    </message>
-    <message>
         <source>S&amp;ection:</source>
         <translation>&amp;Cadrage :</translation>
     </message>
@@ -7280,6 +7893,56 @@
     <message>
         <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» n’indique pas le format&#x202f;: il doit se terminer par .png, .jpg, .webp, .tiff, .exr, .svg ou .pdf.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Ajouter à la file d’attente…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Demande un nom de fichier et dessine l’image à son tour, après celles qui attendent dans le panneau Exports. La file d’attente reprend après un redémarrage.</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>La vue « %1 »</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>What the file will show</source>
+        <translation>Ce que montrera le fichier</translation>
+    </message>
+    <message>
+        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <translation>L’image telle qu’elle sera exportée : sa forme et la section qu’elle montre. Là où elle est transparente, un damier apparaît. Elle suit tous les champs.</translation>
+    </message>
+    <message>
+        <source>Drawing the preview…</source>
+        <translation>Dessin de l’aperçu…</translation>
+    </message>
+    <message>
+        <source>No preview</source>
+        <translation>Aucun aperçu</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportQueue</name>
+    <message>
+        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <translation>Le programme s’est arrêté deux fois pendant qu’il dessinait cette image. Réessayez avec elle seule, ou exportez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <translation>La file d’attente des exports ne peut pas être conservée pour le prochain démarrage : son dossier n’est pas accessible en écriture, ou le disque est plein.</translation>
     </message>
 </context>
 <context>
@@ -7379,6 +8042,143 @@
     <message>
         <source>A3 at 300 dpi</source>
         <translation>A3 à 300 ppp</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsModel</name>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation>
+            <numerusform>environ %n seconde restante</numerusform>
+            <numerusform>environ %n secondes restantes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) left</source>
+        <translation>
+            <numerusform>environ %n minute restante</numerusform>
+            <numerusform>environ %n minutes restantes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n hour(s) left</source>
+        <translation>
+            <numerusform>environ %n heure restante</numerusform>
+            <numerusform>environ %n heures restantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Paused at %1 %</source>
+        <translation>En pause à %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %, %2</source>
+        <comment>how much is done, time left</comment>
+        <translation>%1 %, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>file, how far it is</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsPanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>Exports</translation>
+    </message>
+    <message>
+        <source>Queue of exports</source>
+        <translation>File d’attente des exports</translation>
+    </message>
+    <message>
+        <source>The exports, drawn from the top to the bottom.</source>
+        <translation>Les exports, dessinés de haut en bas.</translation>
+    </message>
+    <message>
+        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
+        <translation>Les exports que vous avez ajoutés à la file d’attente, dessinés l’un après l’autre de haut en bas pendant que vous continuez. Ce qui n’est pas terminé quand le programme se ferme est dessiné la fois suivante.</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <translation>Aucun export n’attend. Choisissez Ajouter à la file d’attente dans Fichier › Exporter l’image… pour dessiner des images l’une après l’autre pendant que vous continuez.</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
+        <translation>Mettre tous les exports en pause, ou les reprendre ; ce qui est déjà dessiné n’est pas perdu.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Mon&amp;ter</translation>
+    </message>
+    <message>
+        <source>Draw the selected export earlier.</source>
+        <translation>Dessiner plus tôt l’export sélectionné.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>D&amp;escendre</translation>
+    </message>
+    <message>
+        <source>Draw the selected export later.</source>
+        <translation>Dessiner plus tard l’export sélectionné.</translation>
+    </message>
+    <message>
+        <source>&amp;Try Again</source>
+        <translation>R&amp;éessayer</translation>
+    </message>
+    <message>
+        <source>Draw the selected exports that failed once more.</source>
+        <translation>Redessiner les exports sélectionnés qui ont échoué.</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>&amp;Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>Show the folder of the selected export in the file manager.</source>
+        <translation>Afficher le dossier de l’export sélectionné dans le gestionnaire de fichiers.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel Export</source>
+        <translation>&amp;Annuler l’export</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
+        <translation>Retirer de la liste les exports sélectionnés ; ce qui n’est pas terminé n’est pas dessiné. Les fichiers écrits restent.</translation>
+    </message>
+    <message>
+        <source>Clear &amp;Finished</source>
+        <translation>Retirer les &amp;terminés</translation>
+    </message>
+    <message>
+        <source>Take all exports that are done off the list; their files stay.</source>
+        <translation>Retirer de la liste tous les exports terminés ; leurs fichiers restent.</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Reprendre</translation>
     </message>
 </context>
 <context>
@@ -7816,6 +8616,224 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::LessonCard</name>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Précédent</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Texte de l’étape</translation>
+    </message>
+    <message>
+        <source>Show the previous step (Page Up)</source>
+        <translation>Montrer l’étape précédente (Page préc.)</translation>
+    </message>
+    <message>
+        <source>Show the next step (Page Down)</source>
+        <translation>Montrer l’étape suivante (Page suiv.)</translation>
+    </message>
+    <message>
+        <source>End the lesson and return to the window as it was (Esc)</source>
+        <translation>Terminer la leçon et revenir à la fenêtre telle qu’elle était (Échap)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminer</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Suivant</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonNotebook</name>
+    <message>
+        <source>Rename lesson</source>
+        <translation>Renommer la leçon</translation>
+    </message>
+    <message>
+        <source>Add step</source>
+        <translation>Ajouter une étape</translation>
+    </message>
+    <message>
+        <source>Update step</source>
+        <translation>Mettre à jour l’étape</translation>
+    </message>
+    <message>
+        <source>Rename step</source>
+        <translation>Renommer l’étape</translation>
+    </message>
+    <message>
+        <source>Edit text</source>
+        <translation>Modifier le texte</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>Retirer l’étape</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Déplacer l’étape</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonPanel</name>
+    <message>
+        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <translation>Disposez la fenêtre comme la classe doit la voir et cliquez sur « Ajouter une étape ». Écrivez ensuite ce que vous voulez en dire.</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Jouer</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>&amp;Enregistrer la leçon…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>Add Step</source>
+        <translation>Ajouter une étape</translation>
+    </message>
+    <message>
+        <source>Add a step with the state of the window now</source>
+        <translation>Ajouter une étape avec l’état actuel de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Update Step</source>
+        <translation>Mettre à jour l’étape</translation>
+    </message>
+    <message>
+        <source>Give the selected step the state of the window now</source>
+        <translation>Donner à l’étape choisie l’état actuel de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Show Step</source>
+        <translation>Montrer l’étape</translation>
+    </message>
+    <message>
+        <source>Bring the window into the state of the selected step</source>
+        <translation>Mettre la fenêtre dans l’état de l’étape choisie</translation>
+    </message>
+    <message>
+        <source>Remove Step</source>
+        <translation>Retirer l’étape</translation>
+    </message>
+    <message>
+        <source>Remove the selected step</source>
+        <translation>Retirer l’étape choisie</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Show the selected step earlier</source>
+        <translation>Montrer plus tôt l’étape choisie</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Show the selected step later</source>
+        <translation>Montrer plus tard l’étape choisie</translation>
+    </message>
+    <message>
+        <source>Undo in the Lesson</source>
+        <translation>Annuler dans la leçon</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the lesson</source>
+        <translation>Annuler la dernière modification de la leçon</translation>
+    </message>
+    <message>
+        <source>Redo in the Lesson</source>
+        <translation>Rétablir dans la leçon</translation>
+    </message>
+    <message>
+        <source>Redo the change of the lesson</source>
+        <translation>Rétablir la modification de la leçon</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Titre de la leçon</translation>
+    </message>
+    <message>
+        <source>Shown above every step while the lesson is played</source>
+        <translation>Affiché au-dessus de chaque étape pendant la leçon</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Étapes de la leçon</translation>
+    </message>
+    <message>
+        <source>Double-click a step to bring the window into its state</source>
+        <translation>Double-cliquez sur une étape pour mettre la fenêtre dans son état</translation>
+    </message>
+    <message>
+        <source>Title of the step</source>
+        <translation>Titre de l’étape</translation>
+    </message>
+    <message>
+        <source>Shown in large letters above the text</source>
+        <translation>Affiché en grandes lettres au-dessus du texte</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Texte de l’étape</translation>
+    </message>
+    <message>
+        <source>Shown beside the picture; leave a line empty to begin a paragraph</source>
+        <translation>Affiché à côté de l’image ; une ligne vide commence un paragraphe</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen, from the selected step</source>
+        <translation>Jouer la leçon sur tout l’écran à partir de l’étape choisie</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <source>The panels that this step shows beside the canvas; all others are hidden</source>
+        <translation>Les panneaux que cette étape montre à côté du canevas ; tous les autres sont masqués</translation>
+    </message>
+    <message>
+        <source>Panels of the step</source>
+        <translation>Panneaux de l’étape</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number and title of a step</comment>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LightBall</name>
     <message>
         <source>Direction of the light</source>
@@ -7926,6 +8944,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Unlink map %1 from map %2</source>
         <translation>Délier l’application %1 de l’application %2</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n link(s)</source>
+        <translation>
+            <numerusform>Supprimer %n lien</numerusform>
+            <numerusform>Supprimer %n liens</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7960,6 +8985,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
         <translation>Toute application peut suivre toute autre. Cliquez sur une flèche et appuyez sur Suppr pour l’interdire.</translation>
+    </message>
+    <message>
+        <source>No map has a choice of what follows it, so only single points are drawn.</source>
+        <translation>Une seule application peut suivre chacune : seuls des points isolés sont dessinés.</translation>
     </message>
 </context>
 <context>
@@ -8123,6 +9152,25 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Translation l, applied last</source>
         <translation>Translation l, appliquée en dernier</translation>
     </message>
+    <message>
+        <source>Map %1, locked</source>
+        <translation>Application %1, verrouillée</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapsClipboard</name>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in space.</source>
+        <translation>Rien n’a été collé : les applications copiées sont celles d’un système dans l’espace.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in the plane.</source>
+        <translation>Rien n’a été collé : les applications copiées sont celles d’un système dans le plan.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 12 or 13 numbers.</source>
+        <translation>Rien n’a été collé : le presse-papiers ne contient pas de lignes de 12 ou 13 nombres.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsDelegate</name>
@@ -8133,6 +9181,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>%1 The cell keeps its value.</source>
         <translation>%1 La cellule garde sa valeur.</translation>
+    </message>
+    <message>
+        <source>Name of map %1</source>
+        <translation>Nom de l’application %1</translation>
     </message>
 </context>
 <context>
@@ -8204,14 +9256,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Code effectif&#x202f;: l’application telle qu’elle agit sur l’image sous la cage actuelle. «&#x202f;Intégrer&#x202f;» en fait le code.</translation>
-    </message>
-    <message>
-        <source>Whether the map is switched on.</source>
-        <translation>Si l’application est active.</translation>
-    </message>
-    <message>
-        <source>Colour of the map, used when the picture is coloured by map.</source>
-        <translation>Couleur de l’application, utilisée quand l’image est colorée selon les applications.</translation>
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
@@ -8316,6 +9360,62 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
         <translation>Déterminant&#x202f;: le facteur des volumes&#x202f;; négatif quand l’application renverse l’orientation.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Whether the map is switched on. Alt+click shows one map alone.</source>
+        <translation>Si l’application est active. Alt+clic affiche une application seule.</translation>
+    </message>
+    <message>
+        <source>Whether the map is locked: then it cannot be edited, moved or deleted by mistake.</source>
+        <translation>Si l’application est verrouillée : elle ne peut alors être ni modifiée, ni déplacée, ni supprimée par erreur.</translation>
+    </message>
+    <message>
+        <source>Colour of the map, used when the picture is coloured by map, and the part of the attractor that the map makes.</source>
+        <translation>Couleur de l’application, quand l’image est colorée par application, et la partie de l’attracteur qu’elle produit.</translation>
+    </message>
+    <message>
+        <source>Name of the map.</source>
+        <translation>Nom de l’application.</translation>
+    </message>
+    <message>
+        <source>Map %1 is shown alone.</source>
+        <translation>L’application %1 est affichée seule.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked.</source>
+        <translation>L’application %1 est verrouillée.</translation>
+    </message>
+    <message>
+        <source>Map %1 is not locked.</source>
+        <translation>L’application %1 n’est pas verrouillée.</translation>
+    </message>
+    <message>
+        <source>Map %1 has no name. Double-click to name it.</source>
+        <translation>L’application %1 n’a pas de nom. Double-cliquez pour la nommer.</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillée</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>non verrouillée</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>sans nom</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Supprimer le nom de l’application %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Nommer « %2 » l’application %1</translation>
     </message>
 </context>
 <context>
@@ -8564,6 +9664,66 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Chaque ligne est une application&#x202f;: (x, y, z) devient (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier&#x202f;; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
     </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Move the selected maps to the clipboard</source>
+        <translation>Déplacer les applications sélectionnées dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Donner un nom à l’application courante</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits</source>
+        <translation>Protéger les applications sélectionnées des modifications</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>Show the current map alone; the file does not change</source>
+        <translation>Afficher seule l’application courante ; le fichier ne change pas</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Noms</translation>
+    </message>
+    <message>
+        <source>Show the names of the maps</source>
+        <translation>Afficher les noms des applications</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps as rows a b c d e f g h i j k l p, separated by tabs</source>
+        <translation>Copier les applications sélectionnées en lignes a b c d e f g h i j k l p, séparées par des tabulations</translation>
+    </message>
+    <message>
+        <source>Add rows of 12 or 13 numbers from the clipboard as new maps</source>
+        <translation>Ajouter des lignes de 12 ou 13 nombres du presse-papiers comme nouvelles applications</translation>
+    </message>
+    <message>
+        <source>Replace the selected maps by rows of 12 or 13 numbers from the clipboard</source>
+        <translation>Remplacer les applications sélectionnées par des lignes de 12 ou 13 nombres du presse-papiers</translation>
+    </message>
+    <message>
+        <source>Cut a map</source>
+        <translation>Couper une application</translation>
+    </message>
+    <message>
+        <source>Cut %1 maps</source>
+        <translation>Couper %1 applications</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -8739,28 +9899,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Variations de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>Random Fractals</source>
-        <translation>Fractales au hasard</translation>
-    </message>
-    <message>
         <source>Variations</source>
         <translation>Variations</translation>
-    </message>
-    <message>
-        <source>&amp;Use This One</source>
-        <translation>&amp;Utiliser celle-ci</translation>
-    </message>
-    <message>
-        <source>&amp;Add to the File</source>
-        <translation>&amp;Ajouter au fichier</translation>
-    </message>
-    <message>
-        <source>&amp;Mutate Again</source>
-        <translation>&amp;Varier de nouveau</translation>
-    </message>
-    <message>
-        <source>Use the selected one as the new starting point</source>
-        <translation>Faire de celle qui est choisie le point de départ des variations</translation>
     </message>
     <message>
         <source>How strongly the variations differ</source>
@@ -8799,20 +9939,132 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Faire muter</translation>
     </message>
     <message>
-        <source>Add Random Fractal</source>
-        <translation>Ajouter une fractale aléatoire</translation>
+        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
+        <translation>Le parent est au milieu, ses variations sont autour. Cliquez sur l’une d’elles, ou appuyez sur Entrée, pour en faire le nouveau parent. Un double-clic l’utilise aussitôt.</translation>
     </message>
     <message>
-        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
-        <translation>Choisissez-en une et appuyez sur OK, ou double-cliquez dessus&#x202f;: elle prend la place de la fractale, en une seule étape annulable.</translation>
+        <source>&amp;Use the Parent</source>
+        <translation>&amp;Utiliser le parent</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
-        <translation>À gauche, les variations ressemblent beaucoup à leur point de départ&#x202f;; à droite, elles sont débridées.</translation>
+        <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
+        <translation>La fractale du milieu remplace celle du départ, en une seule étape que vous pouvez annuler.</translation>
     </message>
     <message>
-        <source>Uses the selected one, in one step that you can undo.</source>
-        <translation>Prend celle qui est choisie, en une seule étape annulable.</translation>
+        <source>Line of descent</source>
+        <translation>Lignée</translation>
+    </message>
+    <message>
+        <source>Every parent so far, the oldest at the top. Select one to go back to it. Its descendants stay in the list until you choose another child of it.</source>
+        <translation>Tous les parents jusqu’ici, le plus ancien en haut. Choisissez-en un pour y revenir. Ses descendants restent dans la liste jusqu’à ce que vous choisissiez un autre enfant.</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Line of &amp;descent</source>
+        <translation>&amp;Lignée</translation>
+    </message>
+    <message>
+        <source>How far the variations are from their parent</source>
+        <translation>Distance des variations à leur parent</translation>
+    </message>
+    <message>
+        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <translation>À gauche, les variations restent proches de leur parent ; à droite, elles s’en éloignent beaucoup.</translation>
+    </message>
+    <message>
+        <source>Sha&amp;pe</source>
+        <translation>&amp;Forme</translation>
+    </message>
+    <message>
+        <source>Turn, stretch and move the maps</source>
+        <translation>Tourner, étirer et déplacer les applications</translation>
+    </message>
+    <message>
+        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <translation>Les applications sont tournées, étirées et déplacées ; de temps en temps, l’une est ajoutée ou retirée. Celles qui sont verrouillées ou désactivées restent telles quelles.</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>&amp;Couleur</translation>
+    </message>
+    <message>
+        <source>Try other colours</source>
+        <translation>Essayer d’autres couleurs</translation>
+    </message>
+    <message>
+        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <translation>La palette, la couleur unie et les couleurs des applications changent de teinte. L’arrière-plan reste, de même que ce que les couleurs représentent.</translation>
+    </message>
+    <message>
+        <source>&amp;Weights</source>
+        <translation>&amp;Poids</translation>
+    </message>
+    <message>
+        <source>Make some maps denser and others fainter</source>
+        <translation>Rendre certaines applications plus denses, d’autres plus pâles</translation>
+    </message>
+    <message>
+        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <translation>Les poids changent au hasard et suivent la taille des applications. Sinon, chaque application garde le sien. Un solide dans l’espace ne dépend pas des poids ; un nuage, si.</translation>
+    </message>
+    <message>
+        <source>What may change:</source>
+        <translation>Ce qui peut changer :</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Ce fichier n’a pas d’autre fractale de cette dimension.</translation>
+    </message>
+    <message>
+        <source>Mix the parent with another entry of this file</source>
+        <translation>Mélanger le parent avec une autre entrée de ce fichier</translation>
+    </message>
+    <message>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <translation>Les variations prennent certaines applications du parent, d’autres de l’autre entrée, et d’autres encore à mi-chemin entre deux qui se correspondent. Les cases ci-dessus disent si forme, couleur et poids sont mélangés. Chaque enfant a un attracteur.</translation>
+    </message>
+    <message>
+        <source>C&amp;ross with:</source>
+        <translation>C&amp;roiser avec :</translation>
+    </message>
+    <message>
+        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <translation>Le nombre dont naissent les variations. Avec le même parent, les mêmes réglages et la même graine, vous retrouvez la même planche.</translation>
+    </message>
+    <message>
+        <source>Shows other variations of the same parent, from the next seed.</source>
+        <translation>Affiche d’autres variations du même parent, avec la graine suivante.</translation>
+    </message>
+    <message>
+        <source>Variation %1, not made yet</source>
+        <translation>Variation %1, pas encore prête</translation>
+    </message>
+    <message>
+        <source>Generation %1</source>
+        <translation>Génération %1</translation>
+    </message>
+    <message>
+        <source>Parent: the original</source>
+        <translation>Parent : l’original</translation>
+    </message>
+    <message>
+        <source>Parent: generation %1</source>
+        <translation>Parent : génération %1</translation>
+    </message>
+    <message>
+        <source>Click a picture to make it the new parent.</source>
+        <translation>Cliquez sur une image pour en faire le nouveau parent.</translation>
+    </message>
+    <message>
+        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <translation>Rien ne peut changer : il n’y a pas de variations. Cochez au moins une case.</translation>
     </message>
 </context>
 <context>
@@ -9209,6 +10461,235 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::RandomDialog</name>
+    <message>
+        <source>Random Fractals</source>
+        <translation>Fractales au hasard</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the File</source>
+        <translation>&amp;Ajouter au fichier</translation>
+    </message>
+    <message>
+        <source>Adds the selected one as an entry of its own, in one step that you can undo.</source>
+        <translation>Ajoute celle qui est choisie comme entrée à part, en une seule étape que vous pouvez annuler.</translation>
+    </message>
+    <message>
+        <source>Random fractals</source>
+        <translation>Fractales au hasard</translation>
+    </message>
+    <message>
+        <source>Select one and confirm, or double-click it: it is added to the file, in one step that you can undo.</source>
+        <translation>Choisissez-en une et confirmez, ou double-cliquez dessus : elle est ajoutée au fichier, en une seule étape que vous pouvez annuler.</translation>
+    </message>
+    <message>
+        <source>In the plane</source>
+        <translation>Dans le plan</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Dans l’espace</translation>
+    </message>
+    <message>
+        <source>Plane or space</source>
+        <translation>Plan ou espace</translation>
+    </message>
+    <message>
+        <source>Make systems in the plane or in space</source>
+        <translation>Créer des systèmes dans le plan ou dans l’espace</translation>
+    </message>
+    <message>
+        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <translation>Dans le plan, la contraction des applications suit une règle selon laquelle la fractale remplit sa vue. Dans l’espace, il n’y a pas de telle règle : les deux plus grands étirements de chaque application suivent celle du plan, et le troisième est plus petit.</translation>
+    </message>
+    <message>
+        <source>How many maps the systems have</source>
+        <translation>Nombre d’applications des systèmes</translation>
+    </message>
+    <message>
+        <source>How many maps each system lists. With a symmetry, each of them also acts rotated or mirrored.</source>
+        <translation>Nombre d’applications dans la liste de chaque système. Avec une symétrie, chacune agit aussi tournée ou réfléchie.</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <source>Make systems that are symmetric about the origin</source>
+        <translation>Créer des systèmes symétriques autour de l’origine</translation>
+    </message>
+    <message>
+        <source>Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and icosahedral groups exist in space only.</source>
+        <translation>Chaque application agit aussi tournée ou réfléchie autour de l’origine, si bien que la fractale est symétrique. Vous pourrez changer la symétrie dans le panneau Applications. Les groupes tétraédrique, octaédrique et icosaédrique n’existent que dans l’espace.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ordre de la symétrie</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Nombre de répétitions de la fractale en un tour complet</translation>
+    </message>
+    <message>
+        <source>A rotation of order 5 repeats the fractal five times in a full turn.</source>
+        <translation>Une rotation d’ordre 5 répète la fractale cinq fois en un tour complet.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps:</source>
+        <translation>A&amp;pplications :</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry:</source>
+        <translation>S&amp;ymétrie :</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Graine des nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same sheet again</source>
+        <translation>La même graine redonne la même planche</translation>
+    </message>
+    <message>
+        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <translation>Le nombre dont naissent les systèmes. Avec les mêmes réglages et la même graine, vous retrouvez la même planche.</translation>
+    </message>
+    <message>
+        <source>&amp;New Set</source>
+        <translation>&amp;Nouvelle série</translation>
+    </message>
+    <message>
+        <source>Show another sheet, from the next seed</source>
+        <translation>Une autre planche : la graine suivante</translation>
+    </message>
+    <message>
+        <source>Shows other systems of the same kind, from the next seed.</source>
+        <translation>Affiche d’autres systèmes du même genre, avec la graine suivante.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed:</source>
+        <translation>&amp;Graine :</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Quelconques</translation>
+    </message>
+    <message>
+        <source>Fractal %1</source>
+        <translation>Fractale %1</translation>
+    </message>
+    <message>
+        <source>Add Random Fractal</source>
+        <translation>Ajouter une fractale aléatoire</translation>
+    </message>
+</context>
+<context>
+    <name>view::SaveViewDialog</name>
+    <message>
+        <source>Save View</source>
+        <translation>Enregistrer la vue</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Nom de la vue</translation>
+    </message>
+    <message>
+        <source>The name under which the view is listed in View, Saved Views, beside the zoom and in the export dialogs.</source>
+        <translation>Le nom sous lequel la vue figure dans « Affichage », « Vues enregistrées », à côté du zoom et dans les dialogues d’exportation.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view:</source>
+        <translation>&amp;Nom de la vue :</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history.</source>
+        <translation>Garde la vue avec la fractale : une étape de l’historique.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>A fractal can have at most %1 saved views. Delete one first.</source>
+        <translation>Une fractale peut avoir au plus %1 vues enregistrées. Supprimez-en d’abord une.</translation>
+    </message>
+    <message>
+        <source>Replaces the view of this name.</source>
+        <translation>Remplace la vue de ce nom.</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Sera enregistrée sous « %1 ».</translation>
+    </message>
+</context>
+<context>
+    <name>view::SavedViewsDialog</name>
+    <message>
+        <source>Saved Views</source>
+        <translation>Vues enregistrées</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Vues enregistrées</translation>
+    </message>
+    <message>
+        <source>The views of this fractal. Double-click one to go to it, press F2 to rename it.</source>
+        <translation>Les vues de cette fractale. Double-cliquez sur l’une d’elles pour y aller, appuyez sur F2 pour la renommer.</translation>
+    </message>
+    <message>
+        <source>&amp;Go To</source>
+        <translation>&amp;Aller à</translation>
+    </message>
+    <message>
+        <source>Shows this view on the canvas.</source>
+        <translation>Montre cette vue sur le canevas.</translation>
+    </message>
+    <message>
+        <source>&amp;Update</source>
+        <translation>&amp;Mettre à jour</translation>
+    </message>
+    <message>
+        <source>Replaces it by what the canvas shows now.</source>
+        <translation>La remplace par ce que montre maintenant le canevas.</translation>
+    </message>
+    <message>
+        <source>Update the view “%1”</source>
+        <translation>Mettre à jour la vue « %1 »</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Renommer</translation>
+    </message>
+    <message>
+        <source>Gives the view another name.</source>
+        <translation>Donne un autre nom à la vue.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Deletes the view; the fractal stays as it is.</source>
+        <translation>Supprime la vue ; la fractale reste comme elle est.</translation>
+    </message>
+    <message>
+        <source>Delete the view “%1”</source>
+        <translation>Supprimer la vue « %1 »</translation>
+    </message>
+    <message>
+        <source>Rename the view “%1” to “%2”</source>
+        <translation>Renommer la vue « %1 » en « %2 »</translation>
+    </message>
+</context>
+<context>
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
@@ -9530,6 +11011,18 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>In the timeline</source>
         <translation>Dans la chronologie</translation>
     </message>
+    <message>
+        <source>In the table of maps</source>
+        <translation>Dans le tableau des applications</translation>
+    </message>
+    <message>
+        <source>Show one map alone, or all of them again</source>
+        <translation>Afficher une application seule, ou de nouveau toutes</translation>
+    </message>
+    <message>
+        <source>Alt + click on its eye</source>
+        <translation>Alt + clic sur son œil</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -9632,6 +11125,157 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Cut the Solid</source>
         <translation>Couper le solide</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotDelegate</name>
+    <message>
+        <source>Name of the snapshot</source>
+        <translation>Nom de l’instantané</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotLook</name>
+    <message>
+        <source>There is no snapshot to compare with yet. Take one first: Edit, Take Snapshot.</source>
+        <translation>Il n’y a pas encore d’instantané avec lequel comparer. Prenez-en d’abord un : « Édition », « Prendre un instantané ».</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since “%1”.</source>
+        <translation>Rien n’a changé depuis « %1 ».</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be compared: one is in the plane, the other in space. Click the snapshot to restore it.</source>
+        <translation>« %1 » ne peut pas être comparé : l’un est dans le plan, l’autre dans l’espace. Cliquez sur l’instantané pour le rétablir.</translation>
+    </message>
+    <message>
+        <source>This is “%1”. Esc returns to the fractal.</source>
+        <translation>Ceci est « %1 ». Échap revient à la fractale.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Snapshots</name>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Une entrée qui n’a pas pu être lue n’a pas d’instantanés.</translation>
+    </message>
+    <message>
+        <source>“%1” is the same already.</source>
+        <translation>« %1 » est déjà identique.</translation>
+    </message>
+    <message>
+        <source>Snapshot %1</source>
+        <translation>Instantané %1</translation>
+    </message>
+    <message>
+        <source>Restore “%1”</source>
+        <translation>Rétablir « %1 »</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <translation>« %1 » a été supprimé. Le menu du panneau le fait revenir.</translation>
+    </message>
+    <message>
+        <source>Add “%1” as an entry</source>
+        <translation>Ajouter « %1 » comme entrée</translation>
+    </message>
+    <message>
+        <source>Added to the file as the entry “%1”.</source>
+        <translation>Ajouté au fichier sous l’entrée « %1 ».</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotsPanel</name>
+    <message>
+        <source>Snapshots</source>
+        <translation>Instantanés</translation>
+    </message>
+    <message>
+        <source>Snapshots of the fractal</source>
+        <translation>Instantanés de la fractale</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
+        <translation>Cliquez sur un instantané pour le rétablir ; annuler revient en arrière. F2 le renomme, Suppr le supprime.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>États de cette fractale que vous avez gardés. Cliquez sur l’un d’eux pour le rétablir : une étape de l’historique. Celui qui est encadré est ce que montre le canevas ; celui qui porte un B est celui avec lequel on compare. Les instantanés durent jusqu’à la fermeture du fichier ; « Ajouter comme entrée » en garde un dans le fichier.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Make the fractal as it was in this snapshot.</source>
+        <translation>Remettre la fractale comme elle était dans cet instantané.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with This One</source>
+        <translation>&amp;Comparer avec celui-ci</translation>
+    </message>
+    <message>
+        <source>Make this snapshot the one to compare with.</source>
+        <translation>Faire de cet instantané celui avec lequel on compare.</translation>
+    </message>
+    <message>
+        <source>&amp;Add as Entry</source>
+        <translation>&amp;Ajouter comme entrée</translation>
+    </message>
+    <message>
+        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <translation>Ajouter l’instantané au fichier comme une entrée à part, après celle-ci.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>Give the snapshot another name.</source>
+        <translation>Donner un autre nom à l’instantané.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the snapshot; the fractal stays as it is.</source>
+        <translation>Supprimer l’instantané ; la fractale reste comme elle est.</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back</source>
+        <translation>Faire re&amp;venir</translation>
+    </message>
+    <message>
+        <source>Bring back the snapshot that was deleted last.</source>
+        <translation>Faire revenir le dernier instantané supprimé.</translation>
+    </message>
+    <message>
+        <source>shown on the canvas</source>
+        <translation>affiché sur le canevas</translation>
+    </message>
+    <message>
+        <source>the one to compare with</source>
+        <translation>celui avec lequel on compare</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back “%1”</source>
+        <translation>Faire re&amp;venir « %1 »</translation>
+    </message>
+    <message>
+        <source>No snapshots of this fractal yet. Press %1 to keep its state, change it, and press %2 to compare.</source>
+        <translation>Pas encore d’instantané de cette fractale. Appuyez sur %1 pour garder son état, modifiez-la, puis appuyez sur %2 pour comparer.</translation>
+    </message>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Une entrée qui n’a pas pu être lue n’a pas d’instantanés.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SoloMap</name>
+    <message>
+        <source>One map is shown alone. Choose Solo again to show all; the file does not change.</source>
+        <translation>Une application est affichée seule. Choisissez de nouveau Solo pour les voir toutes ; le fichier ne change pas.</translation>
     </message>
 </context>
 <context>
@@ -9831,6 +11475,34 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Depths are written as PNG only.</source>
         <translation>Les profondeurs ne s’écrivent qu’en PNG.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Ajouter à la file d’attente…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Demande un nom de fichier et crée le fichier à son tour, après ceux qui attendent dans le panneau Exports. La file d’attente reprend après un redémarrage.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vue du canevas</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>La vue « %1 »</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Cadrage</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <translation>Ce que montre l’image : ce que montre le canevas, ou une vue enregistrée.</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>Ca&amp;drage :</translation>
     </message>
 </context>
 <context>
@@ -10397,6 +12069,85 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::TheftExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exporter «&#x202f;%1&#x202f;»</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progression de l’exportation</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <translation>Demande un nom de fichier et écrit l’image. Vous pouvez continuer à travailler.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>La vue du canevas</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>L’attracteur entier</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Cadrage</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que le canevas regarde.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Cadrage :</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Taille&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Exporter l’image volée</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not end with .png. Choose another name.</source>
+        <translation>Le nom « %1 » ne se termine pas par .png. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+</context>
+<context>
     <name>view::Timeline</name>
     <message>
         <source>Wind</source>
@@ -10529,6 +12280,24 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Custom…</source>
         <translation>Personnalisée…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) beyond the new end deleted. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n clé au-delà de la nouvelle fin supprimée. Annuler la rétablit.</numerusform>
+            <numerusform>%n clés au-delà de la nouvelle fin supprimées. Annuler les rétablit.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) not pasted: beyond the end of the animation, or of a part that this fractal does not have.</source>
+        <translation>
+            <numerusform>%n clé non collée : au-delà de la fin de l’animation, ou d’une partie que cette fractale n’a pas.</numerusform>
+            <numerusform>%n clés non collées : au-delà de la fin de l’animation, ou d’une partie que cette fractale n’a pas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Fluide</translation>
     </message>
 </context>
 <context>
@@ -10712,10 +12481,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Pistes et clés</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
-        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition.</translation>
-    </message>
-    <message>
         <source>Unit of the ruler</source>
         <translation>Unité de la règle</translation>
     </message>
@@ -10742,6 +12507,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>, keys in this row: %1</source>
         <translation>, clés dans cette ligne : %1</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
+        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition. Les clés rondes sont fluides : le mouvement les traverse sans angle.</translation>
     </message>
 </context>
 <context>
@@ -11049,6 +12818,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Waves</source>
         <translation>Vagues</translation>
     </message>
+    <message>
+        <source>State of the fractal transformation</source>
+        <translation>État de la transformation fractale</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet</source>
+        <translation>Il n’y a pas encore d’image volée</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -11095,22 +12872,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
         <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>There is no stolen picture yet.</source>
-        <translation>Il n’y a pas encore d’image volée.</translation>
-    </message>
-    <message>
-        <source>Export Stolen Picture</source>
-        <translation>Exporter l’image volée</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Images (*.png)</translation>
-    </message>
-    <message>
-        <source>Exported %1.</source>
-        <translation>%1 exporté.</translation>
     </message>
 </context>
 <context>

@@ -83,16 +83,32 @@
         <translation>Како поставеност, коефициентите остануваат; како код, стануваат коефициенти на трансформираниот фрактал. Платното го покажува резултатот пред да го прифатиш.</translation>
     </message>
     <message>
-        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste replaces the selected maps instead.</source>
-        <translation>Ако табелата не кажува кои се нејзините колони, програмата прашува. Во панелот со пресликувања, вметнувањето ги заменува избраните пресликувања.</translation>
-    </message>
-    <message>
         <source>A new language takes effect at the next start; everything else at once, in all windows.</source>
         <translation>Новиот јазик важи од следното стартување; сѐ друго веднаш, во сите прозорци.</translation>
     </message>
     <message>
         <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
         <translation>Изберете движење за кое не се потребни клучеви или поставете клучеви: она што има клучеви добива уште еден каде и да го измените, а она што нема се менува за целата анимација.</translation>
+    </message>
+    <message>
+        <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
+        <translation>Ако табелата не ги именува колоните, ќе бидете прашани за нивниот редослед. Во панелот Пресликувања, Залепи ги додава копираните пресликувања или редиците броеви во фракталот.</translation>
+    </message>
+    <message>
+        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <translation>Одлучува она што е во фокус: табелата со пресликувања и платното со алатката за пресликувања преместуваат пресликувања, а списокот записи записи.</translation>
+    </message>
+    <message>
+        <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
+        <translation>Пресликувањата се копираат со нивните имиња и како редици броеви, а записите како .ifs текст што може да го читаат други програми.</translation>
+    </message>
+    <message>
+        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <translation>Заклучено пресликување не може да се препишува, влече, поместува, подредува, приспособува или брише. Она што го менува целиот фрактал, како кафез што го препишува кодот, ги менува и неговите заклучени пресликувања.</translation>
+    </message>
+    <message>
+        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <translation>Се црта само делот од атракторот што го создава пресликувањето. Датотеката не се менува, а друг запис пак се прикажува цел.</translation>
     </message>
 </context>
 <context>
@@ -719,10 +735,75 @@
     </message>
 </context>
 <context>
+    <name>Enqueue</name>
+    <message>
+        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <translation>Името „%1“ не одговара на избраниот формат. Изберете друго име.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Друг извоз во редот ја пишува „%1“. Изберете друго име.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>Додадено во редот: %1.</translation>
+    </message>
+</context>
+<context>
     <name>ExportJob</name>
     <message>
         <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
         <translation>Нема доволно меморија за оваа слика. Намалете ја или намалете го суперсемплирањето.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportTask</name>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Оштетен е.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>Не е извоз од оваа програма.</translation>
+    </message>
+    <message>
+        <source>Its settings are not ones of this version.</source>
+        <translation>Неговите поставки не се од оваа верзија.</translation>
+    </message>
+    <message>
+        <source>The file that it names does not fit its format.</source>
+        <translation>Датотеката што ја наведува не одговара на неговиот формат.</translation>
+    </message>
+</context>
+<context>
+    <name>Exports</name>
+    <message numerus="yes">
+        <source>%n exports from last time are in the queue.</source>
+        <translation>
+            <numerusform>%n извоз од минатиот пат е во редот.</numerusform>
+            <numerusform>%n извози од минатиот пат се во редот.</numerusform>
+            <numerusform>%n извози од минатиот пат се во редот.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Извозите не се завршени</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n извоз е сѐ уште во редот.</numerusform>
+            <numerusform>%n извози се сѐ уште во редот.</numerusform>
+            <numerusform>%n извози се сѐ уште во редот.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <translation>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
     </message>
 </context>
 <context>
@@ -765,11 +846,61 @@
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
+    <name>Lesson</name>
     <message>
-        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;All files (*)</source>
-        <translation>Збирки на Fractint (*.ifs *.par);;Пламени (*.flame *.flam3);;Табели со броеви (*.csv *.tsv *.txt);;Слики што го носат својот фрактал (*.png *.svg);;Сите датотеки (*)</translation>
+        <source>The file has no entry “%1”.</source>
+        <translation>Датотеката нема запис „%1“.</translation>
     </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Прикажи чекор од лекцијата</translation>
+    </message>
+    <message>
+        <source>The cage of this entry has other corners than in the lesson.</source>
+        <translation>Кафезот на овој запис има други темиња отколку во лекцијата.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonReader</name>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>Лекцијата е поголема од 4 MB, што е границата.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Ова не е лекција: првиот ред не почнува со „lesson:“.</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>Лекцијата нема чекори.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Овој ред е прескокнат: поставките изгледаат како „file: ime.ifs“, а чекорите почнуваат со „##“.</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>Лекцијата има повеќе од %1 чекори; другите се прескокнати.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>Текстот на чекорот %1 е подолг од %2 знаци и е скратен.</translation>
+    </message>
+    <message>
+        <source>“%1” is not the name of a file in the folder of the lesson.</source>
+        <translation>„%1“ не е име на датотека во папката на лекцијата.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>„%1: %2“ не е разбрано.</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>„%1“ ѝ е непознато на оваа верзија и се задржува.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
     <message>
         <source>Add %1</source>
         <translation>Додавање на %1</translation>
@@ -1098,10 +1229,6 @@
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Pick one of many variations of this fractal</source>
-        <translation>Избери една од многуте варијанти на овој фрактал</translation>
     </message>
     <message>
         <source>Ctrl+Shift+M</source>
@@ -1498,10 +1625,6 @@
     <message>
         <source>P&amp;aste</source>
         <translation>&amp;Залепи</translation>
-    </message>
-    <message>
-        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers</source>
-        <translation>Додај ги во датотеката фракталите од таблата со исечоци: записи од датотека .ifs, flame-фрактали или табела со броеви</translation>
     </message>
     <message>
         <source>Your unsaved work was recovered nevertheless.</source>
@@ -1979,6 +2102,258 @@
         <source>De&amp;fine Tetrahedron</source>
         <translation>&amp;Дефинирај тетраедар</translation>
     </message>
+    <message>
+        <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
+        <translation>Прво избери пресликувања или записи: во нивните панели, или на платното со алатката за пресликувања.</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Исечи</translation>
+    </message>
+    <message>
+        <source>Move the selected maps or entries to the clipboard</source>
+        <translation>Премести ги избраните пресликувања или записи во таблата со исечоци</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation>&amp;Копирај</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps or entries</source>
+        <translation>Копирај ги избраните пресликувања или записи</translation>
+    </message>
+    <message>
+        <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
+        <translation>Додај фрактали од таблата со исечоци во датотеката: записи од .ifs датотека, flame или табела со броеви; или пресликувања во фракталот</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>&amp;Дуплирај</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected maps or entries</source>
+        <translation>Дуплирај ги избраните пресликувања или записи</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Избриши</translation>
+    </message>
+    <message>
+        <source>Delete the selected maps or entries</source>
+        <translation>Избриши ги избраните пресликувања или записи</translation>
+    </message>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>Избери &amp;сѐ</translation>
+    </message>
+    <message>
+        <source>Select all maps or all entries</source>
+        <translation>Избери ги сите пресликувања или сите записи</translation>
+    </message>
+    <message>
+        <source>Breed variations of this fractal, or cross it with another one</source>
+        <translation>Одгледувај варијанти на овој фрактал или вкрсти го со друг</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv *.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)</source>
+        <translation>Збирки на Fractint (*.ifs *.par);;Пламени (*.flame *.flam3);;Табели со броеви (*.csv *.tsv *.txt);;Слики што го носат својот фрактал (*.png *.svg);;Лекции (*.lesson);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>The Chaos Game</source>
+        <translation>Играта на хаос</translation>
+    </message>
+    <message>
+        <source>Why the Maple Fits Its Triangle</source>
+        <translation>Зошто јаворот го собира неговиот триаголник</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Лекција</translation>
+    </message>
+    <message>
+        <source>&amp;Play Lesson</source>
+        <translation>&amp;Пушти ја лекцијата</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen</source>
+        <translation>Пушти ја лекцијата на целиот екран</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>&amp;Следен чекор</translation>
+    </message>
+    <message>
+        <source>Show the next step of the lesson that is played</source>
+        <translation>Прикажи го следниот чекор од лекцијата што тече</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Step</source>
+        <translation>&amp;Претходен чекор</translation>
+    </message>
+    <message>
+        <source>Show the previous step of the lesson that is played</source>
+        <translation>Прикажи го претходниот чекор од лекцијата што тече</translation>
+    </message>
+    <message>
+        <source>&amp;Add Step</source>
+        <translation>&amp;Додај чекор</translation>
+    </message>
+    <message>
+        <source>Add a step to the lesson, with the state of the window now</source>
+        <translation>Додај ѝ на лекцијата чекор со сегашната состојба на прозорецот</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>&amp;Зачувај ја лекцијата…</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
+    </message>
+    <message>
+        <source>The step now has the state of the window.</source>
+        <translation>Чекорот сега ја има состојбата на прозорецот.</translation>
+    </message>
+    <message>
+        <source>End the lesson before you save (Esc).</source>
+        <translation>Завршете ја лекцијата пред да зачувате (Esc).</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
+        <translation>Лекцијата не именува датотека со фрактали во својата папка („file: ime.ifs“).</translation>
+    </message>
+    <message>
+        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
+    </message>
+    <message>
+        <source>Play this lesson, in a window of its own if this one is in use</source>
+        <translation>Пушти ја оваа лекција, во посебен прозорец ако овој се користи</translation>
+    </message>
+    <message>
+        <source>Unsaved lesson</source>
+        <translation>Незачувана лекција</translation>
+    </message>
+    <message>
+        <source>The lesson “%1” has unsaved changes.</source>
+        <translation>Лекцијата „%1“ има измени што не се зачувани.</translation>
+    </message>
+    <message>
+        <source>The lesson was not saved</source>
+        <translation>Лекцијата не е зачувана</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
+        <translation>Лекција не може да упати на датотека со име „%1“. Прво зачувајте ги фракталите под име без : * ? &quot; &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Зачувај ја лекцијата</translation>
+    </message>
+    <message>
+        <source>Lessons (*.lesson)</source>
+        <translation>Лекции (*.lesson)</translation>
+    </message>
+    <message>
+        <source>A lesson must be in the folder of its fractals, “%1”.</source>
+        <translation>Лекцијата мора да биде во папката на своите фрактали, „%1“.</translation>
+    </message>
+    <message>
+        <source>The fractals have unsaved changes.</source>
+        <translation>Фракталите имаат измени што не се зачувани.</translation>
+    </message>
+    <message>
+        <source>Step %1 has the state of the window. Write its text.</source>
+        <translation>Чекорот %1 ја има состојбата на прозорецот. Напишете го неговиот текст.</translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation>Снимки</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Извози</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Лекција</translation>
+    </message>
+    <message>
+        <source>&amp;Ready-Made Lessons</source>
+        <translation>&amp;Готови лекции</translation>
+    </message>
+    <message>
+        <source>Re&amp;name Map</source>
+        <translation>Преиме&amp;нувај пресликување</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Дај му име на тековното пресликување</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k or Unlock Maps</source>
+        <translation>&amp;Заклучи или отклучи пресликувања</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits, or stop doing so</source>
+        <translation>Заштити ги избраните пресликувања од измени, или престани со тоа</translation>
+    </message>
+    <message>
+        <source>Show Map Al&amp;one</source>
+        <translation>Прикажи само едн&amp;о пресликување</translation>
+    </message>
+    <message>
+        <source>Show the current map alone, or all of them again</source>
+        <translation>Прикажи го само тековното пресликување, или пак сите</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>Состојби на овој фрактал што сте ги зачувале додека работевте. Кликнете на една за да ја вратите.</translation>
+    </message>
+    <message>
+        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <translation>Слики што се цртаат една по друга во заднина, и докаде е секоја.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <translation>Лекција за овие фрактали: нејзините чекори, секој со текст и состојба на прозорецот, за пуштање на целиот екран.</translation>
+    </message>
+    <message>
+        <source>Saved &amp;Views</source>
+        <translation>За&amp;чувани погледи</translation>
+    </message>
+    <message>
+        <source>&amp;Save View…</source>
+        <translation>&amp;Зачувај поглед…</translation>
+    </message>
+    <message>
+        <source>Keep what the canvas shows under a name, with the fractal</source>
+        <translation>Зачувај го под име, со фракталот, она што го покажува платното</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Views…</source>
+        <translation>&amp;Уреди погледи…</translation>
+    </message>
+    <message>
+        <source>Go to saved views, rename or delete them</source>
+        <translation>Оди до зачуваните погледи, преименувај ги или избриши ги</translation>
+    </message>
+    <message>
+        <source>No saved views</source>
+        <translation>Нема зачувани погледи</translation>
+    </message>
+    <message>
+        <source>Views that you save are listed here.</source>
+        <translation>Тука се наведени погледите што ги зачувувате.</translation>
+    </message>
+    <message>
+        <source>Show this part of the fractal again</source>
+        <translation>Повторно прикажи го овој дел од фракталот</translation>
+    </message>
+    <message>
+        <source>Save the view “%1”</source>
+        <translation>Зачувување на погледот „%1“</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2040,6 +2415,10 @@
     <message>
         <source>“%1” is not an ordinary file and cannot be opened.</source>
         <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
+    </message>
+    <message>
+        <source>Adjust Picture Paths</source>
+        <translation>Приспособи ги патеките на сликите</translation>
     </message>
 </context>
 <context>
@@ -2357,6 +2736,72 @@
     </message>
 </context>
 <context>
+    <name>SnapshotBanner</name>
+    <message>
+        <source>Snapshot on the canvas</source>
+        <translation>Снимка на платното</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>Back to the Fractal</source>
+        <translation>Назад кон фракталот</translation>
+    </message>
+    <message>
+        <source>Shows the fractal again. Nothing has changed.</source>
+        <translation>Повторно го прикажува фракталот. Ништо не е сменето.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Врати</translation>
+    </message>
+    <message>
+        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <translation>Го прави фракталот каков што беше на оваа снимка: еден чекор во историјата.</translation>
+    </message>
+    <message>
+        <source>The canvas shows “%1”.</source>
+        <translation>Платното ја покажува снимката „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotCommands</name>
+    <message>
+        <source>Snapshots cannot be compared while a fractal transformation is shown.</source>
+        <translation>Снимките не може да се споредуваат додека се прикажува фрактална трансформација.</translation>
+    </message>
+    <message>
+        <source>Take &amp;Snapshot</source>
+        <translation>Направи с&amp;нимка</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <translation>Зачувај ја сегашната состојба на фракталот во панелот „Снимки“</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with Snapshot</source>
+        <translation>Сп&amp;ореди со снимка</translation>
+    </message>
+    <message>
+        <source>Q</source>
+        <translation>Q</translation>
+    </message>
+    <message>
+        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Прикажи ја снимката означена со B наместо фракталот; притиснете повторно, или држете го копчето и пуштете го, за да се вратите</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <translation>Зачувано како „%1“. Ја покажува „Приказ“, „Панели“, „Снимки“.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -2569,6 +3014,40 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>Сликата не содржи систем: не ја запишал Barycage или друга програма го отстранила.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskFolder</name>
+    <message>
+        <source>It is not an ordinary file.</source>
+        <translation>Не е обична датотека.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Преголем е.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Не може да се прочита.</translation>
+    </message>
+    <message>
+        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
+        <translation>Еден извоз од минатиот пат е прескокнат. %1 Тоа што останало од него е во %2.</translation>
+    </message>
+</context>
+<context>
+    <name>TaskJob</name>
+    <message>
+        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <translation>Откако го додадовте овој извоз, се појави датотека „%1“. „Обиди се повторно“ ја заменува.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>Фракталот во овој извоз не може да се прочита.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Нема доволно меморија за оваа слика.</translation>
     </message>
 </context>
 <context>
@@ -3666,10 +4145,6 @@
         <translation>Меѓу овие записи нема фрактална трансформација.</translation>
     </message>
     <message>
-        <source>Exporting the picture…</source>
-        <translation>Се извезува сликата…</translation>
-    </message>
-    <message>
         <source>“%1” is not a system of the plane.</source>
         <translation>„%1“ не е систем во рамнината.</translation>
     </message>
@@ -3884,6 +4359,18 @@
     <message>
         <source>its fractal transformation</source>
         <translation>неговата фрактална трансформација</translation>
+    </message>
+    <message>
+        <source>its saved views</source>
+        <translation>неговите зачувани погледи</translation>
+    </message>
+    <message>
+        <source>the names of its maps</source>
+        <translation>имињата на неговите пресликувања</translation>
+    </message>
+    <message>
+        <source>the locks of its maps</source>
+        <translation>заклучувањата на неговите пресликувања</translation>
     </message>
 </context>
 <context>
@@ -4275,6 +4762,60 @@
     </message>
 </context>
 <context>
+    <name>document::MapLocks</name>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>Пресликувањето %1 е заклучено. Прво отклучете го во панелот Пресликувања.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Пресликувањата %1 се заклучени. Прво отклучете ги во панелот Пресликувања.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Заклучување на пресликување</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Отклучување на пресликување</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>Заклучување на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>Отклучување на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Бришење на името на пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Именување на пресликувањето %1 „%2“</translation>
+    </message>
+</context>
+<context>
+    <name>document::MapSolo</name>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Прво избери пресликување.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Пресликувањата се поврзани. Само пресликувања кои сите може да следат едно по друго може да се прикажат сами.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>Кафезот ја криви сликата, па ниедно пресликување не може да се прикаже само. Прво вратете го кафезот.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>Пресликувањето %1 сѐ води во една точка, па нема што да се прикаже само.</translation>
+    </message>
+</context>
+<context>
     <name>document::MapsArrange</name>
     <message>
         <source>Flip maps</source>
@@ -4345,6 +4886,13 @@
     <message>
         <source>This entry is not a system in space.</source>
         <translation>Овој запис не е систем во просторот.</translation>
+    </message>
+</context>
+<context>
+    <name>document::Variations</name>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Овој запис нема пресликувања за варирање.</translation>
     </message>
 </context>
 <context>
@@ -4795,6 +5343,10 @@
         <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
         <translation>Задачата е во %1. Тука нема sbatch: пуштете го submit.sh од папката на кластерот.</translation>
     </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>Погледот „%1“</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -4965,6 +5517,30 @@
     <message>
         <source>Browse hundreds of palettes, turn and shift them</source>
         <translation>Прегледај стотици палети, врти ги и поместувај ги</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Контраст</translation>
+    </message>
+    <message>
+        <source>Above 1, light parts become lighter and dark parts darker</source>
+        <translation>Над 1, светлите делови стануваат посветли, а темните потемни</translation>
+    </message>
+    <message>
+        <source>Above 1, tones lighter than the middle become lighter, and darker ones darker. Below 1, they come closer together. Black, middle and white stay.</source>
+        <translation>Над 1, тоновите посветли од средниот стануваат посветли, а потемните потемни. Под 1, тие се приближуваат. Црното, средината и белото остануваат.</translation>
+    </message>
+    <message>
+        <source>Vibrancy</source>
+        <translation>Живост</translation>
+    </message>
+    <message>
+        <source>Below 1, colours are paler, the more so the higher the gamma</source>
+        <translation>Под 1, боите се побледи, дотолку повеќе колку што е повисока гамата</translation>
+    </message>
+    <message>
+        <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
+        <translation>Со 1, гамата одлучува само колку силно се гледа бојата, а бојата ја задржува својата нијанса. Со 0, гамата дејствува и на црвеното, зеленото и синото, и боите се побледи. Пламените го имаат истото поставување.</translation>
     </message>
 </context>
 <context>
@@ -5607,8 +6183,8 @@
         <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
+        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
+        <translation>Толку многу делови се преклопуваат што некои делови од ова тело се нацртани грубо. Изгледот Облак прикажува сè.</translation>
     </message>
 </context>
 <context>
@@ -5853,6 +6429,22 @@
         <source>Removes this map from the system</source>
         <translation>Го вади ова пресликување од системот</translation>
     </message>
+    <message>
+        <source>Un&amp;lock</source>
+        <translation>&amp;Отклучи</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Заклучи</translation>
+    </message>
+    <message>
+        <source>Lets this map be edited again</source>
+        <translation>Овозможува повторно менување на ова пресликување</translation>
+    </message>
+    <message>
+        <source>Protects this map against edits</source>
+        <translation>Го заштитува ова пресликување од измени</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -6017,6 +6609,14 @@
     <message>
         <source>Slurm did not take the job: %1</source>
         <translation>Slurm не ја прифати задачата: %1</translation>
+    </message>
+    <message>
+        <source>The result is in %1.</source>
+        <translation>Резултатот е во %1.</translation>
+    </message>
+    <message>
+        <source>The reason is in the logs in %1.</source>
+        <translation>Причината е во дневниците во %1.</translation>
     </message>
 </context>
 <context>
@@ -6869,6 +7469,26 @@
         <source>Adding entries…</source>
         <translation>Се додаваат записи…</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>И&amp;сечи</translation>
+    </message>
+    <message>
+        <source>Move the selected entries to the clipboard.</source>
+        <translation>Ги преместува избраните записи во таблата со исечоци.</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Сечење на %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n entries</source>
+        <translation>
+            <numerusform>Сечење на %n запис</numerusform>
+            <numerusform>Сечење на %n записи</numerusform>
+            <numerusform>Сечење на %n записи</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::ExportDataDialog</name>
@@ -7268,10 +7888,6 @@
         <translation>Исечок</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
-        <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното.</translation>
-    </message>
-    <message>
         <source>S&amp;ection:</source>
         <translation>&amp;Исечок:</translation>
     </message>
@@ -7298,6 +7914,56 @@
     <message>
         <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>Името „%1“ не го кажува форматот: мора да завршува на .png, .jpg, .webp, .tiff, .exr, .svg или .pdf.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Додај во редот…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Прашува за име на датотека и ја црта сликата кога ќе дојде на ред, по оние што чекаат во панелот „Извози“. Редот продолжува по повторно стартување.</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>Погледот „%1“</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното. Во листата се и зачуваните погледи.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Преглед</translation>
+    </message>
+    <message>
+        <source>What the file will show</source>
+        <translation>Што ќе прикаже датотеката</translation>
+    </message>
+    <message>
+        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <translation>Сликата како што ќе биде извезена: нејзиниот облик и делот што го прикажува. Каде што е проѕирна, се гледа шаховска шара. Го следи секое поле.</translation>
+    </message>
+    <message>
+        <source>Drawing the preview…</source>
+        <translation>Се црта прегледот…</translation>
+    </message>
+    <message>
+        <source>No preview</source>
+        <translation>Нема преглед</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportQueue</name>
+    <message>
+        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <translation>Програмата двапати заврши додека ја црташе оваа слика. Обидете се повторно само со неа, или извезете помала.</translation>
+    </message>
+    <message>
+        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <translation>Редот на извози не може да се зачува за следното стартување: во неговата папка не може да се пишува, или дискот е полн.</translation>
     </message>
 </context>
 <context>
@@ -7397,6 +8063,146 @@
     <message>
         <source>A3 at 300 dpi</source>
         <translation>A3 со 300 dpi</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsModel</name>
+    <message numerus="yes">
+        <source>about %n second(s) left</source>
+        <translation>
+            <numerusform>уште околу %n секунда</numerusform>
+            <numerusform>уште околу %n секунди</numerusform>
+            <numerusform>уште околу %n секунди</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) left</source>
+        <translation>
+            <numerusform>уште околу %n минута</numerusform>
+            <numerusform>уште околу %n минути</numerusform>
+            <numerusform>уште околу %n минути</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n hour(s) left</source>
+        <translation>
+            <numerusform>уште околу %n час</numerusform>
+            <numerusform>уште околу %n часа</numerusform>
+            <numerusform>уште околу %n часа</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Паузирано</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Чека</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Готово</translation>
+    </message>
+    <message>
+        <source>Paused at %1 %</source>
+        <translation>Паузирано на %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %, %2</source>
+        <comment>how much is done, time left</comment>
+        <translation>%1 %, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>file, how far it is</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportsPanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>Извози</translation>
+    </message>
+    <message>
+        <source>Queue of exports</source>
+        <translation>Ред на извози</translation>
+    </message>
+    <message>
+        <source>The exports, drawn from the top to the bottom.</source>
+        <translation>Извозите, цртани од горе надолу.</translation>
+    </message>
+    <message>
+        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
+        <translation>Извозите што ги додадовте во редот, цртани еден по друг од горе надолу додека вие уредувате. Тоа што не е готово кога програмата завршува, се црта следниот пат.</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <translation>Нема извози што чекаат. Изберете „Додај во редот“ во „Датотека › Извези слика…“ за да се цртаат слики една по друга додека уредувате.</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Паузирај</translation>
+    </message>
+    <message>
+        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
+        <translation>Паузирај ги сите извози, или продолжи со нив; нацртаното досега не се губи.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Помести на&amp;горе</translation>
+    </message>
+    <message>
+        <source>Draw the selected export earlier.</source>
+        <translation>Нацртај го избраниот извоз порано.</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Помести надо&amp;лу</translation>
+    </message>
+    <message>
+        <source>Draw the selected export later.</source>
+        <translation>Нацртај го избраниот извоз подоцна.</translation>
+    </message>
+    <message>
+        <source>&amp;Try Again</source>
+        <translation>&amp;Обиди се повторно</translation>
+    </message>
+    <message>
+        <source>Draw the selected exports that failed once more.</source>
+        <translation>Нацртај ги повторно избраните извози што не успеале.</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder</source>
+        <translation>Отвори &amp;папка</translation>
+    </message>
+    <message>
+        <source>Show the folder of the selected export in the file manager.</source>
+        <translation>Прикажи ја папката на избраниот извоз во управувачот со датотеки.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel Export</source>
+        <translation>Отка&amp;жи го извозот</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
+        <translation>Тргни ги избраните извози од списокот; тоа што не е готово не се црта. Запишаните датотеки остануваат.</translation>
+    </message>
+    <message>
+        <source>Clear &amp;Finished</source>
+        <translation>Тргни ги &amp;готовите</translation>
+    </message>
+    <message>
+        <source>Take all exports that are done off the list; their files stay.</source>
+        <translation>Тргни ги од списокот сите готови извози; нивните датотеки остануваат.</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>Про&amp;должи</translation>
     </message>
 </context>
 <context>
@@ -7834,6 +8640,224 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::LessonCard</name>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Назад</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>&amp;Заврши</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Лекција</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Текст на чекорот</translation>
+    </message>
+    <message>
+        <source>Show the previous step (Page Up)</source>
+        <translation>Прикажи го претходниот чекор (Page Up)</translation>
+    </message>
+    <message>
+        <source>Show the next step (Page Down)</source>
+        <translation>Прикажи го следниот чекор (Page Down)</translation>
+    </message>
+    <message>
+        <source>End the lesson and return to the window as it was (Esc)</source>
+        <translation>Заврши ја лекцијата и врати се на прозорецот каков што беше (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 од %2</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Готово</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Следно</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonNotebook</name>
+    <message>
+        <source>Rename lesson</source>
+        <translation>Преименувај ја лекцијата</translation>
+    </message>
+    <message>
+        <source>Add step</source>
+        <translation>Додај чекор</translation>
+    </message>
+    <message>
+        <source>Update step</source>
+        <translation>Обнови го чекорот</translation>
+    </message>
+    <message>
+        <source>Rename step</source>
+        <translation>Преименувај го чекорот</translation>
+    </message>
+    <message>
+        <source>Edit text</source>
+        <translation>Уреди го текстот</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>Отстрани го чекорот</translation>
+    </message>
+    <message>
+        <source>Move step</source>
+        <translation>Помести го чекорот</translation>
+    </message>
+</context>
+<context>
+    <name>view::LessonPanel</name>
+    <message>
+        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <translation>Наместете го прозорецот како што треба да го види класот и притиснете „Додај чекор“. Потоа напишете што сакате да кажете.</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Пушти</translation>
+    </message>
+    <message>
+        <source>Save &amp;Lesson…</source>
+        <translation>&amp;Зачувај ја лекцијата…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Лекција</translation>
+    </message>
+    <message>
+        <source>Add Step</source>
+        <translation>Додај чекор</translation>
+    </message>
+    <message>
+        <source>Add a step with the state of the window now</source>
+        <translation>Додај чекор со сегашната состојба на прозорецот</translation>
+    </message>
+    <message>
+        <source>Update Step</source>
+        <translation>Обнови го чекорот</translation>
+    </message>
+    <message>
+        <source>Give the selected step the state of the window now</source>
+        <translation>Дај му на избраниот чекор ја сегашната состојба на прозорецот</translation>
+    </message>
+    <message>
+        <source>Show Step</source>
+        <translation>Прикажи го чекорот</translation>
+    </message>
+    <message>
+        <source>Bring the window into the state of the selected step</source>
+        <translation>Доведи го прозорецот во состојбата на избраниот чекор</translation>
+    </message>
+    <message>
+        <source>Remove Step</source>
+        <translation>Отстрани го чекорот</translation>
+    </message>
+    <message>
+        <source>Remove the selected step</source>
+        <translation>Отстрани го избраниот чекор</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Помести нагоре</translation>
+    </message>
+    <message>
+        <source>Show the selected step earlier</source>
+        <translation>Прикажи го избраниот чекор порано</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Помести надолу</translation>
+    </message>
+    <message>
+        <source>Show the selected step later</source>
+        <translation>Прикажи го избраниот чекор подоцна</translation>
+    </message>
+    <message>
+        <source>Undo in the Lesson</source>
+        <translation>Врати во лекцијата</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the lesson</source>
+        <translation>Врати ја последната измена на лекцијата</translation>
+    </message>
+    <message>
+        <source>Redo in the Lesson</source>
+        <translation>Повтори во лекцијата</translation>
+    </message>
+    <message>
+        <source>Redo the change of the lesson</source>
+        <translation>Повтори ја измената на лекцијата</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Наслов на лекцијата</translation>
+    </message>
+    <message>
+        <source>Shown above every step while the lesson is played</source>
+        <translation>Стои над секој чекор додека тече лекцијата</translation>
+    </message>
+    <message>
+        <source>Steps of the lesson</source>
+        <translation>Чекори на лекцијата</translation>
+    </message>
+    <message>
+        <source>Double-click a step to bring the window into its state</source>
+        <translation>Двоен клик на чекор го доведува прозорецот во неговата состојба</translation>
+    </message>
+    <message>
+        <source>Title of the step</source>
+        <translation>Наслов на чекорот</translation>
+    </message>
+    <message>
+        <source>Shown in large letters above the text</source>
+        <translation>Стои со големи букви над текстот</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Текст на чекорот</translation>
+    </message>
+    <message>
+        <source>Shown beside the picture; leave a line empty to begin a paragraph</source>
+        <translation>Стои до сликата; празен ред почнува нов пасус</translation>
+    </message>
+    <message>
+        <source>Play the lesson on the whole screen, from the selected step</source>
+        <translation>Пушти ја лекцијата на целиот екран од избраниот чекор</translation>
+    </message>
+    <message>
+        <source>Save the lesson beside the file of its fractals</source>
+        <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Панели</translation>
+    </message>
+    <message>
+        <source>The panels that this step shows beside the canvas; all others are hidden</source>
+        <translation>Панелите што ги прикажува овој чекор до платното; сите други се скриени</translation>
+    </message>
+    <message>
+        <source>Panels of the step</source>
+        <translation>Панели на чекорот</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Без наслов</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number and title of a step</comment>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
     <name>view::LightBall</name>
     <message>
         <source>Direction of the light</source>
@@ -7944,6 +8968,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Unlink map %1 from map %2</source>
         <translation>Одврзи го пресликувањето %1 од пресликувањето %2</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n link(s)</source>
+        <translation>
+            <numerusform>Отстрани %n врска</numerusform>
+            <numerusform>Отстрани %n врски</numerusform>
+            <numerusform>Отстрани %n врски</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::LinksPanel</name>
@@ -7978,6 +9010,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Any map may follow any other. Click an arrow and press Delete to forbid it.</source>
         <translation>Секое пресликување смее да го следи секое друго. Кликнете на стрелка и притиснете Delete за да го забраните тоа.</translation>
+    </message>
+    <message>
+        <source>No map has a choice of what follows it, so only single points are drawn.</source>
+        <translation>По секое пресликување може да следи само едно, па се цртаат само поединечни точки.</translation>
     </message>
 </context>
 <context>
@@ -8141,6 +9177,25 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Translation l, applied last</source>
         <translation>Транслација l, се применува последна</translation>
     </message>
+    <message>
+        <source>Map %1, locked</source>
+        <translation>Пресликување %1, заклучено</translation>
+    </message>
+</context>
+<context>
+    <name>view::MapsClipboard</name>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in space.</source>
+        <translation>Ништо не е вметнато: копираните пресликувања се од систем во просторот.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the copied maps are of a system in the plane.</source>
+        <translation>Ништо не е вметнато: копираните пресликувања се од систем во рамнината.</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 12 or 13 numbers.</source>
+        <translation>Ништо не е вметнато: таблата со исечоци не содржи редици од 12 или 13 броја.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsDelegate</name>
@@ -8151,6 +9206,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>%1 The cell keeps its value.</source>
         <translation>%1 Ќелијата ја задржува својата вредност.</translation>
+    </message>
+    <message>
+        <source>Name of map %1</source>
+        <translation>Име на пресликувањето %1</translation>
     </message>
 </context>
 <context>
@@ -8222,14 +9281,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Effective code: the map as it acts on the picture under the current cage. Bake turns it into the code.</source>
         <translation>Ефективен код: пресликувањето онака како што дејствува на сликата под сегашниот кафез. Со „Впиши“ тој станува код.</translation>
-    </message>
-    <message>
-        <source>Whether the map is switched on.</source>
-        <translation>Дали пресликувањето учествува.</translation>
-    </message>
-    <message>
-        <source>Colour of the map, used when the picture is coloured by map.</source>
-        <translation>Бојата на пресликувањето, кога сликата се бои според пресликување.</translation>
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
@@ -8334,6 +9385,62 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Determinant: the factor by which volumes change; negative if the map reflects.</source>
         <translation>Детерминанта: коефициентот со кој се менуваат волумените; негативна е ако пресликувањето ја менува ориентацијата.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Име</translation>
+    </message>
+    <message>
+        <source>Whether the map is switched on. Alt+click shows one map alone.</source>
+        <translation>Дали пресликувањето учествува. Alt+клик прикажува само едно пресликување.</translation>
+    </message>
+    <message>
+        <source>Whether the map is locked: then it cannot be edited, moved or deleted by mistake.</source>
+        <translation>Дали пресликувањето е заклучено: тогаш не може по грешка да се измени, премести или избрише.</translation>
+    </message>
+    <message>
+        <source>Colour of the map, used when the picture is coloured by map, and the part of the attractor that the map makes.</source>
+        <translation>Боја на пресликувањето, кога сликата е обоена по пресликувања, и делот од атракторот што тоа го создава.</translation>
+    </message>
+    <message>
+        <source>Name of the map.</source>
+        <translation>Име на пресликувањето.</translation>
+    </message>
+    <message>
+        <source>Map %1 is shown alone.</source>
+        <translation>Пресликувањето %1 е прикажано само.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked.</source>
+        <translation>Пресликувањето %1 е заклучено.</translation>
+    </message>
+    <message>
+        <source>Map %1 is not locked.</source>
+        <translation>Пресликувањето %1 не е заклучено.</translation>
+    </message>
+    <message>
+        <source>Map %1 has no name. Double-click to name it.</source>
+        <translation>Пресликувањето %1 нема име. Кликнете двапати за да го именувате.</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>заклучено</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>незаклучено</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>без име</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Бришење на името на пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Именување на пресликувањето %1 „%2“</translation>
     </message>
 </context>
 <context>
@@ -8582,6 +9689,66 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Секоја редица е пресликување: (x, y, z) се пресликува во (a x + b y + c z + j, d x + e y + f z + k, g x + h y + i z + l), толку често колку што кажува неговата тежина p. За да промените некој број, кликнете двапати на него или почнете да пишувате; сликата го следи секое копче. Повлечете го бројот на редицата за да ја преместите.</translation>
     </message>
+    <message>
+        <source>Cut</source>
+        <translation>Исечи</translation>
+    </message>
+    <message>
+        <source>Move the selected maps to the clipboard</source>
+        <translation>Премести ги избраните пресликувања во таблата со исечоци</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Преименувај</translation>
+    </message>
+    <message>
+        <source>Give the current map a name</source>
+        <translation>Дај му име на тековното пресликување</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Заклучи</translation>
+    </message>
+    <message>
+        <source>Protect the selected maps against edits</source>
+        <translation>Заштити ги избраните пресликувања од измени</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Соло</translation>
+    </message>
+    <message>
+        <source>Show the current map alone; the file does not change</source>
+        <translation>Прикажи го само тековното пресликување; датотеката не се менува</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Имиња</translation>
+    </message>
+    <message>
+        <source>Show the names of the maps</source>
+        <translation>Прикажи ги имињата на пресликувањата</translation>
+    </message>
+    <message>
+        <source>Copy the selected maps as rows a b c d e f g h i j k l p, separated by tabs</source>
+        <translation>Копирај ги избраните пресликувања како редици a b c d e f g h i j k l p, одделени со табулатори</translation>
+    </message>
+    <message>
+        <source>Add rows of 12 or 13 numbers from the clipboard as new maps</source>
+        <translation>Додај редици од 12 или 13 броја од таблата со исечоци како нови пресликувања</translation>
+    </message>
+    <message>
+        <source>Replace the selected maps by rows of 12 or 13 numbers from the clipboard</source>
+        <translation>Замени ги избраните пресликувања со редици од 12 или 13 броја од таблата со исечоци</translation>
+    </message>
+    <message>
+        <source>Cut a map</source>
+        <translation>Сечење на пресликување</translation>
+    </message>
+    <message>
+        <source>Cut %1 maps</source>
+        <translation>Сечење на %1 пресликувања</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -8757,28 +9924,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Варијанти на „%1“</translation>
     </message>
     <message>
-        <source>Random Fractals</source>
-        <translation>Случајни фрактали</translation>
-    </message>
-    <message>
         <source>Variations</source>
         <translation>Варијанти</translation>
-    </message>
-    <message>
-        <source>&amp;Use This One</source>
-        <translation>&amp;Употреби го ова</translation>
-    </message>
-    <message>
-        <source>&amp;Add to the File</source>
-        <translation>&amp;Додај во датотеката</translation>
-    </message>
-    <message>
-        <source>&amp;Mutate Again</source>
-        <translation>&amp;Варирај повторно</translation>
-    </message>
-    <message>
-        <source>Use the selected one as the new starting point</source>
-        <translation>Варијантите нека тргнуваат од избраното</translation>
     </message>
     <message>
         <source>How strongly the variations differ</source>
@@ -8817,20 +9964,132 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Мутирање</translation>
     </message>
     <message>
-        <source>Add Random Fractal</source>
-        <translation>Додавање на случаен фрактал</translation>
+        <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
+        <translation>Родителот е во средината, а варијантите се околу него. Кликнете на една, или притиснете Enter на неа, за да стане нов родител. Со двоен клик веднаш се употребува.</translation>
     </message>
     <message>
-        <source>Select one and confirm, or double-click it: it replaces the fractal, in one step that you can undo.</source>
-        <translation>Изберете еден и притиснете „Во ред“, или кликнете двапати на него: тој го зазема местото на фракталот, како еден чекор што може да се врати.</translation>
+        <source>&amp;Use the Parent</source>
+        <translation>&amp;Употреби го родителот</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their starting point; on the right, they differ wildly.</source>
-        <translation>Лево варијантите многу личат на она од што тргнуваат, а десно се сосема диви.</translation>
+        <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
+        <translation>Фракталот во средината го заменува оној со кој почнавте, во еден чекор што може да се врати.</translation>
     </message>
     <message>
-        <source>Uses the selected one, in one step that you can undo.</source>
-        <translation>Го зема избраниот, како еден чекор што може да се врати.</translation>
+        <source>Line of descent</source>
+        <translation>Линија на потекло</translation>
+    </message>
+    <message>
+        <source>Every parent so far, the oldest at the top. Select one to go back to it. Its descendants stay in the list until you choose another child of it.</source>
+        <translation>Сите досегашни родители, најстариот горе. Изберете еден за да се вратите на него. Неговите потомци остануваат во списокот додека не изберете друго негово дете.</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Изворник</translation>
+    </message>
+    <message>
+        <source>Line of &amp;descent</source>
+        <translation>&amp;Линија на потекло</translation>
+    </message>
+    <message>
+        <source>How far the variations are from their parent</source>
+        <translation>Колку варијантите се оддалечени од родителот</translation>
+    </message>
+    <message>
+        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <translation>Лево варијантите остануваат блиски до родителот, а десно многу се разликуваат.</translation>
+    </message>
+    <message>
+        <source>Sha&amp;pe</source>
+        <translation>&amp;Облик</translation>
+    </message>
+    <message>
+        <source>Turn, stretch and move the maps</source>
+        <translation>Заврти, растегни и помести ги пресликувањата</translation>
+    </message>
+    <message>
+        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <translation>Пресликувањата се завртуваат, растегнуваат и поместуваат; понекогаш некое се додава или отстранува. Заклучените и исклучените пресликувања остануваат какви што се.</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>&amp;Боја</translation>
+    </message>
+    <message>
+        <source>Try other colours</source>
+        <translation>Пробај други бои</translation>
+    </message>
+    <message>
+        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <translation>Палетата, едноставната боја и боите на пресликувањата го менуваат тонот. Заднината останува, како и она што го означуваат боите.</translation>
+    </message>
+    <message>
+        <source>&amp;Weights</source>
+        <translation>&amp;Тежини</translation>
+    </message>
+    <message>
+        <source>Make some maps denser and others fainter</source>
+        <translation>Некои пресликувања нека бидат погусти, а други побледи</translation>
+    </message>
+    <message>
+        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <translation>Тежините се менуваат случајно и ја следат големината на пресликувањата. Инаку секое пресликување ја задржува својата тежина. Тело во простор не зависи од тежините, а облак зависи.</translation>
+    </message>
+    <message>
+        <source>What may change:</source>
+        <translation>Што смее да се менува:</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Ништо</translation>
+    </message>
+    <message>
+        <source>This file has no other fractal of this dimension.</source>
+        <translation>Оваа датотека нема друг фрактал со оваа димензија.</translation>
+    </message>
+    <message>
+        <source>Mix the parent with another entry of this file</source>
+        <translation>Измешај го родителот со друг запис од оваа датотека</translation>
+    </message>
+    <message>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <translation>Варијантите земаат некои пресликувања од родителот, некои од другиот запис, а некои се меѓу две што си одговараат. Полињата погоре кажуваат дали се мешаат обликот, бојата и тежините. Секое дете има атрактор.</translation>
+    </message>
+    <message>
+        <source>C&amp;ross with:</source>
+        <translation>&amp;Вкрсти со:</translation>
+    </message>
+    <message>
+        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <translation>Бројот од кој настануваат варијантите. Со ист родител, исти поставки и исто семе повторно ја добивате истата страница.</translation>
+    </message>
+    <message>
+        <source>Shows other variations of the same parent, from the next seed.</source>
+        <translation>Прикажува други варијанти на истиот родител, од следното семе.</translation>
+    </message>
+    <message>
+        <source>Variation %1, not made yet</source>
+        <translation>Варијанта %1, сè уште не е готова</translation>
+    </message>
+    <message>
+        <source>Generation %1</source>
+        <translation>Генерација %1</translation>
+    </message>
+    <message>
+        <source>Parent: the original</source>
+        <translation>Родител: изворникот</translation>
+    </message>
+    <message>
+        <source>Parent: generation %1</source>
+        <translation>Родител: генерација %1</translation>
+    </message>
+    <message>
+        <source>Click a picture to make it the new parent.</source>
+        <translation>Кликнете на слика за да стане нов родител.</translation>
+    </message>
+    <message>
+        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <translation>Ништо не смее да се менува: нема варијанти. Означете барем едно поле.</translation>
     </message>
 </context>
 <context>
@@ -9228,6 +10487,235 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::RandomDialog</name>
+    <message>
+        <source>Random Fractals</source>
+        <translation>Случајни фрактали</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the File</source>
+        <translation>&amp;Додај во датотеката</translation>
+    </message>
+    <message>
+        <source>Adds the selected one as an entry of its own, in one step that you can undo.</source>
+        <translation>Го додава избраниот како засебен запис, во еден чекор што може да се врати.</translation>
+    </message>
+    <message>
+        <source>Random fractals</source>
+        <translation>Случајни фрактали</translation>
+    </message>
+    <message>
+        <source>Select one and confirm, or double-click it: it is added to the file, in one step that you can undo.</source>
+        <translation>Изберете еден и потврдете, или кликнете двапати на него: се додава во датотеката, во еден чекор што може да се врати.</translation>
+    </message>
+    <message>
+        <source>In the plane</source>
+        <translation>Во рамнина</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Во простор</translation>
+    </message>
+    <message>
+        <source>Plane or space</source>
+        <translation>Рамнина или простор</translation>
+    </message>
+    <message>
+        <source>Make systems in the plane or in space</source>
+        <translation>Создавај системи во рамнина или во простор</translation>
+    </message>
+    <message>
+        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <translation>Во рамнина, стегањето на пресликувањата следи правило според кое фракталот го исполнува приказот. Во простор нема такво правило: двете поголеми растегнувања на секое пресликување го следат она од рамнината, а третото е помало.</translation>
+    </message>
+    <message>
+        <source>How many maps the systems have</source>
+        <translation>Колку пресликувања имаат системите</translation>
+    </message>
+    <message>
+        <source>How many maps each system lists. With a symmetry, each of them also acts rotated or mirrored.</source>
+        <translation>Колку пресликувања има во списокот на секој систем. Со симетрија, секое дејствува и завртено или огледално.</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Симетрија</translation>
+    </message>
+    <message>
+        <source>Make systems that are symmetric about the origin</source>
+        <translation>Создавај системи симетрични околу почетокот</translation>
+    </message>
+    <message>
+        <source>Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and icosahedral groups exist in space only.</source>
+        <translation>Секое пресликување дејствува и завртено или огледално околу почетокот, па фракталот е симетричен. Симетријата може подоцна да ја смените во панелот „Пресликувања“. Тетраедарската, октаедарската и икосаедарската група постојат само во простор.</translation>
+    </message>
+    <message>
+        <source>Order of the symmetry</source>
+        <translation>Ред на симетријата</translation>
+    </message>
+    <message>
+        <source>How many times the fractal repeats in a full turn</source>
+        <translation>Колку пати се повторува фракталот во еден цел круг</translation>
+    </message>
+    <message>
+        <source>A rotation of order 5 repeats the fractal five times in a full turn.</source>
+        <translation>Ротација од ред 5 го повторува фракталот пет пати во еден цел круг.</translation>
+    </message>
+    <message>
+        <source>&amp;Maps:</source>
+        <translation>&amp;Пресликувања:</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry:</source>
+        <translation>С&amp;иметрија:</translation>
+    </message>
+    <message>
+        <source>Seed of the random numbers</source>
+        <translation>Семе на случајните броеви</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same sheet again</source>
+        <translation>Истото семе повторно ја дава истата страница</translation>
+    </message>
+    <message>
+        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <translation>Бројот од кој настануваат системите. Со исти поставки и исто семе повторно ја добивате истата страница.</translation>
+    </message>
+    <message>
+        <source>&amp;New Set</source>
+        <translation>&amp;Нов избор</translation>
+    </message>
+    <message>
+        <source>Show another sheet, from the next seed</source>
+        <translation>Друга страница: следното семе</translation>
+    </message>
+    <message>
+        <source>Shows other systems of the same kind, from the next seed.</source>
+        <translation>Прикажува други системи од ист вид, од следното семе.</translation>
+    </message>
+    <message>
+        <source>&amp;Seed:</source>
+        <translation>&amp;Семе:</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Кои било</translation>
+    </message>
+    <message>
+        <source>Fractal %1</source>
+        <translation>Фрактал %1</translation>
+    </message>
+    <message>
+        <source>Add Random Fractal</source>
+        <translation>Додавање на случаен фрактал</translation>
+    </message>
+</context>
+<context>
+    <name>view::SaveViewDialog</name>
+    <message>
+        <source>Save View</source>
+        <translation>Зачувај поглед</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Име на погледот</translation>
+    </message>
+    <message>
+        <source>The name under which the view is listed in View, Saved Views, beside the zoom and in the export dialogs.</source>
+        <translation>Името под кое погледот е наведен во „Приказ“, „Зачувани погледи“, покрај зумот и во дијалозите за извоз.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view:</source>
+        <translation>&amp;Име на погледот:</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Забелешка</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Зачувај</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history.</source>
+        <translation>Го зачувува погледот со фракталот: еден чекор во историјата.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Поглед %1</translation>
+    </message>
+    <message>
+        <source>A fractal can have at most %1 saved views. Delete one first.</source>
+        <translation>Фрактал може да има најмногу %1 зачувани погледи. Прво избришете еден.</translation>
+    </message>
+    <message>
+        <source>Replaces the view of this name.</source>
+        <translation>Го заменува погледот со ова име.</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Се зачувува како „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SavedViewsDialog</name>
+    <message>
+        <source>Saved Views</source>
+        <translation>Зачувани погледи</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Зачувани погледи</translation>
+    </message>
+    <message>
+        <source>The views of this fractal. Double-click one to go to it, press F2 to rename it.</source>
+        <translation>Погледите на овој фрактал. Кликнете двапати на еден за да одите до него, притиснете F2 за да го преименувате.</translation>
+    </message>
+    <message>
+        <source>&amp;Go To</source>
+        <translation>&amp;Оди до</translation>
+    </message>
+    <message>
+        <source>Shows this view on the canvas.</source>
+        <translation>Го прикажува овој поглед на платното.</translation>
+    </message>
+    <message>
+        <source>&amp;Update</source>
+        <translation>&amp;Ажурирај</translation>
+    </message>
+    <message>
+        <source>Replaces it by what the canvas shows now.</source>
+        <translation>Го заменува со она што платното сега го покажува.</translation>
+    </message>
+    <message>
+        <source>Update the view “%1”</source>
+        <translation>Ажурирање на погледот „%1“</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Преименувај</translation>
+    </message>
+    <message>
+        <source>Gives the view another name.</source>
+        <translation>Му дава друго име на погледот.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Избриши</translation>
+    </message>
+    <message>
+        <source>Deletes the view; the fractal stays as it is.</source>
+        <translation>Го брише погледот; фракталот останува каков што е.</translation>
+    </message>
+    <message>
+        <source>Delete the view “%1”</source>
+        <translation>Бришење на погледот „%1“</translation>
+    </message>
+    <message>
+        <source>Rename the view “%1” to “%2”</source>
+        <translation>Преименување на погледот „%1“ во „%2“</translation>
+    </message>
+</context>
+<context>
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
@@ -9549,6 +11037,18 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>In the timeline</source>
         <translation>Во временската лента</translation>
     </message>
+    <message>
+        <source>In the table of maps</source>
+        <translation>Во табелата со пресликувања</translation>
+    </message>
+    <message>
+        <source>Show one map alone, or all of them again</source>
+        <translation>Прикажи само едно пресликување, или пак сите</translation>
+    </message>
+    <message>
+        <source>Alt + click on its eye</source>
+        <translation>Alt + клик на неговото око</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -9651,6 +11151,157 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Cut the Solid</source>
         <translation>Пресечи го телото</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotDelegate</name>
+    <message>
+        <source>Name of the snapshot</source>
+        <translation>Име на снимката</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotLook</name>
+    <message>
+        <source>There is no snapshot to compare with yet. Take one first: Edit, Take Snapshot.</source>
+        <translation>Сѐ уште нема снимка за споредба. Прво направете една: „Уреди“, „Направи снимка“.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since “%1”.</source>
+        <translation>Ништо не е сменето од „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be compared: one is in the plane, the other in space. Click the snapshot to restore it.</source>
+        <translation>„%1“ не може да се спореди: едното е во рамнината, другото во просторот. Кликнете на снимката за да ја вратите.</translation>
+    </message>
+    <message>
+        <source>This is “%1”. Esc returns to the fractal.</source>
+        <translation>Ова е „%1“. Esc се враќа кон фракталот.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Snapshots</name>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Запис што не можеше да се прочита нема снимки.</translation>
+    </message>
+    <message>
+        <source>“%1” is the same already.</source>
+        <translation>„%1“ е веќе исто.</translation>
+    </message>
+    <message>
+        <source>Snapshot %1</source>
+        <translation>Снимка %1</translation>
+    </message>
+    <message>
+        <source>Restore “%1”</source>
+        <translation>Враќање на „%1“</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <translation>„%1“ е избришана. Менито на панелот ја враќа.</translation>
+    </message>
+    <message>
+        <source>Add “%1” as an entry</source>
+        <translation>Додавање на „%1“ како запис</translation>
+    </message>
+    <message>
+        <source>Added to the file as the entry “%1”.</source>
+        <translation>Додадена во датотеката како запис „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SnapshotsPanel</name>
+    <message>
+        <source>Snapshots</source>
+        <translation>Снимки</translation>
+    </message>
+    <message>
+        <source>Snapshots of the fractal</source>
+        <translation>Снимки на фракталот</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
+        <translation>Кликнете на снимка за да ја вратите; враќањето го поништува тоа. F2 ја преименува, Del ја брише.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>Состојби на овој фрактал што сте ги зачувале. Кликнете на една за да ја вратите: еден чекор во историјата. Врамената е онаа што ја покажува платното; со онаа што носи B се споредува. Снимките траат додека не се затвори датотеката; „Додај како запис“ зачувува една во датотеката.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Врати</translation>
+    </message>
+    <message>
+        <source>Make the fractal as it was in this snapshot.</source>
+        <translation>Направи го фракталот каков што беше на оваа снимка.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with This One</source>
+        <translation>&amp;Споредувај со оваа</translation>
+    </message>
+    <message>
+        <source>Make this snapshot the one to compare with.</source>
+        <translation>Направи ја оваа снимка онаа со која се споредува.</translation>
+    </message>
+    <message>
+        <source>&amp;Add as Entry</source>
+        <translation>&amp;Додај како запис</translation>
+    </message>
+    <message>
+        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <translation>Додај ја снимката во датотеката како посебен запис, зад овој.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Преименувај</translation>
+    </message>
+    <message>
+        <source>Give the snapshot another name.</source>
+        <translation>Дај ѝ друго име на снимката.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Избриши</translation>
+    </message>
+    <message>
+        <source>Delete the snapshot; the fractal stays as it is.</source>
+        <translation>Избриши ја снимката; фракталот останува каков што е.</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back</source>
+        <translation>Вра&amp;ти</translation>
+    </message>
+    <message>
+        <source>Bring back the snapshot that was deleted last.</source>
+        <translation>Врати ја последно избришаната снимка.</translation>
+    </message>
+    <message>
+        <source>shown on the canvas</source>
+        <translation>прикажана на платното</translation>
+    </message>
+    <message>
+        <source>the one to compare with</source>
+        <translation>онаа со која се споредува</translation>
+    </message>
+    <message>
+        <source>&amp;Bring Back “%1”</source>
+        <translation>Вра&amp;ти ја „%1“</translation>
+    </message>
+    <message>
+        <source>No snapshots of this fractal yet. Press %1 to keep its state, change it, and press %2 to compare.</source>
+        <translation>Сѐ уште нема снимки од овој фрактал. Притиснете %1 за да ја зачувате состојбата, сменете го, па притиснете %2 за да споредите.</translation>
+    </message>
+    <message>
+        <source>An entry that could not be read has no snapshots.</source>
+        <translation>Запис што не можеше да се прочита нема снимки.</translation>
+    </message>
+</context>
+<context>
+    <name>view::SoloMap</name>
+    <message>
+        <source>One map is shown alone. Choose Solo again to show all; the file does not change.</source>
+        <translation>Прикажано е само едно пресликување. Изберете повторно Соло за да се видат сите; датотеката не се менува.</translation>
     </message>
 </context>
 <context>
@@ -9850,6 +11501,34 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Depths are written as PNG only.</source>
         <translation>Длабочините се запишуваат само како PNG.</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Додај во редот…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <translation>Прашува за име на датотека и ја создава датотеката кога ќе дојде на ред, по оние што чекаат во панелот „Извози“. Редот продолжува по повторно стартување.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Погледот на платното</translation>
+    </message>
+    <message>
+        <source>The view “%1”</source>
+        <translation>Погледот „%1“</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Исечок</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <translation>Што покажува сликата: она што го покажува платното или зачуван поглед.</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>&amp;Исечок:</translation>
     </message>
 </context>
 <context>
@@ -10417,6 +12096,85 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::TheftExportDialog</name>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Извоз на „%1“</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Резултат</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Напредок на извозот</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Извези…</translation>
+    </message>
+    <message>
+        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <translation>Прашува за име на датотека и ја запишува сликата. Во меѓувреме можете да работите.</translation>
+    </message>
+    <message>
+        <source>The view on the canvas</source>
+        <translation>Погледот на платното</translation>
+    </message>
+    <message>
+        <source>The whole attractor</source>
+        <translation>Целиот атрактор</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Исечок</translation>
+    </message>
+    <message>
+        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <translation>Што прикажува сликата: она што го прикажува платното, или атракторот со мала маргина, без разлика каде гледа платното.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection:</source>
+        <translation>&amp;Исечок:</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Големина:</translation>
+    </message>
+    <message>
+        <source>Export Stolen Picture</source>
+        <translation>Извези ја украдената слика</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Слики (*.png)</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not end with .png. Choose another name.</source>
+        <translation>Името „%1“ не завршува со .png. Изберете друго име.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Извозот е запрен; ништо не е запишано.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Запишано во %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Запри</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Затвори</translation>
+    </message>
+</context>
+<context>
     <name>view::Timeline</name>
     <message>
         <source>Wind</source>
@@ -10549,6 +12307,26 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Custom…</source>
         <translation>Сопствен…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) beyond the new end deleted. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n клуч зад новиот крај е избришан. „Врати“ го враќа.</numerusform>
+            <numerusform>%n клучеви зад новиот крај се избришани. „Врати“ ги враќа.</numerusform>
+            <numerusform>%n клучеви зад новиот крај се избришани. „Врати“ ги враќа.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) not pasted: beyond the end of the animation, or of a part that this fractal does not have.</source>
+        <translation>
+            <numerusform>%n клуч не е вметнат: зад крајот на анимацијата, или од дел што овој фрактал го нема.</numerusform>
+            <numerusform>%n клучеви не се вметнати: зад крајот на анимацијата, или од дел што овој фрактал го нема.</numerusform>
+            <numerusform>%n клучеви не се вметнати: зад крајот на анимацијата, или од дел што овој фрактал го нема.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Мазно</translation>
     </message>
 </context>
 <context>
@@ -10732,10 +12510,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Патеки и клучеви</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease.</source>
-        <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин.</translation>
-    </message>
-    <message>
         <source>Unit of the ruler</source>
         <translation>Единица на линијарот</translation>
     </message>
@@ -10762,6 +12536,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>, keys in this row: %1</source>
         <translation>, клучеви во овој ред: %1</translation>
+    </message>
+    <message>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
+        <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин. Тркалезните клучеви се мазни: движењето минува низ нив без агол.</translation>
     </message>
 </context>
 <context>
@@ -11069,6 +12847,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Waves</source>
         <translation>Бранови</translation>
     </message>
+    <message>
+        <source>State of the fractal transformation</source>
+        <translation>Состојба на фракталната трансформација</translation>
+    </message>
+    <message>
+        <source>There is no stolen picture yet</source>
+        <translation>Сѐ уште нема украдена слика</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -11115,22 +12901,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
         <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Сите датотеки (*)</translation>
-    </message>
-    <message>
-        <source>There is no stolen picture yet.</source>
-        <translation>Сè уште нема украдена слика.</translation>
-    </message>
-    <message>
-        <source>Export Stolen Picture</source>
-        <translation>Извези ја украдената слика</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Слики (*.png)</translation>
-    </message>
-    <message>
-        <source>Exported %1.</source>
-        <translation>Извезено: %1.</translation>
     </message>
 </context>
 <context>
