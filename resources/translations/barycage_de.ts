@@ -12116,7 +12116,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Export Stolen Picture</source>
-        <translation>Übertragenes Bild exportieren</translation>
+        <translation>Gestohlenes Bild exportieren</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
