@@ -6,6 +6,7 @@
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
 #include "cage_menu.h"
+#include "class_marks.h"
 #include "collection_commands.h"
 #include "desktop/preferences.h"
 #include "desktop/settings.h"
@@ -363,8 +364,7 @@ void MainWindow::connectDocument() {
     connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
         if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
     });
-    connect(m_construction, &view::Construction::trailChanged, m_canvas,
-            [this] { m_canvas->showTrail(m_construction->trail()); });
+    addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
         m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
