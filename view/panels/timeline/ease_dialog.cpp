@@ -33,6 +33,7 @@ animation::Ease asCurve(const animation::Ease& ease) {
         return animation::cubicEase(0.42, 0, 0.58, 1);
     case Kind::Hold:
     case Kind::Linear:
+    case Kind::Smooth:
         break;
     }
     return animation::cubicEase(0.25, 0.25, 0.75, 0.75);
