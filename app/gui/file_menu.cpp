@@ -82,17 +82,15 @@ void FileMenu::addPictures() {
     QAction* print = add(
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
         [this] { view::printFractal(context().document, context().canvas->camera(), context().window); });
-    QAction* handout = add({nullptr,
-                            tr("Print &Hand-out…"),
-                            {},
-                            tr("Print entries for a class: pictures with cage, maps and formulas, or a blank "
-                               "task sheet")},
-                           [this] {
-                               auto* dialog = new view::HandoutDialog(context().document, context().window);
-                               dialog->setAttribute(Qt::WA_DeleteOnClose);
-                               dialog->open();
-                           });
-    disableWhen(handout, &document::planeObstacle);
+    add({nullptr,
+         tr("Print &Hand-out…"),
+         {},
+         tr("Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet")},
+        [this] {
+            auto* dialog = new view::HandoutDialog(context().document, context().window);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+        });
     disableWhen(m_export, &document::cageObstacle);
     disableWhen(copy, &document::cageObstacle);
     disableWhen(print, &document::planeObstacle);

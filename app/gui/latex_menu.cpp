@@ -7,7 +7,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 
-LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy as &LaTeX")) {
+LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy as La&TeX")) {
     setToolTipsVisible(true);
     const auto fractal = [document = context.document] { return document->sharedFractal(); };
     QAction* table = add({nullptr, tr("&Table of Maps"), {}, tr("Copy the coefficients as a tabular")},

@@ -169,6 +169,8 @@ void MainWindow::createPanels() {
     auto* maps = new view::MapsPanel(&m_document);
     auto* cage = new view::CagePanel(&m_document);
     auto* appearance = new view::AppearancePanel(&m_document);
+    auto* analysis = new view::AnalysisPanel(&m_document, m_analysis);
+    analysis->addOutlineAction(m_viewMenu->numbers(), tr("Map numbers"));
 
     QDockWidget* entriesDock =
         dock(entries, tr("Entries"), QStringLiteral("entries"), Qt::LeftDockWidgetArea);
@@ -177,14 +179,14 @@ void MainWindow::createPanels() {
     splitDockWidget(entriesDock, collectionDock, Qt::Vertical);
     QDockWidget* mapsDock = dock(maps, tr("Maps"), QStringLiteral("maps"), Qt::RightDockWidgetArea);
     QDockWidget* previous = mapsDock;
-    for (QDockWidget* next : {dock(new view::VerticalScrollArea(cage), tr("Cage"), QStringLiteral("cage"),
-                                   Qt::RightDockWidgetArea),
-                              dock(new view::VerticalScrollArea(appearance), tr("Appearance"),
-                                   QStringLiteral("appearance"), Qt::RightDockWidgetArea),
-                              dock(new view::AnalysisPanel(&m_document, m_analysis), tr("Analysis"),
-                                   QStringLiteral("analysis"), Qt::RightDockWidgetArea),
-                              dock(new view::HistoryPanel(&m_document), tr("History"),
-                                   QStringLiteral("history"), Qt::RightDockWidgetArea)}) {
+    for (QDockWidget* next :
+         {dock(new view::VerticalScrollArea(cage), tr("Cage"), QStringLiteral("cage"),
+               Qt::RightDockWidgetArea),
+          dock(new view::VerticalScrollArea(appearance), tr("Appearance"), QStringLiteral("appearance"),
+               Qt::RightDockWidgetArea),
+          dock(analysis, tr("Analysis"), QStringLiteral("analysis"), Qt::RightDockWidgetArea),
+          dock(new view::HistoryPanel(&m_document), tr("History"), QStringLiteral("history"),
+               Qt::RightDockWidgetArea)}) {
         tabifyDockWidget(previous, next);
         previous = next;
     }

@@ -133,11 +133,10 @@ void ViewMenu::addOverlays() {
                   });
     auto* marks = new view::MapNumbers; // the scene owns it
     canvas->scene()->addItem(marks);
-    QAction* numbers =
-        addToggle({nullptr, tr("&Numbers of Maps"), QKeySequence(tr("N")),
-                   tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
-                  [marks](bool on) { marks->setVisible(on); });
-    for (QAction* ofThePlane : {grid, axes, downwards, numbers})
+    m_numbers = addToggle({nullptr, tr("&Numbers of Maps"), QKeySequence(tr("N")),
+                           tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
+                          [marks](bool on) { marks->setVisible(on); });
+    for (QAction* ofThePlane : {grid, axes, downwards, m_numbers})
         disableWhen(ofThePlane, &document::planeObstacle);
     QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),
                                tr("Hide everything on the canvas except the picture")},

@@ -119,7 +119,7 @@ QWidget* ConstructionBar::makeChaosGame() {
         m_speed->addItem(tr("%1 per second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_construction->speed()));
     m_die = new Die(page);
-    m_count = new QLabel(page);
+    m_count = new ElidedLabel(page);
     m_count->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -132,8 +132,7 @@ QWidget* ConstructionBar::makeChaosGame() {
     layout->addSpacing(12);
     layout->addWidget(m_die);
     layout->addSpacing(8);
-    layout->addWidget(m_count);
-    layout->addStretch();
+    layout->addWidget(m_count, 1);
     connect(again, &QToolButton::clicked, m_construction, &Construction::startAgain);
     connect(one, &QToolButton::clicked, m_construction, &Construction::jumpOnce);
     connect(m_run, &QToolButton::clicked, this,
@@ -187,10 +186,10 @@ QString ConstructionBar::distanceText() const {
             .arg(roundedNumber(distance->contraction, maxDecimals));
     if (!distance->distance) return {};
     const double resolution = 2 * distance->cell; // below this, cells tell nothing apart
-    if (*distance->bound < resolution) return tr("distance to A ≤ %1").arg(digits(*distance->bound));
+    if (*distance->bound < resolution) return tr("distance to A at most %1").arg(digits(*distance->bound));
     if (*distance->distance < resolution)
-        return tr("distance to A < %1 ≤ %2").arg(digits(resolution), digits(*distance->bound));
-    return tr("distance to A ≈ %1 ≤ %2").arg(digits(*distance->distance), digits(*distance->bound));
+        return tr("distance to A < %1, at most %2").arg(digits(resolution), digits(*distance->bound));
+    return tr("distance to A ≈ %1, at most %2").arg(digits(*distance->distance), digits(*distance->bound));
 }
 
 void ConstructionBar::followChaosGame() {
@@ -210,6 +209,7 @@ void ConstructionBar::followChaosGame() {
     if (map) count += tr(", the last by map %1").arg(*map + 1);
     if (jumps == 0 && !running) count = tr("no points yet: press Play (▶)");
     m_count->setText(count);
+    m_count->setToolTip(count); // where there is no room for it
 }
 
 } // namespace view

@@ -49,7 +49,7 @@ private:
     QToolButton* m_run = nullptr;
     QComboBox* m_speed = nullptr;
     Die* m_die = nullptr;
-    QLabel* m_count = nullptr;
+    ElidedLabel* m_count = nullptr;
 };
 
 } // namespace view

@@ -44,6 +44,7 @@ std::vector<QPointF> pips(std::size_t count) {
 Die::Die(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(tr("Die"));
+    setAccessibleDescription(text());
     setWhatsThis(tr("The die of the chaos game. It has a face for each map, as wide as the probability of "
                     "the map. The face that fell is shown in the colour of its map, and so is the point to "
                     "which the map has led. At more than ten jumps per second it rolls too fast to be "
@@ -52,11 +53,14 @@ Die::Die(QWidget* parent) : QWidget(parent) {
 
 void Die::setFaces(const std::vector<Construction::Face>& faces) {
     m_faces = faces;
+    if (m_fallen && *m_fallen >= m_faces.size()) m_fallen.reset();
     update();
 }
 
 void Die::setFallen(std::optional<std::size_t> map) {
-    m_fallen = map && *map < m_faces.size() ? map : std::nullopt;
+    if (map && *map >= m_faces.size()) map.reset();
+    if (map == m_fallen) return;
+    m_fallen = map;
     setAccessibleDescription(text());
     update();
 }

@@ -124,6 +124,7 @@ void Construction::findFaces() {
 }
 
 void Construction::show() {
+    m_steps.show(m_mode == Mode::Steps ? std::optional(m_step) : std::nullopt);
     switch (m_mode) {
     case Mode::Density:
         m_bridge->showDensity();
@@ -135,7 +136,6 @@ void Construction::show() {
         m_bridge->showChaosGame(points(), m_seed);
         break;
     }
-    m_steps.show(m_mode == Mode::Steps ? std::optional(m_step) : std::nullopt);
     updateTrail();
     emit changed();
 }

@@ -115,8 +115,7 @@ void StepsBridge::findShape() {
 }
 
 void StepsBridge::show(std::optional<int> step) {
-    const bool isAnother = step != m_step;
-    m_step = step;
+    m_step = step; // the render bridge asks for its picture
     if (!step) {
         m_drawing.cancel();
         m_distances.cancel();
@@ -124,7 +123,6 @@ void StepsBridge::show(std::optional<int> step) {
         m_distance.reset();
     }
     update();
-    if (isAnother && m_isSubstituting) requestPicture();
 }
 
 void StepsBridge::update() {

@@ -47,10 +47,10 @@ Extent united(const attractor::PreparedSystem& system, const StartShape& start) 
     return all;
 }
 
-collage::Grid gridOver(const Extent& extent, double margin, int cells) {
+collage::Grid gridOver(const Extent& extent, double margin, int side) {
     const ifs::Vector<2> middle = (extent.low + extent.high) / 2;
     const double half = 1.02 * ((extent.high - extent.low).maxCoeff() / 2 + margin);
-    return {middle.x() - half, middle.y() + half, 2 * half / cells, cells, cells};
+    return {middle.x() - half, middle.y() + half, 2 * half / side, side, side};
 }
 
 // One point in each cell that B meets, in coordinates of the grid.

@@ -9,6 +9,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -193,11 +194,11 @@ private:
 } // namespace
 
 std::optional<attractor::Frame> stepPicture(const StepJob& job, const std::stop_token& stop) {
+    const auto begin = std::chrono::steady_clock::now();
     attractor::Frame frame;
     frame.revision = job.revision;
     frame.camera = job.camera;
     frame.iterations = job.iterations;
-    frame.samples = 1;
     frame.measure = 1;
     frame.passes = 1;
     const attractor::Rgba& background = job.fractal->appearance.background;
@@ -207,6 +208,8 @@ std::optional<attractor::Frame> stepPicture(const StepJob& job, const std::stop_
                  qsizetype(job.camera.width) * 4, QImage::Format_ARGB32_Premultiplied);
     image.fill(QColor(background.red, background.green, background.blue, background.alpha));
     if (!StepPainter(job).paint(image, stop)) return std::nullopt;
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    frame.milliseconds = time.count();
     return frame;
 }
 

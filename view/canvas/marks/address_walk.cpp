@@ -5,6 +5,7 @@
 #include "canvas/scene/canvas_scene.h"
 #include "document/fractal_geometry.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 

@@ -167,6 +167,10 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
         };
         include(cage.current);
     }
+    if (!((high - low).maxCoeff() > 0)) { // a single point
+        low.array() -= 0.5;
+        high.array() += 0.5;
+    }
     const int longSide = options.perPage <= 2 ? 1400 : 900;
     const ifs::Vector<2> size = (high - low).cwiseMax(0.2 * (high - low).maxCoeff());
     attractor::Camera camera;

@@ -263,6 +263,7 @@ QString formulaText(const ifs::AffineMap<2>& map, std::size_t number) {
 
 void paintHandout(QPainter& painter, const QRectF& page, std::span<const HandoutItem> items,
                   const HandoutOptions& options, const std::function<void()>& newPage) {
+    if (page.isEmpty()) return; // of a printer that is not set up
     painter.setRenderHint(QPainter::Antialiasing);
     const double line = page.height() / (options.perPage <= 2 ? 62 : 78);
     const double top = options.hasNameLine ? 2.4 * line : 0;
