@@ -12,7 +12,8 @@ public:
     // `present` starts and ends the presentation.
     ViewMenu(const MenuContext& context, const std::function<void(bool)>& present);
 
-    QMenu* panels() const { return m_panels; } // filled by the window
+    QAction* numbers() const { return m_numbers; } // of maps, on the canvas
+    QMenu* panels() const { return m_panels; }     // filled by the window
     SavedViewsMenu* savedViews() const { return m_savedViews; }
     QAction* fullScreen() const { return m_fullScreen; }
     QAction* presentation() const { return m_presentation; }
@@ -28,6 +29,7 @@ private:
     void addScreens(const std::function<void(bool)>& present);
 
     SavedViewsMenu* m_savedViews = nullptr;
+    QAction* m_numbers = nullptr;
     QMenu* m_panels = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_presentation = nullptr;
