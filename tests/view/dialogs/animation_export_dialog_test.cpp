@@ -314,8 +314,8 @@ void AnimationExportDialogTest::slurmIsAskedForTheState_data() {
     QTest::newRow("no video")
         << QByteArray("41 COMPLETED\\n42 FAILED\\n")
         << "Drawing: 1 of 1 tasks are done. Video: failed. The reason is in the logs in %1." << true;
-    QTest::newRow("some failed") << QByteArray("41 RUNNING\\n41 FAILED\\n42 PENDING\\n")
-                                 << "Drawing: 0 of 2 tasks are done, 1 running, 1 failed. Video: waiting."
+    QTest::newRow("some failed") << QByteArray("41 RUNNING\\n41 FAILED\\n42 CANCELLED\\n")
+                                 << "Drawing: 0 of 2 tasks are done, 1 running, 1 failed. Video: failed."
                                  << false;
     QTest::newRow("failed") << QByteArray("41 COMPLETED\\n41 FAILED\\n42 PENDING\\n")
                             << "Drawing: 1 of 2 tasks are done, 1 failed. The reason is in the logs in %1."
