@@ -41,7 +41,7 @@ public:
     void setRunning(bool running);
     void plotOne();
     void setPoints(std::uint64_t points); // the first of the chaos game
-    void startAgain(); // no points, other dice; keeps running
+    void startAgain();                    // no points, other dice; keeps running
     double speed() const { return m_speed; }
     void setSpeed(double pointsPerSecond);
 
