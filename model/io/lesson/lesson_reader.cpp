@@ -234,7 +234,7 @@ struct Setting {
     QLatin1String key;
     bool (*read)(const QString& value, LessonState& state); // false: it makes no sense, in whole or in part
 };
-constexpr Setting settings[] = {
+constexpr Setting knownSettings[] = {
     {QLatin1String("entry"), readEntry},   {QLatin1String("view"), readView},
     {QLatin1String("tool"), readTool},     {QLatin1String("cage"), readCage},
     {QLatin1String("colour"), readColour}, {QLatin1String("outlines"), readOutlines},
@@ -378,8 +378,9 @@ void Reader::setInHead(const QString& key, const QString& value) {
 
 void Reader::set(const QString& key, const QString& value) {
     LessonStep& step = m_file.lesson.steps.back();
-    const auto known = std::ranges::find_if(settings, [&](const Setting& each) { return key == each.key; });
-    if (known == std::end(settings)) return keep(step.unknown, key + QLatin1String(": ") + value);
+    const auto known =
+        std::ranges::find_if(knownSettings, [&](const Setting& each) { return key == each.key; });
+    if (known == std::end(knownSettings)) return keep(step.unknown, key + QLatin1String(": ") + value);
     if (!known->read(value, step.state))
         warn(Text::tr("“%1: %2” was not understood.").arg(key, document::lessonLine(value, 80)));
 }
