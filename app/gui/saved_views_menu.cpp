@@ -7,7 +7,7 @@
 #include "stage.h"
 #include "widgets/tooltip_text.h"
 
-#include <algorithm>
+#include <utility>
 
 SavedViewsMenu::SavedViewsMenu(const MenuContext& context) : ActionMenu(context, tr("Saved &Views")) {
     QAction* save =
