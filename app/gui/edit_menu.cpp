@@ -8,6 +8,7 @@
 #include "document/edits/dimension_edits.h"
 #include "panels/entries/entries_panel.h"
 #include "session.h"
+#include "snapshot_commands.h"
 #include "stage.h"
 #include "widgets/icon.h"
 #include "widgets/tooltip_text.h"
@@ -31,8 +32,11 @@ QString shadowObstacle(const document::Fractal& fractal) {
 
 } // namespace
 
-EditMenu::EditMenu(const MenuContext& context) : ActionMenu(context, tr("&Edit")) {
+EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
+    : ActionMenu(context, tr("&Edit")) {
     addHistory();
+    addSeparator();
+    snapshots.addTo(*this);
     addSeparator();
     addFractals();
     addDimensions();

@@ -4,11 +4,13 @@
 #include "action_menu.h"
 #include "dialogs/mutate_dialog.h"
 
+class SnapshotCommands;
+
 class EditMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 
 public:
-    explicit EditMenu(const MenuContext& context);
+    EditMenu(const MenuContext& context, SnapshotCommands& snapshots);
 
     void addRandom(); // a fractal that the user picks out of many
 

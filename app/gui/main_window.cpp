@@ -31,7 +31,10 @@
 #include "panels/links/links_panel.h"
 #include "panels/maps/maps_panel.h"
 #include "panels/problems/problems_panel.h"
+#include "panels/snapshots/snapshots_panel.h"
 #include "panels/timeline/timeline_panel.h"
+#include "saved_views_menu.h"
+#include "snapshot_commands.h"
 #include "stage.h"
 #include "status_line.h"
 #include "view_menu.h"
@@ -81,7 +84,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_collage(new view::CollagePanel(&m_document, m_canvas, this)),
       m_status(new StatusLine(this)),
       m_messages(new WindowMessages(this)),
-      m_fileCommands(new FileCommands({this, &m_document, m_canvas, m_messages, m_stage}, &m_file)) {
+      m_fileCommands(new FileCommands({this, &m_document, m_canvas, m_messages, m_stage}, &m_file)),
+      m_snapshots(new SnapshotCommands({this, &m_document, m_canvas, m_messages, m_stage}, m_bridge)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -94,10 +98,13 @@ MainWindow::MainWindow(QWidget* parent)
     createMenus();
     createPanels();
     createTimeline();
+    m_snapshots->setDock(dock(m_snapshots->makePanel(), tr("Snapshots"), QStringLiteral("snapshots"),
+                              Qt::BottomDockWidgetArea));
     explainPanels(*this);
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);
     m_status->addPermanentWidget(zoom);
+    m_viewMenu->savedViews()->serve(zoom);
     connect(m_stage, &Stage::switched, zoom, [this, zoom] { zoom->setVisible(!m_stage->showsSpace()); });
     connectDocument();
     view::explainByTips(this);
@@ -122,7 +129,7 @@ void MainWindow::createMenus() {
         window->openFirstPicture();
         window->show();
     });
-    m_editMenu = new EditMenu(context);
+    m_editMenu = new EditMenu(context, *m_snapshots);
     auto* cage = new CageMenu(context);
     auto* maps = new MapsMenu(context);
     m_animationMenu = new AnimationMenu(context, m_timeline);

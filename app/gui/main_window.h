@@ -17,6 +17,7 @@ class EditMenu;
 class FileCommands;
 class QDockWidget;
 class QToolBar;
+class SnapshotCommands;
 class Stage;
 class StatusLine;
 class ViewMenu;
@@ -93,6 +94,7 @@ private:
     StatusLine* m_status;
     WindowMessages* m_messages;
     FileCommands* m_fileCommands;
+    SnapshotCommands* m_snapshots;
 
     EditMenu* m_editMenu = nullptr;
     ViewMenu* m_viewMenu = nullptr;

@@ -32,6 +32,8 @@ void explainPanels(const QMainWindow& window) {
            Text::tr("Mathematical properties of this fractal. Point to a name to see what it means.")},
           {"history",
            Text::tr("Every step since the file was opened. Select one to go back or forward to it.")},
+          {"snapshots",
+           Text::tr("States of this fractal that you kept while working on it. Click one to restore it.")},
           {"timeline",
            Text::tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
           {"collage",

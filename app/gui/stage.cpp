@@ -65,6 +65,25 @@ QImage Stage::picture() const {
     return showsSpace() ? m_space->main()->picture() : m_plane->picture();
 }
 
+document::SavedView::Camera Stage::camera() const {
+    if (showsSpace()) return m_space->main()->navigation().camera();
+    const attractor::Camera& plane = m_plane->camera();
+    return attractor::View{plane.centre, plane.height / plane.pixelsPerUnit, plane.yAxis};
+}
+
+void Stage::lookAt(const document::SavedView::Camera& camera) {
+    view::SpaceNavigation& space = m_space->main()->navigation();
+    if (const auto* view = std::get_if<attractor::View>(&camera); view && !showsSpace()) {
+        const attractor::Camera& now = m_plane->camera();
+        m_plane->navigation().moveTo(attractor::cameraOf(*view, {now.width, now.height}));
+    } else if (const auto* orbit = std::get_if<attractor::OrbitCamera>(&camera); orbit && showsSpace()) {
+        attractor::OrbitCamera to = *orbit;
+        to.size = space.camera().size;
+        space.setPerspective(to.projection == attractor::OrbitCamera::Projection::Perspective);
+        space.glideTo(to);
+    }
+}
+
 bool Stage::cancelGesture() {
     if (showsSpace()) return m_space->cancelGesture();
     return m_plane->cancelGesture() || m_transformation->cancelGesture();

@@ -3,6 +3,7 @@
 
 #include "bridges/extent_finder.h"
 #include "canvas/canvas_view.h"
+#include "document/saved_views.h"
 #include "space/four_views.h"
 #include "transformation/transformation_view.h"
 
@@ -27,6 +28,8 @@ public:
     void zoomBy(double factor);
     void resetZoom();
     QImage picture() const;
+    document::SavedView::Camera camera() const;
+    void lookAt(const document::SavedView::Camera& camera); // nothing happens if it is the other one's
     bool cancelGesture();
     void takeFocus(Qt::FocusReason reason = Qt::OtherFocusReason);
 

@@ -3,6 +3,7 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/space_geometry.h"
+#include "saved_views_menu.h"
 #include "stage.h"
 #include "widgets/icon.h"
 
@@ -35,6 +36,8 @@ void ViewMenu::addZoom() {
                        [stage] { stage->zoomBy(1 / zoomStep); });
     add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
         [stage] { stage->resetZoom(); });
+    m_savedViews = new SavedViewsMenu(context());
+    addMenu(m_savedViews);
     addToolBarGroup({fit, in, out});
 }
 
@@ -130,6 +133,9 @@ void ViewMenu::addOverlays() {
                   [canvas](bool on) {
                       canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
                   });
+    connect(&canvas->navigation(), &view::CanvasNavigation::cameraChanged, downwards, [canvas, downwards] {
+        downwards->setChecked(canvas->navigation().yAxis() == attractor::YAxis::Down); // by a saved view
+    });
     for (QAction* ofThePlane : {grid, axes, downwards})
         disableWhen(ofThePlane, &document::planeObstacle);
     QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),

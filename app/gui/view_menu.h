@@ -3,6 +3,8 @@
 
 #include "action_menu.h"
 
+class SavedViewsMenu;
+
 class ViewMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 
@@ -11,6 +13,7 @@ public:
     ViewMenu(const MenuContext& context, const std::function<void(bool)>& present);
 
     QMenu* panels() const { return m_panels; } // filled by the window
+    SavedViewsMenu* savedViews() const { return m_savedViews; }
     QAction* fullScreen() const { return m_fullScreen; }
     QAction* presentation() const { return m_presentation; }
     void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
@@ -24,6 +27,7 @@ private:
     void addTransformation();
     void addScreens(const std::function<void(bool)>& present);
 
+    SavedViewsMenu* m_savedViews = nullptr;
     QMenu* m_panels = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_presentation = nullptr;

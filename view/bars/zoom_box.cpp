@@ -7,6 +7,7 @@
 #include <QAbstractItemView>
 #include <QLineEdit>
 
+#include <algorithm>
 #include <cmath>
 
 namespace view {
@@ -27,13 +28,26 @@ ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_can
     addItem(tr("Fit"));
     for (const double factor : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0})
         addItem(textOf(factor), factor);
+    m_factors = count();
     setMinimumContentsLength(11);
     setFrame(false);
-    view()->setMinimumWidth(view()->sizeHintForColumn(0) + 24);
+    setViews({});
     connect(this, &QComboBox::activated, this, &ZoomBox::choose);
     connect(lineEdit(), &QLineEdit::returnPressed, this, &ZoomBox::takeText);
     connect(lineEdit(), &QLineEdit::editingFinished, this, &ZoomBox::showZoom);
     connect(&canvas->navigation(), &CanvasNavigation::cameraChanged, this, &ZoomBox::showZoom);
+    showZoom();
+}
+
+void ZoomBox::setViews(const QStringList& names) {
+    const QSignalBlocker blocker(this);
+    while (count() > m_factors)
+        removeItem(count() - 1);
+    if (!names.isEmpty()) insertSeparator(count());
+    for (const QString& name : names)
+        addItem(name, name);
+    constexpr int widest = 240; // pixels
+    view()->setMinimumWidth(std::min(view()->sizeHintForColumn(0) + 24, widest));
     showZoom();
 }
 
@@ -46,6 +60,8 @@ QString ZoomBox::textOf(double factor) {
 void ZoomBox::choose(int index) {
     if (index == 0)
         m_canvas->fit();
+    else if (index > m_factors) // that one is the separator
+        emit viewChosen(itemData(index).toString());
     else if (const double factor = itemData(index).toDouble(); factor > 0)
         m_canvas->navigation().setZoom(factor);
     m_canvas->setFocus();

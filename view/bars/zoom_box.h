@@ -17,12 +17,18 @@ public:
 
     static QString textOf(double factor); // 1: "100 %"
 
+    void setViews(const QStringList& names); // listed below the factors
+
+signals:
+    void viewChosen(const QString& name);
+
 private:
     void choose(int index);
     void takeText();
     void showZoom();
 
     CanvasView* m_canvas;
+    int m_factors; // how many items are no views
 };
 
 } // namespace view

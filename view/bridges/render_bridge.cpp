@@ -74,6 +74,13 @@ void RenderBridge::fixLiveSamples(std::uint64_t samples) {
     m_adapting = false;
 }
 
+void RenderBridge::showInstead(std::shared_ptr<const document::Fractal> fractal) {
+    if (fractal == m_instead) return;
+    m_instead = std::move(fractal);
+    m_exposing = Exposing::Measured;
+    request(Haste::Now);
+}
+
 bool RenderBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && !m_waiting;
 }
@@ -102,7 +109,7 @@ void RenderBridge::request(Haste haste) {
 void RenderBridge::submit() {
     m_waiting = false;
     m_underWay.stop();
-    const document::Fractal& fractal = m_document->fractal();
+    const document::Fractal& fractal = m_instead ? *m_instead : m_document->fractal();
     if (!document::system2(fractal)) {
         m_thread->cancel();
         ++m_requested;

@@ -35,6 +35,9 @@ public:
     void showSteps(int iterations);
     void showChaosGame(std::uint64_t points, std::uint64_t seed);
 
+    // Draws this in place of the document, which must be of the plane, too; nullptr: the document again.
+    void showInstead(std::shared_ptr<const document::Fractal> fractal);
+
     // nullptr before the first, and while the entry is not a system of the plane.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
     bool isCurrent() const; // whether the frame shows the document and the camera as they are now
@@ -82,6 +85,7 @@ private:
     void adaptBudget(const attractor::Frame& frame);
 
     document::Document* m_document;
+    std::shared_ptr<const document::Fractal> m_instead; // of the document; null: nothing is
     attractor::Camera m_camera;
     std::shared_ptr<const attractor::Frame> m_frame;
     Shown m_shown;

@@ -27,6 +27,12 @@ void SolidBridge::setStereo(attractor::Stereo stereo) {
     if (std::exchange(m_stereo, stereo) != stereo) request(false);
 }
 
+void SolidBridge::showInstead(std::shared_ptr<const document::Fractal> fractal) {
+    if (fractal == m_instead) return;
+    m_instead = std::move(fractal);
+    request(false);
+}
+
 bool SolidBridge::isCurrent() const {
     return m_frame && m_frame->revision == m_requested && m_frame->step == 1;
 }
@@ -38,7 +44,7 @@ void SolidBridge::follow(const document::Change& change) {
 }
 
 void SolidBridge::request(bool isLive) {
-    const document::Fractal& fractal = m_document->fractal();
+    const document::Fractal& fractal = m_instead ? *m_instead : m_document->fractal();
     ++m_requested;
     if (!document::space(fractal)) {
         m_thread->cancel();

@@ -24,6 +24,9 @@ public:
     const attractor::OrbitCamera& camera() const { return m_camera; }
     void setStereo(attractor::Stereo stereo); // then the camera is that of each eye
 
+    // Draws this in place of the document, which must be in space, too; nullptr: the document again.
+    void showInstead(std::shared_ptr<const document::Fractal> fractal);
+
     // nullptr before the first, and while the entry is not in space.
     std::shared_ptr<const attractor::SolidFrame> frame() const { return m_frame; }
     bool isCurrent() const; // whether the frame is exact and shows the document and the camera as they are
@@ -37,6 +40,7 @@ private:
     void takeFrame();
 
     document::Document* m_document;
+    std::shared_ptr<const document::Fractal> m_instead; // of the document; null: nothing is
     attractor::OrbitCamera m_camera;
     attractor::Stereo m_stereo = attractor::Stereo::None;
     std::shared_ptr<const attractor::SolidFrame> m_frame;

@@ -11,6 +11,7 @@ namespace view {
 FourViews::FourViews(document::Document* document, SolidBridge* bridge, QWidget* parent)
     : QWidget(parent),
       m_document(document),
+      m_bridge(bridge),
       m_main(new SpaceView(document, bridge, this)),
       m_grid(new QGridLayout(this)) {
     m_grid->setContentsMargins(0, 0, 0, 0);
@@ -35,6 +36,7 @@ void FourViews::makeOthers() {
         auto* bridge = new SolidBridge(m_document);
         auto* view = new SpaceView(m_document, bridge, this);
         bridge->setParent(view); // they go together
+        bridge->showInstead(m_instead);
         view->navigation().setUpAxis(m_up);
         view->fixDirection(from, title);
         view->setOverlaysVisible(m_areOverlaysVisible);
@@ -106,6 +108,13 @@ void FourViews::showOutlines(const std::vector<document::SpaceOutline>& shapes) 
     m_outlines = shapes;
     for (SpaceView* view : all())
         view->showOutlines(shapes);
+}
+
+void FourViews::showInstead(std::shared_ptr<const document::Fractal> fractal) {
+    m_instead = std::move(fractal);
+    m_bridge->showInstead(m_instead);
+    for (SpaceView* view : m_others)
+        view->findChild<SolidBridge*>(QString(), Qt::FindDirectChildrenOnly)->showInstead(m_instead);
 }
 
 void FourViews::setStereo(attractor::Stereo stereo) {

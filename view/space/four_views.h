@@ -33,7 +33,8 @@ public:
     void setAllowsNoAttractor(bool allows);
     void showOutlines(const std::vector<document::SpaceOutline>& shapes);
     bool cancelGesture();
-    void setStereo(attractor::Stereo stereo); // of the one that orbits
+    void showInstead(std::shared_ptr<const document::Fractal> fractal); // see SolidBridge
+    void setStereo(attractor::Stereo stereo);                           // of the one that orbits
     attractor::Stereo stereo() const { return m_main->navigation().stereo(); }
 
 signals:
@@ -45,15 +46,17 @@ private:
     std::vector<SpaceView*> all() const;
 
     document::Document* m_document;
+    SolidBridge* m_bridge; // of the main one
     SpaceView* m_main;
     QGridLayout* m_grid;
-    std::vector<SpaceView*> m_others;
+    std::vector<SpaceView*> m_others; // the parents of their bridges
     // What those that are made later begin with.
     bool m_areOverlaysVisible = true;
     attractor::UpAxis m_up = attractor::UpAxis::Y;
     bool m_allowsNoAttractor = false;
     SpaceView::Target m_target = SpaceView::Target::Cage;
     std::vector<document::SpaceOutline> m_outlines;
+    std::shared_ptr<const document::Fractal> m_instead;
     bool m_areFourShown = false;
 };
 

@@ -2,8 +2,8 @@
 #include "io/fractint/fractint_strict.h"
 
 #include "document/edits/symmetry_edits.h"
-#include "document/tops/kept_theft.h"
 #include "document/unique_names.h"
+#include "document/user_comments.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/fractint/fractint_rows.h"
 #include "io/text/lost_parts.h"
@@ -64,8 +64,7 @@ public:
 
 private:
     void append(const Entry& entry) {
-        const document::Fractal fractal =
-            document::withTheft(document::expanded(*entry.fractal), std::nullopt);
+        const document::Fractal fractal = document::expanded(*entry.fractal);
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
             return m_text.problems.append({Problem::Severity::Error, fractal.name, 0, 0,
@@ -75,7 +74,7 @@ private:
         if (m_text.entries > 1) m_text.bytes += '\n';
         // Before the entry: Fractint 16–18 accept no comment inside.
         if (entry.source) addText(entry.source->before);
-        for (const QString& comment : fractal.comments)
+        for (const QString& comment : document::userComments(fractal.comments))
             addComment(comment);
         if (entry.source) addCommentsOfRows(entry.source->text);
         const QByteArrayList title =

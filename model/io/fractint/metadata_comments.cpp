@@ -220,8 +220,10 @@ document::Fractal asStored(document::Fractal fractal) {
 bool isOwnComment(QByteArrayView comment) {
     const QByteArrayView text = comment.trimmed();
     if (!text.startsWith(prefix)) return false;
-    // Of a fractal transformation: they stay among the comments of the entry, document/tops/kept_theft.
-    return !text.sliced(qsizetype(std::strlen(prefix))).trimmed().startsWith("partner");
+    // Of a fractal transformation and of saved views: they stay among the comments of the entry,
+    // document/tops/kept_theft and document/saved_views.
+    const QByteArrayView key = text.sliced(qsizetype(std::strlen(prefix))).trimmed();
+    return !key.startsWith("partner") && !key.startsWith("view");
 }
 
 bool MetadataComments::read(QByteArrayView comment) {

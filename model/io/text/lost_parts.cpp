@@ -4,6 +4,7 @@
 #include "document/edits/cage_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/saved_views.h"
 #include "document/tops/kept_theft.h"
 
 #include <QCoreApplication>
@@ -54,6 +55,7 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     if (held.moved) lost << Text::tr("its moved branches");
     const bool losesLinks = held.linked && !kept.links;
     if (document::keptTheft(fractal) && !kept.transformation) lost << Text::tr("its fractal transformation");
+    if (!document::savedViews(fractal).empty()) lost << Text::tr("its saved views");
     if (losesLinks) lost << Text::tr("the links of its maps");
     if (!kept.palette && !(rest.palette == usual.palette)) lost << Text::tr("its palette");
     if (!kept.background && !(rest.background == usual.background)) lost << Text::tr("its background");

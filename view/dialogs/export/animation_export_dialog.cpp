@@ -81,6 +81,7 @@ AnimationExportDialog::AnimationExportDialog(document::Document* document, const
     : QDialog(parent),
       m_entry(document->entryFractal()),
       m_camera(camera),
+      m_views(document::savedViews(m_entry)),
       m_form(new QFormLayout),
       m_queue(new ClusterQueue(this)) {
     setWindowTitle(tr("Export the Animation “%1”").arg(titleText(m_entry.name)));
@@ -110,6 +111,8 @@ void AnimationExportDialog::createFormat() {
     m_section = comboBox(tr("Section"), {tr("The view on the canvas"), tr("The whole animation")},
                          tr("What the frames show where no key of the camera says: what the canvas shows, or "
                             "everything that comes into sight, with a small margin."));
+    for (const document::SavedView& view : m_views)
+        m_section->addItem(tr("The view “%1”").arg(view.name));
     m_form->addRow(tr("S&ection:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
     m_width = spinBox(tr("Width"), 16, maxSide, 1920, tr("The width of the frames in pixels."));
@@ -225,8 +228,10 @@ QString AnimationExportDialog::suffix() const {
 document::Fractal AnimationExportDialog::entryInView() const {
     document::Fractal entry = m_entry;
     if (io::hasCameraKeys(entry) || Section(m_section->currentIndex()) == Section::Animation) return entry;
-    if (auto* shape = document::plane(entry)) setCamera(*shape, m_camera);
-    if (auto* shape = document::space(entry)) setCamera(*shape, m_camera);
+    const int saved = m_section->currentIndex() - int(Section::Animation) - 1;
+    const Camera& camera = saved < 0 ? m_camera : m_views[std::size_t(saved)].camera;
+    if (auto* shape = document::plane(entry)) setCamera(*shape, camera);
+    if (auto* shape = document::space(entry)) setCamera(*shape, camera);
     return entry;
 }
 

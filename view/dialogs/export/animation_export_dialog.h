@@ -4,6 +4,7 @@
 #include "attractor/request/camera.h"
 #include "attractor/request/orbit_camera.h"
 #include "document/document.h"
+#include "document/saved_views.h"
 #include "io/animation/cluster_job.h"
 #include "io/export_job.h"
 
@@ -36,8 +37,8 @@ public:
     AnimationExportDialog(document::Document* document, const Camera& camera, QWidget* parent = nullptr);
     ~AnimationExportDialog() override;
 
-    enum class Section { View, Animation };
-    void setSection(Section section); // what is shown where no camera key says
+    enum class Section { View, Animation }; // behind them in the list: the saved views
+    void setSection(Section section);       // what is shown where no camera key says
     enum Format { Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures };
     void setFormat(Format format);
     void exportTo(const QString& path);         // what Export does once a file is chosen …
@@ -65,6 +66,7 @@ private:
 
     document::Fractal m_entry; // as it was when the dialog opened
     Camera m_camera;
+    std::vector<document::SavedView> m_views;
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;

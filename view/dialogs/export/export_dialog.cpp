@@ -77,7 +77,10 @@ attractor::Camera resized(attractor::Camera camera, const QSize& size) {
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
-    : QDialog(parent), m_fractal(document->fractal()), m_camera(camera) {
+    : QDialog(parent),
+      m_fractal(document->fractal()),
+      m_camera(camera),
+      m_views(document::savedViews(m_fractal)) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     auto* layout = new QVBoxLayout(this);
     m_options = new QWidget(this);
@@ -129,9 +132,11 @@ void ExportDialog::createFormat() {
     m_form->setContentsMargins({});
     m_section = new QComboBox(m_options);
     m_section->addItems({tr("The view on the canvas"), tr("The whole attractor")});
+    for (const document::SavedView& view : m_views)
+        m_section->addItem(tr("The view “%1”").arg(view.name));
     m_section->setAccessibleName(tr("Section"));
     m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or the attractor with a small "
-                               "margin, wherever the canvas looks."));
+                               "margin, wherever the canvas looks. Saved views are listed, too."));
     m_form->addRow(tr("&Format:"), m_format);
     m_form->addRow(tr("S&ection:"), m_section);
     m_form->addRow(tr("Size:"), m_size);
@@ -274,7 +279,11 @@ document::Fractal ExportDialog::fractalToExport() const {
 
 attractor::Camera ExportDialog::camera() const {
     const attractor::Camera camera = resized(m_camera, m_size->pixels());
-    if (Section(m_section->currentIndex()) == Section::View) return camera;
+    const int section = m_section->currentIndex();
+    if (section == int(Section::View)) return camera;
+    if (const int saved = section - int(Section::Attractor) - 1; saved >= 0)
+        return attractor::cameraOf(std::get<attractor::View>(m_views[std::size_t(saved)].camera),
+                                   {camera.width, camera.height});
     const std::optional<document::Box> box = m_extent.result(); // waits
     return box ? attractor::fitted(camera, box->min, box->max) : camera;
 }

@@ -4,6 +4,7 @@
 #include "attractor/request/camera.h"
 #include "document/document.h"
 #include "document/fractal_geometry.h"
+#include "document/saved_views.h"
 #include "io/export_job.h"
 
 #include <QDialog>
@@ -37,9 +38,9 @@ public:
     ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    enum class Section { View, Attractor };
-    void setSection(Section section);      // what the picture shows; the view at first
-    void setFolder(const QString& folder); // to suggest; without one, that of the last export
+    enum class Section { View, Attractor }; // behind them in the list: the saved views
+    void setSection(Section section);       // what the picture shows; the view at first
+    void setFolder(const QString& folder);  // to suggest; without one, that of the last export
     // What the Export button does once a file is chosen. The ending of its name decides the format.
     void exportTo(const QString& path);
 
@@ -76,6 +77,7 @@ private:
 
     document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
     attractor::Camera m_camera;
+    std::vector<document::SavedView> m_views;
     QString m_folder;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;

@@ -2,6 +2,7 @@
 #include "dialogs/export/print_fractal.h"
 
 #include "document/fractal_geometry.h"
+#include "document/user_comments.h"
 #include "io/export_job.h"
 #include "widgets/tooltip_text.h"
 #include "widgets/wait_for.h"
@@ -153,14 +154,15 @@ void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& 
     double top = page.top() + 1.2 * line;
     painter.setFont(sized(painter, 0.4 * line, false));
     constexpr qsizetype maxComments = 3;
-    for (const QString& comment : fractal.comments.mid(0, maxComments)) {
+    const QStringList comments = document::userComments(fractal.comments);
+    for (const QString& comment : comments.mid(0, maxComments)) {
         const QRectF room(page.left(), top, page.width(), 0.6 * line);
         painter.drawText(
             room, Qt::AlignLeft | Qt::AlignVCenter,
             QFontMetricsF(painter.font()).elidedText(comment.trimmed(), Qt::ElideRight, room.width()));
         top = room.bottom();
     }
-    if (!fractal.comments.isEmpty()) top += 0.3 * line;
+    if (!comments.isEmpty()) top += 0.3 * line;
     QSizeF size = picture.size();
     size.scale(page.width(), maxShare * page.height(), Qt::KeepAspectRatio);
     const QRectF frame(QPointF(page.left() + (page.width() - size.width()) / 2, top), size);

@@ -29,7 +29,11 @@ namespace view {
 
 SpaceExportDialog::SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
                                      QWidget* parent)
-    : QDialog(parent), m_fractal(document->fractal()), m_camera(camera), m_form(new QFormLayout) {
+    : QDialog(parent),
+      m_fractal(document->fractal()),
+      m_camera(camera),
+      m_views(document::savedViews(m_fractal)),
+      m_form(new QFormLayout) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     m_format = new QComboBox(this);
     m_format->addItems({tr("Picture (.png)"), tr("Picture (.jpg)"), tr("Picture (.webp)"),
@@ -70,6 +74,13 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
 SpaceExportDialog::~SpaceExportDialog() = default;
 
 void SpaceExportDialog::createPicture() {
+    m_section = new QComboBox(this);
+    m_section->addItem(tr("The view on the canvas"));
+    for (const document::SavedView& view : m_views)
+        m_section->addItem(tr("The view “%1”").arg(view.name));
+    m_section->setAccessibleName(tr("Section"));
+    m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or a saved view."));
+    m_form->addRow(tr("Sect&ion:"), m_section);
     m_size = new ExportSizeEditor({m_camera.size.width, m_camera.size.height}, this);
     m_form->addRow(tr("&Size:"), m_size);
     m_supersample = new QSpinBox(this);
@@ -150,6 +161,15 @@ QString SpaceExportDialog::suffix() const {
     return QLatin1String(suffixes[m_format->currentIndex()]);
 }
 
+// For the proportions of the canvas.
+attractor::OrbitCamera SpaceExportDialog::camera() const {
+    if (m_section->currentIndex() <= 0) return m_camera;
+    auto camera =
+        std::get<attractor::OrbitCamera>(m_views[std::size_t(m_section->currentIndex() - 1)].camera);
+    camera.size = m_camera.size;
+    return camera;
+}
+
 io::SpaceExport SpaceExportDialog::picture() const {
     io::SpaceExport result;
     result.fractal = m_fractal;
@@ -162,7 +182,7 @@ io::SpaceExport SpaceExportDialog::picture() const {
     const bool isNumbers =
         result.look == attractor::LookInSpace::Depth || result.look == attractor::LookInSpace::Normals;
     if (isNumbers) result.stereo = io::Stereo::None;
-    attractor::OrbitCamera camera = m_camera;
+    attractor::OrbitCamera camera = this->camera();
     const QSize size = m_size->pixels();
     camera.size = {size.width(), size.height()};
     if (result.stereo == io::Stereo::SideBySide) camera.size.width = std::max(1, size.width() / 2);
@@ -205,6 +225,7 @@ void SpaceExportDialog::update() {
     const bool hasDepths = file && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
     const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
+    m_form->setRowVisible(m_section, isPicture && !m_views.empty());
     m_form->setRowVisible(m_size, isPicture);
     m_form->setRowVisible(m_supersample,
                           isPicture && !isNumbers && !attractor::showsCloud(m_fractal.inSpace.look));

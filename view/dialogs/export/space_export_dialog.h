@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_camera.h"
 #include "document/document.h"
+#include "document/saved_views.h"
 #include "io/export_job.h"
 
 #include <QDialog>
@@ -49,6 +50,7 @@ private:
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
     bool isBody() const { return !pictureFile() && format() != Format::OpenScad; }
     QString suffix() const;
+    attractor::OrbitCamera camera() const;
     io::SpaceExport picture() const;
     io::SolidExport body();
     void update();
@@ -57,8 +59,10 @@ private:
 
     document::Fractal m_fractal; // as it was when the dialog opened
     attractor::OrbitCamera m_camera;
+    std::vector<document::SavedView> m_views;
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
+    QComboBox* m_section = nullptr; // the canvas, then the saved views
     ExportSizeEditor* m_size = nullptr;
     QSpinBox* m_supersample = nullptr;
     QComboBox* m_depth = nullptr;

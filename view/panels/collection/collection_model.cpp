@@ -4,6 +4,7 @@
 #include "desktop/clipboard.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/partner_names.h"
+#include "document/user_comments.h"
 #include "io/file/background.h"
 #include "widgets/tooltip_text.h"
 
@@ -32,7 +33,7 @@ QString titleOf(const document::Fractal& fractal) {
 
 QString toolTip(const document::Fractal& fractal, const QString& theme) {
     QStringList comments;
-    for (const QString& comment : fractal.comments)
+    for (const QString& comment : document::userComments(fractal.comments))
         comments.append(comment.trimmed());
     QString text =
         QStringLiteral("<b>%1</b> (%2)").arg(titleOf(fractal).toHtmlEscaped(), fractal.name.toHtmlEscaped());

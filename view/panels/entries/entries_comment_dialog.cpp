@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries/entries_comment_dialog.h"
 
+#include "document/user_comments.h"
 #include "io/fractint/fractint_rows.h"
 #include "widgets/text_edit_workarounds.h"
 #include "widgets/tooltip_text.h"
@@ -18,10 +19,6 @@ namespace {
 
 constexpr int maxLine = 198; // bytes; with the semicolon and the line end it still fits what Fractint reads
 
-bool isOurs(const QString& line) {
-    return line.trimmed().startsWith(QLatin1String("barycage:"), Qt::CaseInsensitive);
-}
-
 QLabel* caption(const QString& text, QWidget* buddy, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setBuddy(buddy);
@@ -34,7 +31,8 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
     : QDialog(parent),
       m_before(fractal),
       m_header(new QLineEdit(fractal.headerComment, this)),
-      m_lines(new TextEditWithWorkarounds<QPlainTextEdit>(fractal.comments.join(QLatin1Char('\n')), this)),
+      m_lines(new TextEditWithWorkarounds<QPlainTextEdit>(
+          document::userComments(fractal.comments).join(QLatin1Char('\n')), this)),
       m_problem(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Comment of “%1”").arg(titleText(fractal.name)));
@@ -71,6 +69,12 @@ document::Fractal EntriesCommentDialog::fractal() const {
     after.comments = lines();
     for (QString& line : after.comments)
         line = io::fractint::storedComment(line);
+    if (after.comments == document::userComments(m_before.comments)) {
+        after.comments = m_before.comments; // nothing moves
+        return after;
+    }
+    for (const QString& kept : m_before.comments)
+        if (document::isKeptComment(kept)) after.comments << kept; // unseen here
     return after;
 }
 
@@ -83,7 +87,7 @@ void EntriesCommentDialog::check() {
     QString problem;
     const QStringList all = lines() << m_header->text();
     for (const QString& line : all) {
-        if (isOurs(line))
+        if (line.trimmed().startsWith(QLatin1String("barycage:"), Qt::CaseInsensitive))
             problem =
                 tr("A comment cannot begin with “barycage:”; such lines store the cage and the colours.");
         else if (line.toUtf8().size() > maxLine)

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "snapshot_commands.h"
+
+#include "action_menu.h"
+#include "panels/snapshots/snapshots_panel.h"
+#include "snapshot_banner.h"
+#include "stage.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenuBar>
+
+#include <utility>
+
+namespace {
+
+constexpr int stripHeight = 150; // one row: the picture stays the largest thing in the window
+
+} // namespace
+
+SnapshotCommands::SnapshotCommands(const MenuContext& context, view::RenderBridge* render)
+    : QObject(context.window),
+      m_snapshots(context.document),
+      m_look(context.document, &m_snapshots,
+             {context.canvas, render, context.stage->views(), [stage = context.stage] {
+                  return stage->transformation()->isPainted()
+                             ? tr("Snapshots cannot be compared while a fractal transformation is shown.")
+                             : QString();
+              }}) {
+    connect(&m_snapshots, &view::Snapshots::message, context.messages, &WindowMessages::say);
+    connect(&m_look, &view::SnapshotLook::message, context.messages, &WindowMessages::say);
+    connect(&m_look, &view::SnapshotLook::changed, this, [this, window = context.window](bool isOn) {
+        if (m_compare) m_compare->setChecked(isOn);
+        if (isOn) new SnapshotBanner(window, &m_look, &m_snapshots); // deletes itself
+    });
+}
+
+void SnapshotCommands::addTo(ActionMenu& menu) {
+    m_take = menu.add({"snapshot", tr("Take &Snapshot"), QKeySequence(tr("S")),
+                       tr("Keep the present state of this fractal in the Snapshots panel")},
+                      [this] {
+                          m_look.end(); // the fractal is kept, not what is looked at
+                          m_snapshots.take();
+                      });
+    m_compare = menu.add({"compare", tr("&Compare with Snapshot"), QKeySequence(tr("Q")),
+                          tr("Show the snapshot marked B in place of the fractal; press again, or hold the "
+                             "key and let go, to come back")},
+                         [this] {
+                             const QKeySequence keys = m_compare->shortcut();
+                             m_look.toggle(keys.isEmpty() ? Qt::Key_unknown : keys[0].key());
+                             m_compare->setChecked(m_look.isOn());
+                         });
+    m_compare->setCheckable(true);
+    m_compare->setAutoRepeat(false);
+    m_take->setAutoRepeat(false);
+}
+
+view::SnapshotsPanel* SnapshotCommands::makePanel() {
+    return new view::SnapshotsPanel(&m_snapshots, &m_look, m_take, m_compare);
+}
+
+void SnapshotCommands::setDock(QDockWidget* dock) {
+    dock->hide();
+    connect(&m_snapshots, &view::Snapshots::taken, dock, [this, dock, isFirst = true]() mutable {
+        const bool isHidden = dock->isHidden();
+        auto* window = qobject_cast<QMainWindow*>(dock->parentWidget());
+        const bool presents = window->menuBar()->isHidden(); // then no panel is to appear
+        if (isHidden && !presents && std::exchange(isFirst, false)) {
+            dock->show();
+            window->resizeDocks({dock}, {stripHeight}, Qt::Vertical);
+        } else if (isHidden) {
+            emit m_snapshots.message(
+                tr("Kept as “%1”. View, Panels, Snapshots shows it.").arg(m_snapshots.marked()->name));
+        }
+    });
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+#include "document/fractal.h"
+
+#include <QString>
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+// Views of an entry that have names, kept in comments "barycage: view…" of its own. docs/formats.md,
+// "Barycage's comment lines".
+namespace document {
+
+struct SavedView {
+    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // its size means nothing
+
+    QString name; // storableViewName() of itself
+    Camera camera;
+
+    friend bool operator==(const SavedView&, const SavedView&) = default;
+};
+
+inline constexpr std::size_t maxSavedViews = 100; // of an entry; further lines are kept and passed over
+
+// Those of the entry's dimension in their order, each name once: the first one counts. Lines that make no
+// sense are passed over.
+std::vector<SavedView> savedViews(const Fractal& fractal);
+std::optional<SavedView> savedView(const Fractal& fractal, const QString& name);
+
+// In place of the one of the same name, else behind the others; as it is where there are maxSavedViews
+// already, or where the camera is not of the entry's dimension.
+Fractal withSavedView(Fractal fractal, const SavedView& view);
+Fractal withoutSavedView(Fractal fractal, const QString& name);
+Fractal withViewRenamed(Fractal fractal, const QString& name, const QString& to); // `to` is of no other one
+
+// One line without blanks at its ends, short enough to be kept; empty for a name without letters.
+QString storableViewName(const QString& name);
+
+} // namespace document
