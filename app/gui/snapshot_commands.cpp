@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int stripHeight = 150; // one row: the picture stays the largest thing in the window
+constexpr int stripHeight = 180; // one row: the picture stays the largest thing in the window
 
 } // namespace
 
