@@ -19,7 +19,11 @@
 
 namespace view {
 
+namespace {
+
 using State = QueuedExport::State;
+
+} // namespace
 
 ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     : QWidget(parent),
