@@ -60,8 +60,8 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
     auto* blocked = new QShortcut(action->shortcut(), m_context.window); // a disabled action has no shortcut
     connect(blocked, &QShortcut::activated, this,
             [this, obstacle] { m_context.messages->say(obstacle(m_context.document->fractal())); });
-    const auto update = [this, action, blocked, obstacle, toolTip = action->toolTip(),
-                         statusTip = action->statusTip(), before = QString()]() mutable {
+    auto update = [this, action, blocked, obstacle, toolTip = action->toolTip(),
+                   statusTip = action->statusTip(), before = QString()]() mutable {
         const QString why = obstacle(m_context.document->fractal());
         if (const QString said = std::exchange(before, why); !said.isEmpty() && said != why)
             if (m_context.window->statusBar()->currentMessage() == said) // it is no longer true
@@ -71,6 +71,6 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
         action->setStatusTip(why.isEmpty() ? statusTip : why);
         blocked->setEnabled(!why.isEmpty());
     };
-    connect(m_context.document, &document::Document::changed, action, update);
     update();
+    connect(m_context.document, &document::Document::changed, action, update);
 }

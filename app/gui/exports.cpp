@@ -56,7 +56,7 @@ bool mayEnd(QWidget* window) {
     const auto others = session::windows();
     const bool isLast = std::ranges::none_of(
         others, [window](const SessionWindow* other) { return other != window && other->isVisible(); });
-    if (count == 0 || !isLast) return true;
+    if (count == 0 || queue()->isPaused() || !isLast) return true;
     QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"),
                     Text::tr("%n exports are still in the queue.", nullptr, count), QMessageBox::Cancel,
                     window);

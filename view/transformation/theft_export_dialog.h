@@ -36,7 +36,7 @@ public:
     void setFolder(const QString& folder); // to suggest
     void exportTo(const QString& path);    // what the Export button does once a file is chosen
     QString message() const;               // what came of it
-    ExportSizeEditor& size() { return *m_size; }
+    ExportSizeEditor& sizeEditor() { return *m_size; }
     const ExportPreview& preview() const { return *m_preview; }
 
 signals:

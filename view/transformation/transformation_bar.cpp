@@ -65,7 +65,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     addStarters();
     m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
     m_export->setEnabled(false);
-    m_remedy = flatButton(QString(), QString(), QString(), this);
+    m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
     m_status->setAccessibleName(tr("State of the fractal transformation"));
 
     auto* first = new QHBoxLayout;

@@ -20,14 +20,15 @@ QString moved(const QString& picture, const QString& from, const QString& to) {
 } // namespace
 
 FractalFile withPicturesFoundFrom(FractalFile file, const QString& from, const QString& to) {
-    if (!from.isEmpty() && QDir(from) == QDir(to)) return file;
-    for (Entry& entry : file.entries) {
-        std::optional<KeptTheft> theft = keptTheft(*entry.fractal);
+    if (!from.isEmpty() && QDir::cleanPath(from) == QDir::cleanPath(to)) return file; // without the disk
+    for (qsizetype i = 0; i < file.entries.size(); ++i) {
+        const Fractal& fractal = *file.entries.at(i).fractal;
+        std::optional<KeptTheft> theft = keptTheft(fractal);
         if (!theft || theft->picture.isEmpty()) continue;
         const QString picture = moved(theft->picture, from, to);
         if (picture == theft->picture) continue;
         theft->picture = picture;
-        entry.fractal = std::make_shared<const Fractal>(withTheft(*entry.fractal, theft));
+        file.entries[i].fractal = std::make_shared<const Fractal>(withTheft(fractal, theft));
     }
     return file;
 }

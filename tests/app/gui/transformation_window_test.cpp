@@ -309,7 +309,7 @@ void TransformationWindowTest::exportsThePicture() {
     auto* dialog = m_window->findChild<view::TheftExportDialog*>();
     QVERIFY(dialog && dialog->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(!dialog->preview().picture().isNull(), 30000);
-    dialog->size().setPixels({600, 400});
+    dialog->sizeEditor().setPixels({600, 400});
     dialog->setSection(view::TheftExportDialog::Section::Attractor);
 
     const QTemporaryDir folder;

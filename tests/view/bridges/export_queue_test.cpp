@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/export_queue.h"
 
+#include "desktop/settings.h"
 #include "dialogs/export/enqueue.h"
 #include "io/exports/export_recipe.h"
 #include "io/fractint/entry_writer.h"
@@ -19,6 +20,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -63,6 +65,7 @@ class ExportQueueTest : public QObject {
 
 private slots:
     void init() {
+        view::finishStoring(); // what the test before has stored
         support::useOwnSettings();
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("out")));

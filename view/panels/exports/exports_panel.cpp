@@ -19,7 +19,11 @@
 
 namespace view {
 
+namespace {
+
 using State = QueuedExport::State;
+
+} // namespace
 
 ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     : QWidget(parent),
@@ -91,9 +95,10 @@ void ExportsPanel::createActions() {
     m_folder = addAction(QStringLiteral("open"), tr("&Open Folder"),
                          tr("Show the folder of the selected export in the file manager."));
     connect(m_folder, &QAction::triggered, this, &ExportsPanel::openFolder);
-    m_remove = addAction(QStringLiteral("remove"), tr("&Cancel Export"),
-                         tr("Take the selected exports off the list; what is not done is not drawn. Files "
-                            "that were written stay."));
+    m_remove =
+        addAction(QStringLiteral("remove"), tr("&Cancel Export"),
+                  tr("Take the selected exports off the list; what is not done is not drawn, and files "
+                     "that were written stay."));
     m_remove->setShortcut(QKeySequence::Delete);
     connect(m_remove, &QAction::triggered, this, [this] {
         for (const QString& id : selectedIds())
