@@ -6,10 +6,10 @@
 #include "document/edits/map_locks.h"
 #include "document/map_names.h"
 #include "io/file/background.h"
-#include "panels/maps/maps_panel.h"
 #include "widgets/wait_for.h"
 
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QMimeData>
 
@@ -20,6 +20,10 @@
 namespace view {
 
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(view::MapsPanel)
+};
 
 template <int Dim>
 CopiedMaps copied(const ifs::IteratedFunctionSystem<Dim>& system, const document::MapLabels& labels,
@@ -92,7 +96,7 @@ void MapsClipboard::pasteInPlane(const document::Rows& rows) {
         const bool areOurs = data && holdsOurMaps(*data);
         auto reading = io::inBackground<FoundMaps>(
             [text, areOurs](QPromise<FoundMaps>& promise) { promise.addResult(mapsIn(text, areOurs)); });
-        if (!waitFor(QFuture<void>(reading), MapsPanel::tr("Reading the pasted text…"), m_window)) return;
+        if (!waitFor(QFuture<void>(reading), Text::tr("Reading the pasted text…"), m_window)) return;
         found = reading.takeResult();
     }
     const io::Table& table = found.table;
@@ -109,15 +113,14 @@ void MapsClipboard::pasteInPlane(const document::Rows& rows) {
     }
     for (const auto& problem : table.problems) {
         if (problem.severity != document::Problem::Severity::Error) continue;
-        return emit message(problem.line > 0
-                                ? MapsPanel::tr("Nothing was pasted. Line %1 of the clipboard: %2")
-                                      .arg(problem.line)
-                                      .arg(problem.message)
-                                : MapsPanel::tr("Nothing was pasted. %1").arg(problem.message));
+        return emit message(problem.line > 0 ? Text::tr("Nothing was pasted. Line %1 of the clipboard: %2")
+                                                   .arg(problem.line)
+                                                   .arg(problem.message)
+                                             : Text::tr("Nothing was pasted. %1").arg(problem.message));
     }
     if (table.rows.empty())
         return emit message(
-            MapsPanel::tr("Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers."));
+            Text::tr("Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers."));
     document::MapsEdit edit = withMapsPasted(m_document->fractal(), rows, table.rows);
     giveNames(edit, names);
     finish(rows, int(table.rows.size()), std::move(edit),
@@ -136,7 +139,7 @@ void MapsClipboard::pasteInSpace(const document::Rows& rows) {
             [text = data ? data->text() : QString()](QPromise<CopiedMaps>& promise) {
                 promise.addResult(CopiedMaps{{}, spaceMapsIn(text), {}});
             });
-        if (!waitFor(QFuture<void>(reading), MapsPanel::tr("Reading the pasted text…"), m_window)) return;
+        if (!waitFor(QFuture<void>(reading), Text::tr("Reading the pasted text…"), m_window)) return;
         maps = reading.takeResult();
     }
     if (maps.space.empty())
@@ -148,7 +151,7 @@ void MapsClipboard::pasteInSpace(const document::Rows& rows) {
 
 void MapsClipboard::finish(const document::Rows& rows, int count, document::MapsEdit edit,
                            const QString& remark) {
-    m_document->edit(count == 1 ? MapsPanel::tr("Paste a map") : MapsPanel::tr("Paste %1 maps").arg(count),
+    m_document->edit(count == 1 ? Text::tr("Paste a map") : Text::tr("Paste %1 maps").arg(count),
                      std::move(edit.fractal));
     emit pasted(edit.touched);
     say(rows, count, remark);
@@ -156,8 +159,8 @@ void MapsClipboard::finish(const document::Rows& rows, int count, document::Maps
 
 void MapsClipboard::say(const document::Rows& rows, int count, const QString& remark) {
     const QString text = rows.empty()
-                             ? MapsPanel::tr("Maps added: %1.").arg(count)
-                             : MapsPanel::tr("The selected maps were replaced; maps pasted: %1.").arg(count);
+                             ? Text::tr("Maps added: %1.").arg(count)
+                             : Text::tr("The selected maps were replaced; maps pasted: %1.").arg(count);
     emit message(remark.isEmpty() ? text : text + u' ' + remark);
 }
 

@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_texts.h"
 
-#include "panels/maps/maps_model.h"
-#include "panels/maps/maps_panel.h"
+#include <QCoreApplication>
 
 namespace view {
+
+namespace {
+
+struct OfModel {
+    Q_DECLARE_TR_FUNCTIONS(view::MapsModel)
+};
+struct OfPanel {
+    Q_DECLARE_TR_FUNCTIONS(view::MapsPanel)
+};
+
+} // namespace
 
 QString kindText(ifs::MapKind kind) {
     switch (kind) {
     case ifs::MapKind::Similarity:
-        return MapsModel::tr("similarity");
+        return OfModel::tr("similarity");
     case ifs::MapKind::ReflectedSimilarity:
-        return MapsModel::tr("reflected similarity");
+        return OfModel::tr("reflected similarity");
     case ifs::MapKind::Affine:
-        return MapsModel::tr("affine");
+        return OfModel::tr("affine");
     case ifs::MapKind::Singular:
-        return MapsModel::tr("singular");
+        return OfModel::tr("singular");
     case ifs::MapKind::Constant:
-        return MapsModel::tr("constant");
+        return OfModel::tr("constant");
     }
     return {};
 }
@@ -26,36 +36,36 @@ QString kindTip(ifs::MapKind kind, int dimension) {
     const bool plane = dimension == 2;
     switch (kind) {
     case ifs::MapKind::Similarity:
-        return MapsModel::tr("A similarity keeps shapes: it turns, scales and shifts.");
+        return OfModel::tr("A similarity keeps shapes: it turns, scales and shifts.");
     case ifs::MapKind::ReflectedSimilarity:
-        return MapsModel::tr(
+        return OfModel::tr(
             "A reflected similarity keeps shapes but mirrors them; it also turns, scales and shifts them.");
     case ifs::MapKind::Affine:
-        return MapsModel::tr("An affine map keeps lines and parallels but not angles.");
+        return OfModel::tr("An affine map keeps lines and parallels but not angles.");
     case ifs::MapKind::Singular:
-        return plane ? MapsModel::tr("A singular map takes the whole plane to a line.")
-                     : MapsModel::tr("A singular map takes the whole of space to a plane or a line.");
+        return plane ? OfModel::tr("A singular map takes the whole plane to a line.")
+                     : OfModel::tr("A singular map takes the whole of space to a plane or a line.");
     case ifs::MapKind::Constant:
-        return plane ? MapsModel::tr("A constant map takes the whole plane to one point.")
-                     : MapsModel::tr("A constant map takes the whole of space to one point.");
+        return plane ? OfModel::tr("A constant map takes the whole plane to one point.")
+                     : OfModel::tr("A constant map takes the whole of space to one point.");
     }
     return {};
 }
 
 QString coefficientTip(int dimension) {
     return dimension == 2
-               ? MapsModel::tr("The map takes (x, y) to (a x + b y + e, c x + d y + f).")
-               : MapsModel::tr("The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
-                               "g x + h y + i z + l).");
+               ? OfModel::tr("The map takes (x, y) to (a x + b y + e, c x + d y + f).")
+               : OfModel::tr("The map takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
+                             "g x + h y + i z + l).");
 }
 
 QString tableWhatsThis(int dimension) {
     return dimension == 2
-               ? MapsPanel::tr(
+               ? OfPanel::tr(
                      "Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in "
                      "proportion to its weight p. Double-click a number or start typing to change it; the "
                      "picture follows every keystroke. Drag the number of a row to move it.")
-               : MapsPanel::tr(
+               : OfPanel::tr(
                      "Each row is a map: it takes (x, y, z) to (a x + b y + c z + j, d x + e y + f z + k, "
                      "g x + h y + i z + l) and is used in proportion to its weight p. Double-click a number "
                      "or "

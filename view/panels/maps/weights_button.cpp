@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/weights_button.h"
 
-#include "panels/maps/maps_panel.h"
 #include "panels/maps/weight_rule_name.h"
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QMenu>
 
 namespace view {
 
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(view::MapsPanel)
+};
+
+} // namespace
+
 QToolButton* makeWeightsButton(const std::function<void(document::WeightRule)>& apply, QWidget* parent,
                                QList<QAction*>& actions) {
-    auto* menu = new QMenu(MapsPanel::tr("Weights"), parent);
+    auto* menu = new QMenu(Text::tr("Weights"), parent);
     const auto add = [&](const char* iconName, const QString& text, const QString& tip,
                          document::WeightRule rule) {
         QAction* rules = menu->addAction(icon(QString::fromLatin1(iconName)), text, parent,
@@ -24,22 +32,22 @@ QToolButton* makeWeightsButton(const std::function<void(document::WeightRule)>& 
     };
     menu->setToolTipsVisible(true);
     add("weight-det", ruleName(document::WeightRule::Determinant), {}, document::WeightRule::Determinant);
-    add("weight-equal", ruleName(document::WeightRule::Equal), MapsPanel::tr("The same weight for every map"),
+    add("weight-equal", ruleName(document::WeightRule::Equal), Text::tr("The same weight for every map"),
         document::WeightRule::Equal);
     add("weight-dimension", ruleName(document::WeightRule::Dimension),
-        MapsPanel::tr("Weights that cover the attractor evenly at its own dimension"),
+        Text::tr("Weights that cover the attractor evenly at its own dimension"),
         document::WeightRule::Dimension);
     menu->addSeparator();
     add("normalise", ruleName(document::WeightRule::Normalise),
-        MapsPanel::tr("Scale all weights so that they sum to 1"), document::WeightRule::Normalise);
+        Text::tr("Scale all weights so that they sum to 1"), document::WeightRule::Normalise);
     auto* made = new MenuButton(parent);
-    made->setText(MapsPanel::tr("Weights"));
+    made->setText(Text::tr("Weights"));
     made->setIcon(icon(QStringLiteral("weight-equal")));
     made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     made->setMenu(menu);
     made->setAutoRaise(true);
-    made->setToolTip(MapsPanel::tr("Set the weights of all maps that are switched on by a rule"));
-    made->setAccessibleName(MapsPanel::tr("Weights"));
+    made->setToolTip(Text::tr("Set the weights of all maps that are switched on by a rule"));
+    made->setAccessibleName(Text::tr("Weights"));
     return made;
 }
 
