@@ -44,9 +44,9 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent)
         tr("The parent is in the middle, its variations are around it. Click one, or press Enter "
            "on it, to make it the new parent. Double-click one to use it at once."));
     auto* columns = new QHBoxLayout;
-    columns->setSpacing(12);
     columns->addLayout(createLine());
     columns->addWidget(m_ring, 1);
+    columns->addSpacing(6);
     columns->addLayout(createControls());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(tr("&Use the Parent"), QDialogButtonBox::AcceptRole);

@@ -38,8 +38,8 @@ void PictureTiles::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->save();
     painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
     painter->setPen(isFramed ? QPen(highlight, 1) : QPen(Qt::NoPen));
-    painter->setBrush(option.state.testFlag(QStyle::State_Selected) ? QBrush(highlight)
-                                                                    : QBrush(Qt::NoBrush));
+    const bool isChosen = option.state.testFlag(QStyle::State_Selected) || index.data(chosenRole).toBool();
+    painter->setBrush(isChosen ? QBrush(highlight) : QBrush(Qt::NoBrush));
     painter->drawRoundedRect(QRectF(tile).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     paintThumbnail(*painter, picture, shown(index), option.palette);
     painter->restore();

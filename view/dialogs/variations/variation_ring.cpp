@@ -38,7 +38,7 @@ VariationRing::VariationRing(QWidget* parent) : QTableWidget(cells, cells, paren
         for (int column = 0; column < cells; ++column)
             setItem(row, column, new QTableWidgetItem);
     setSpan(1, 1, 2, 2);
-    parentItem()->setSelected(true);
+    parentItem()->setData(PictureTiles::chosenRole, true);
     setCurrentItem(parentItem(), QItemSelectionModel::NoUpdate);
     setSelectionMode(QAbstractItemView::NoSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
