@@ -133,8 +133,9 @@ bool isValid(const attractor::OrbitCamera& camera) {
 }
 bool isValid(const Look& look) {
     const auto& stops = look.palette.stops;
-    return isPositive(look.brightness) && isPositive(look.gamma) && stops.size() >= 2 &&
-           stops.front().position == 0 && stops.back().position == 1 &&
+    return isPositive(look.brightness) && isPositive(look.gamma) && isPositive(look.contrast) &&
+           look.vibrancy >= 0 && look.vibrancy <= 1 && stops.size() >= 2 && stops.front().position == 0 &&
+           stops.back().position == 1 &&
            std::ranges::is_sorted(stops, {}, &attractor::Palette::Stop::position);
 }
 template <int Dim> bool isValid(const ifs::AffineMap<Dim>& map) {

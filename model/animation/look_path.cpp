@@ -47,11 +47,15 @@ double byFactor(double from, double to, double share) {
                                                share * attractor::naturalLogarithm(to));
 }
 
+double evenly(double from, double to, double share) {
+    return from == to ? from : (1 - share) * from + share * to;
+}
+
 } // namespace
 
 Look lookOf(const attractor::Appearance& appearance) {
-    return {appearance.colourBy,   appearance.palette,    appearance.plain,
-            appearance.background, appearance.brightness, appearance.gamma};
+    return {appearance.colourBy,   appearance.palette, appearance.plain,    appearance.background,
+            appearance.brightness, appearance.gamma,   appearance.contrast, appearance.vibrancy};
 }
 
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look) {
@@ -61,6 +65,8 @@ attractor::Appearance withLook(attractor::Appearance appearance, const Look& loo
     appearance.background = look.background;
     appearance.brightness = look.brightness;
     appearance.gamma = look.gamma;
+    appearance.contrast = look.contrast;
+    appearance.vibrancy = look.vibrancy;
     return appearance;
 }
 
@@ -72,7 +78,9 @@ Look between(const Look& from, const Look& to, double share) {
             mixed(from.plain, to.plain, share),
             mixed(from.background, to.background, share),
             byFactor(from.brightness, to.brightness, share),
-            byFactor(from.gamma, to.gamma, share)};
+            byFactor(from.gamma, to.gamma, share),
+            byFactor(from.contrast, to.contrast, share),
+            evenly(from.vibrancy, to.vibrancy, share)};
 }
 
 Palette cycled(const Palette& palette, double share) {

@@ -13,6 +13,8 @@ struct Look {
     attractor::Rgba background;
     double brightness = 20; // > 0
     double gamma = 2.2;     // > 0
+    double contrast = 1;    // > 0
+    double vibrancy = 1;    // 0 … 1
 
     friend bool operator==(const Look&, const Look&) = default;
 };
@@ -21,7 +23,8 @@ Look lookOf(const attractor::Appearance& appearance);
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look);
 
 // Between two looks, exact at both ends: colours in Oklab, those of palettes at every position where one of
-// them has a stop; brightness and gamma by constant factors; what the colours stand for changes at the end.
+// them has a stop; brightness, gamma and contrast by constant factors; vibrancy evenly; what the colours
+// stand for changes at the end.
 Look between(const Look& from, const Look& to, double share);
 
 // The palette gone round by a share of a cycle, 0 ≤ … < 1: once to its end and back, so that no colour meets

@@ -60,6 +60,8 @@ template <int Dim> Animation<Dim> randomAnimation(Random& random, const Pose<Dim
         Look look = lookOf(still.appearance);
         look.palette = attractor::builtInPalettes()[frame == 0 ? 0 : 2];
         look.brightness = 5 + frame;
+        look.contrast = 1 + frame / 10.0;
+        look.vibrancy = 1 - frame / 40.0;
         animation.look.push_back({frame, look, {}});
         CameraPose<Dim> camera;
         camera.height = 1 + frame;
@@ -278,10 +280,16 @@ private slots:
         light.plain = {255, 255, 255, 255};
         dark.brightness = 1;
         light.brightness = 100;
+        dark.contrast = 0.5;
+        light.contrast = 8;
+        dark.vibrancy = 0.2;
         const Look middle = between(dark, light, 0.5);
         // Oklab lightness ½ is linear light ⅛.
         QCOMPARE(middle.plain, (attractor::Rgba{99, 99, 99, 255}));
         QVERIFY(std::abs(middle.brightness - 10) < 1e-12);
+        QVERIFY(std::abs(middle.contrast - 2) < 1e-12);
+        QVERIFY(std::abs(middle.vibrancy - 0.6) < 1e-12);
+        QCOMPARE(lookOf(withLook({}, middle)), middle);
         const attractor::Palette palette = attractor::builtInPalettes()[1];
         QCOMPARE(cycled(palette, 0), palette);
         const attractor::Palette half = cycled(palette, 0.5); // at its far end, and on its way back

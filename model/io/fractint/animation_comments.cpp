@@ -79,10 +79,14 @@ QByteArrayList lookLines(const Look& look) {
     if (builtIn == nullptr || !(*builtIn == look.palette))
         for (const auto& stop : look.palette.stops)
             lines << metadataLine("look stop", formatNumber(stop.position) + ' ' + colourText(stop.colour));
-    return lines << metadataLine("look plain", colourText(look.plain))
-                 << metadataLine("look background", colourText(look.background))
-                 << metadataLine("look brightness", formatNumber(look.brightness))
-                 << metadataLine("look gamma", formatNumber(look.gamma));
+    lines << metadataLine("look plain", colourText(look.plain))
+          << metadataLine("look background", colourText(look.background))
+          << metadataLine("look brightness", formatNumber(look.brightness))
+          << metadataLine("look gamma", formatNumber(look.gamma));
+    const Look usual; // as before these were known
+    if (look.contrast != usual.contrast) lines << metadataLine("look contrast", formatNumber(look.contrast));
+    if (look.vibrancy != usual.vibrancy) lines << metadataLine("look vibrancy", formatNumber(look.vibrancy));
+    return lines;
 }
 
 template <int Dim, class Value> QByteArrayList keyLines(const Keys<Value>& keys) {

@@ -182,9 +182,14 @@ bool AnimationLines::readLook(const QByteArrayList& values) {
     }
     if (what == "plain") return setColour(look.plain, values[1]);
     if (what == "background") return setColour(look.background, values[1]);
+    double* const setting = what == "brightness" ? &look.brightness
+                            : what == "gamma"    ? &look.gamma
+                            : what == "contrast" ? &look.contrast
+                            : what == "vibrancy" ? &look.vibrancy
+                                                 : nullptr;
     const auto value = number(values[1]);
-    if (!value || (what != "brightness" && what != "gamma")) return false;
-    (what == "brightness" ? look.brightness : look.gamma) = *value;
+    if (setting == nullptr || !value) return false;
+    *setting = *value;
     return true;
 }
 

@@ -72,6 +72,8 @@ const QByteArrayList everything{
     "look background #00000000",
     "look brightness 4",
     "look gamma 2",
+    "look contrast 1.5",
+    "look vibrancy 0",
     "key 10 smooth",
     "look colour-by density",
     "look palette Two Colours",
@@ -131,6 +133,10 @@ private slots:
         QCOMPARE(animation->cage[1].value[1].y(), -1.2345678901234567e-7);
         QVERIFY(animation->maps[0].keys[0].value.weight && !animation->maps[0].keys[1].value.weight);
         QCOMPARE(animation->branches[0].word.size(), 3u);
+        QCOMPARE(animation->look[0].value.contrast, 1.5);
+        QCOMPARE(animation->look[0].value.vibrancy, 0.0);
+        QCOMPARE(animation->look[1].value.contrast, 1.0); // as in files that do not know it
+        QCOMPARE(animation->look[1].value.vibrancy, 1.0);
         QCOMPARE(animation->look[1].value.palette.name, std::string("Two Colours"));
         QVERIFY(animation->look[1].ease.kind == animation::Ease::Kind::Smooth);
         const auto& sway = std::get<animation::Sway<2>>(animation->motions[0]);
@@ -234,6 +240,8 @@ private slots:
         row("look stop 0 #ff0000ff", "look stop 0.5 #ff0000ff");
         row("look brightness 4", "look brightness -4");
         row("look gamma 2", "look glow 2");
+        row("look contrast 1.5", "look contrast 0");
+        row("look vibrancy 0", "look vibrancy 1.5");
         row("value 0 1.5 10 1", "value 0 1.5 0 1");
         row("motion turn", "motion fly");
         row("of 1 3", "of 1 4");
