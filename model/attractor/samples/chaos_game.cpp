@@ -167,7 +167,7 @@ void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t
     repeatBeginning(samples.y);
 }
 
-Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed)
+Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped)
     : m_system(&system),
       m_next(nextMaps(system)),
       m_pieces(ifs::pieces<2>(system.moved, system.maps.size())),
@@ -183,7 +183,7 @@ Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed)
             AliasTable(system.chain.stationary).draw(static_cast<std::uint32_t>(mixed(m_random++) >> 32));
     }
     m_farAway = 1e6 * (system.halfExtent.maxCoeff() + (m_point.x - system.centre).cwiseAbs().maxCoeff());
-    for (int n = 0; n < skipped; ++n)
+    for (int n = 0; n < dropped; ++n)
         step();
 }
 

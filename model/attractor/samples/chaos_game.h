@@ -50,7 +50,8 @@ class Orbit {
 public:
     static constexpr int skipped = 14;
 
-    Orbit(const PreparedSystem& system, std::uint64_t seed);
+    // With dropped = 0, next() begins with the points that are not plotted.
+    Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped = skipped);
 
     struct Point {
         ifs::Vector<2> x;             // where it is shown

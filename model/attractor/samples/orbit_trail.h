@@ -7,14 +7,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace attractor {
 
-// The last points of the chaos game that Algorithm::ChaosGame plots with the same system and seed.
+// The last jumps of the chaos game that Algorithm::ChaosGame plots with the same system and seed, from the
+// first one on: the first Orbit::skipped points are those that it does not plot.
 class OrbitTrail {
 public:
-    static constexpr std::size_t longest = 8;
+    static constexpr std::size_t longest = 4096;
 
     struct Point {
         ifs::Vector<2> x;    // coordinates of the code
@@ -23,16 +25,16 @@ public:
 
     OrbitTrail(PreparedSystem system, std::uint64_t seed);
 
-    // The newest of the first `plotted` points, the oldest of them first. Costs the points since the last
-    // call, or all of them when they are fewer than then.
-    const std::vector<Point>& after(std::uint64_t plotted);
+    // Where the newest of the first `jumps` jumps led, the oldest of them first; valid until the next call.
+    // Costs the jumps since the last call, or all of them when they are fewer than then.
+    std::span<const Point> after(std::uint64_t jumps);
 
 private:
     PreparedSystem m_system;
     std::uint64_t m_seed;
     std::unique_ptr<Orbit> m_orbit; // none where nothing can be drawn
-    std::uint64_t m_plotted = 0;
-    std::vector<Point> m_points;
+    std::uint64_t m_jumps = 0;
+    std::vector<Point> m_points; // the newest, at least `longest` where there were as many
 };
 
 } // namespace attractor

@@ -23,10 +23,11 @@ private slots:
             drawn.push_back(orbit.next());
         OrbitTrail trail(system, 7);
         for (const std::uint64_t plotted : {0, 1, 3, 8, 9, 150, 200, 40}) { // forwards and back
-            const auto& points = trail.after(plotted);
-            QCOMPARE(points.size(), std::min<std::size_t>(plotted, OrbitTrail::longest));
+            const auto all = trail.after(Orbit::skipped + plotted);
+            QCOMPARE(all.size(), std::size_t(Orbit::skipped + plotted));
+            const auto points = all.subspan(Orbit::skipped); // the first jumps are not drawn
             for (std::size_t k = 0; k < points.size(); ++k) {
-                const Orbit::Point& there = drawn[plotted - points.size() + k];
+                const Orbit::Point& there = drawn[k];
                 QVERIFY(points[k].x == there.x);
                 QCOMPARE(points[k].map, system.index[there.lastMap]);
                 QVERIFY(points[k].map != 1);
@@ -40,6 +41,20 @@ private slots:
         const auto points = trail.after(1000);
         for (std::size_t k = 1; k < points.size(); ++k)
             QVERIFY(fern.maps[points[k].map].map(points[k - 1].x).isApprox(points[k].x, 1e-12));
+    }
+
+    void onlySoManyAreKept() {
+        const auto maple = systems::maple();
+        OrbitTrail trail(prepared(maple), 3), other(prepared(maple), 3);
+        QCOMPARE(trail.after(3).size(), std::size_t{3});
+        const std::uint64_t many = 3 * OrbitTrail::longest + 17;
+        for (std::uint64_t jumps = 1000; jumps < many; jumps += 777)
+            trail.after(jumps);
+        const auto newest = trail.after(many);
+        QCOMPARE(newest.size(), OrbitTrail::longest);
+        const auto atOnce = other.after(many);
+        for (std::size_t k = 0; k < newest.size(); ++k)
+            QVERIFY(newest[k].x == atOnce[k].x);
     }
 
     void nothingToDrawHasNoTrail() {
