@@ -6,6 +6,7 @@
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
 #include "cage_menu.h"
+#include "class_marks.h"
 #include "collection_commands.h"
 #include "desktop/preferences.h"
 #include "desktop/settings.h"
@@ -168,6 +169,8 @@ void MainWindow::createPanels() {
     auto* maps = new view::MapsPanel(&m_document);
     auto* cage = new view::CagePanel(&m_document);
     auto* appearance = new view::AppearancePanel(&m_document);
+    auto* analysis = new view::AnalysisPanel(&m_document, m_analysis);
+    analysis->addOutlineAction(m_viewMenu->numbers(), tr("Map numbers"));
 
     QDockWidget* entriesDock =
         dock(entries, tr("Entries"), QStringLiteral("entries"), Qt::LeftDockWidgetArea);
@@ -176,14 +179,14 @@ void MainWindow::createPanels() {
     splitDockWidget(entriesDock, collectionDock, Qt::Vertical);
     QDockWidget* mapsDock = dock(maps, tr("Maps"), QStringLiteral("maps"), Qt::RightDockWidgetArea);
     QDockWidget* previous = mapsDock;
-    for (QDockWidget* next : {dock(new view::VerticalScrollArea(cage), tr("Cage"), QStringLiteral("cage"),
-                                   Qt::RightDockWidgetArea),
-                              dock(new view::VerticalScrollArea(appearance), tr("Appearance"),
-                                   QStringLiteral("appearance"), Qt::RightDockWidgetArea),
-                              dock(new view::AnalysisPanel(&m_document, m_analysis), tr("Analysis"),
-                                   QStringLiteral("analysis"), Qt::RightDockWidgetArea),
-                              dock(new view::HistoryPanel(&m_document), tr("History"),
-                                   QStringLiteral("history"), Qt::RightDockWidgetArea)}) {
+    for (QDockWidget* next :
+         {dock(new view::VerticalScrollArea(cage), tr("Cage"), QStringLiteral("cage"),
+               Qt::RightDockWidgetArea),
+          dock(new view::VerticalScrollArea(appearance), tr("Appearance"), QStringLiteral("appearance"),
+               Qt::RightDockWidgetArea),
+          dock(analysis, tr("Analysis"), QStringLiteral("analysis"), Qt::RightDockWidgetArea),
+          dock(new view::HistoryPanel(&m_document), tr("History"), QStringLiteral("history"),
+               Qt::RightDockWidgetArea)}) {
         tabifyDockWidget(previous, next);
         previous = next;
     }
@@ -363,8 +366,7 @@ void MainWindow::connectDocument() {
     connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
         if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
     });
-    connect(m_construction, &view::Construction::trailChanged, m_canvas,
-            [this] { m_canvas->showTrail(m_construction->trail()); });
+    addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
         m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view_menu.h"
 
+#include "canvas/marks/map_numbers.h"
 #include "document/edits/cage_edits.h"
 #include "document/space_geometry.h"
 #include "stage.h"
@@ -130,7 +131,12 @@ void ViewMenu::addOverlays() {
                   [canvas](bool on) {
                       canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
                   });
-    for (QAction* ofThePlane : {grid, axes, downwards})
+    auto* marks = new view::MapNumbers; // the scene owns it
+    canvas->scene()->addItem(marks);
+    m_numbers = addToggle({nullptr, tr("&Numbers of Maps"), QKeySequence(tr("N")),
+                           tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
+                          [marks](bool on) { marks->setVisible(on); });
+    for (QAction* ofThePlane : {grid, axes, downwards, m_numbers})
         disableWhen(ofThePlane, &document::planeObstacle);
     QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),
                                tr("Hide everything on the canvas except the picture")},

@@ -10,7 +10,8 @@ public:
     // `present` starts and ends the presentation.
     ViewMenu(const MenuContext& context, const std::function<void(bool)>& present);
 
-    QMenu* panels() const { return m_panels; } // filled by the window
+    QAction* numbers() const { return m_numbers; } // of maps, on the canvas
+    QMenu* panels() const { return m_panels; }     // filled by the window
     QAction* fullScreen() const { return m_fullScreen; }
     QAction* presentation() const { return m_presentation; }
     void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
@@ -24,6 +25,7 @@ private:
     void addTransformation();
     void addScreens(const std::function<void(bool)>& present);
 
+    QAction* m_numbers = nullptr;
     QMenu* m_panels = nullptr;
     QAction* m_fullScreen = nullptr;
     QAction* m_presentation = nullptr;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bars/construction_bar.h"
 
+#include "bars/die.h"
+#include "bars/start_shape_box.h"
 #include "bridges/construction.h"
+#include "widgets/elided_label.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
@@ -23,7 +26,8 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 18; // of a count, in a narrow window
+constexpr int fewLetters = 18;  // of a count, in a narrow window
+constexpr double readable = 10; // jumps per second of which each can be seen
 
 QString superscript(int n) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
@@ -31,6 +35,10 @@ QString superscript(int n) {
     for (const QChar digit : QString::number(n))
         text += digits[digit.digitValue()];
     return text;
+}
+
+QString digits(double value) {
+    return QString::number(value, 'g', 3);
 }
 
 } // namespace
@@ -46,8 +54,9 @@ ConstructionBar::ConstructionBar(Construction* construction, QWidget* parent)
     layout->setSpacing(4);
     for (const auto& [mode, name, tip] :
          {std::tuple{Mode::Density, tr("Density"), tr("The invariant measure, refined while nothing moves")},
-          std::tuple{Mode::Steps, tr("Steps Wⁿ"),
-                     tr("The deterministic algorithm: all maps applied n times to the cage at rest")},
+          std::tuple{
+              Mode::Steps, tr("Steps Wⁿ"),
+              tr("The deterministic algorithm: all maps applied n times to the cage or another shape")},
           std::tuple{
               Mode::ChaosGame, tr("Chaos Game"),
               tr("One point that jumps by maps chosen at random; the first 14 points are not plotted")}}) {
@@ -74,20 +83,24 @@ QWidget* ConstructionBar::makeSteps() {
     auto* page = new QWidget(this);
     m_steps = new QSlider(Qt::Horizontal, page);
     m_steps->setAccessibleName(tr("n: how many times all maps are applied"));
-    m_steps->setWhatsThis(tr("How many times all maps are applied to the cage: 0 is the cage itself, and "
-                             "with every step the picture gets closer to the attractor."));
+    m_steps->setWhatsThis(tr("How many times all maps are applied: 0 is what the steps start from, and with "
+                             "every step the picture gets closer to the attractor. Each image has the colour "
+                             "of its outermost map."));
     m_steps->setPageStep(1);
     m_steps->setTickPosition(QSlider::TicksBelow);
     m_steps->setTickInterval(1);
-    m_steps->setMaximumWidth(360);
+    m_steps->setMaximumWidth(240);
+    m_start = new StartShapeBox(&m_construction->steps(), page);
+    m_distance = new ElidedLabel(page);
     m_copies = new QLabel(page);
     m_copies->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(12);
+    layout->addWidget(m_start);
     layout->addWidget(m_steps, 1);
     layout->addWidget(m_copies);
-    layout->addStretch();
+    layout->addWidget(m_distance, 1);
     connect(m_steps, &QSlider::valueChanged, m_construction, &Construction::setStep);
     return page;
 }
@@ -96,15 +109,17 @@ QWidget* ConstructionBar::makeChaosGame() {
     auto* page = new QWidget(this);
     auto* again = flatButton(QStringLiteral("restart"), tr("Restart"),
                              tr("Clear the points and start with new random numbers"), this);
-    auto* one = flatButton(QStringLiteral("step"), tr("One Point"), tr("Plot one more point"), this);
+    auto* one = flatButton(QStringLiteral("step"), tr("One Jump"), tr("Roll the die once and jump"), this);
     m_run = flatButton(QStringLiteral("play"), tr("Play"), tr("Plot points continuously"), this);
     m_speed = new QComboBox(page);
-    m_speed->setAccessibleName(tr("Points per second"));
-    m_speed->setWhatsThis(tr("How many points the chaos game plots per second."));
+    m_speed->setAccessibleName(tr("Jumps per second"));
+    m_speed->setWhatsThis(tr("How many jumps the chaos game makes per second. Up to ten per second, the die "
+                             "shows each map that falls."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
         m_speed->addItem(tr("%1 per second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_construction->speed()));
-    m_count = new QLabel(page);
+    m_die = new Die(page);
+    m_count = new ElidedLabel(page);
     m_count->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -115,10 +130,11 @@ QWidget* ConstructionBar::makeChaosGame() {
     layout->addSpacing(8);
     layout->addWidget(m_speed);
     layout->addSpacing(12);
-    layout->addWidget(m_count);
-    layout->addStretch();
+    layout->addWidget(m_die);
+    layout->addSpacing(8);
+    layout->addWidget(m_count, 1);
     connect(again, &QToolButton::clicked, m_construction, &Construction::startAgain);
-    connect(one, &QToolButton::clicked, m_construction, &Construction::plotOne);
+    connect(one, &QToolButton::clicked, m_construction, &Construction::jumpOnce);
     connect(m_run, &QToolButton::clicked, this,
             [this] { m_construction->setRunning(!m_construction->isRunning()); });
     connect(m_speed, &QComboBox::activated, this,
@@ -130,25 +146,70 @@ void ConstructionBar::follow() {
     const int mode = int(m_construction->mode());
     m_modes->button(mode)->setChecked(true);
     m_pages->setCurrentIndex(mode);
+    followSteps();
+    followChaosGame();
+}
+
+void ConstructionBar::followSteps() {
     {
         const QSignalBlocker quiet(m_steps);
         m_steps->setRange(0, m_construction->deepest());
         m_steps->setValue(m_construction->step());
     }
     const double copies = m_construction->copies();
-    m_copies->setText(copies == 1 ? tr("W%1: the cage itself").arg(superscript(m_construction->step()))
-                                  : tr("W%1: %2 copies of the cage")
-                                        .arg(superscript(m_construction->step()), groupedNumber(copies)));
+    const QString step = superscript(m_construction->step());
+    const bool isCage = m_construction->steps().start() == StepsBridge::Start::Cage;
+    if (copies == 1)
+        m_copies->setText(isCage ? tr("W%1: the cage itself").arg(step) : tr("W%1: the start").arg(step));
+    else
+        m_copies->setText((isCage ? tr("W%1: %2 copies of the cage") : tr("W%1: %2 copies"))
+                              .arg(step, groupedNumber(copies)));
+    m_distance->setText(distanceText());
+    QString tip = tr("The Hausdorff distance from the picture to the attractor A, and what it cannot exceed");
+    if (const auto& distance = m_construction->steps().distance(); distance && distance->distance)
+        tip =
+            tr("The Hausdorff distance from Wⁿ(B) to the attractor A, measured on cells of side %1. It is at "
+               "most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction "
+               "factor of the maps.")
+                .arg(digits(distance->cell), roundedNumber(distance->contraction, maxDecimals));
+    m_distance->setToolTip(tip);
+    m_distance->setWhatsThis(tip);
+}
+
+QString ConstructionBar::distanceText() const {
+    const StepsBridge& steps = m_construction->steps();
+    if (!steps.flaw().isEmpty()) return steps.flaw();
+    const auto& distance = steps.distance();
+    if (!distance) return {};
+    if (!(distance->contraction < 1))
+        return tr("no bound: a map has the contraction factor %1")
+            .arg(roundedNumber(distance->contraction, maxDecimals));
+    if (!distance->distance) return {};
+    const double resolution = 2 * distance->cell; // below this, cells tell nothing apart
+    if (*distance->bound < resolution) return tr("distance to A at most %1").arg(digits(*distance->bound));
+    if (*distance->distance < resolution)
+        return tr("distance to A < %1, at most %2").arg(digits(resolution), digits(*distance->bound));
+    return tr("distance to A ≈ %1, at most %2").arg(digits(*distance->distance), digits(*distance->bound));
+}
+
+void ConstructionBar::followChaosGame() {
     const bool running = m_construction->isRunning();
     m_run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("play")));
     m_run->setAccessibleName(running ? tr("Pause") : tr("Play"));
     m_run->setToolTip(running ? tr("Stop at these points") : tr("Plot points continuously"));
+    const auto map = running && m_construction->speed() > readable ? std::nullopt : m_construction->lastMap();
+    m_die->setFaces(m_construction->faces());
+    m_die->setFallen(map);
+    const auto jumps = double(m_construction->jumps());
+    const auto dropped = double(Construction::dropped);
     QString count = tr("%1 points").arg(groupedNumber(double(m_construction->points())));
     if (m_construction->points() == 1) count = tr("1 point");
-    if (const auto map = m_construction->lastMap(); map && !running)
-        count += tr(", the last by map %1").arg(*map + 1);
-    if (m_construction->points() == 0 && !running) count = tr("no points yet: press Play (▶)");
+    if (jumps > 0 && jumps <= dropped)
+        count = tr("jump %1 of the %2 that are not plotted").arg(jumps).arg(dropped);
+    if (map) count += tr(", the last by map %1").arg(*map + 1);
+    if (jumps == 0 && !running) count = tr("no points yet: press Play (▶)");
     m_count->setText(count);
+    m_count->setToolTip(count); // where there is no room for it
 }
 
 } // namespace view

@@ -13,9 +13,13 @@ class QToolButton;
 namespace view {
 
 class Construction;
+class Die;
+class ElidedLabel;
+class StartShapeBox;
 
-// The controls of Construction in one row: density, the steps Wⁿ by a slider, or a chaos game that is
-// started, paused, done point by point and begun again.
+// The controls of Construction in one row: density, the steps Wⁿ by a slider with what they start from and
+// how far they are from the attractor, or a chaos game with its die that is started, paused, done jump by
+// jump and begun again.
 class ConstructionBar : public QWidget {
     Q_OBJECT
 
@@ -24,20 +28,28 @@ public:
 
     QSlider* steps() const { return m_steps; }
     QToolButton* run() const { return m_run; }
+    StartShapeBox* start() const { return m_start; }
+    const Die& die() const { return *m_die; }
+    QString distanceText() const;
 
 private:
     QWidget* makeSteps();
     QWidget* makeChaosGame();
     void follow();
+    void followSteps();
+    void followChaosGame();
 
     Construction* m_construction;
     QButtonGroup* m_modes;
     QStackedWidget* m_pages;
     QSlider* m_steps = nullptr;
+    StartShapeBox* m_start = nullptr;
     QLabel* m_copies = nullptr;
+    ElidedLabel* m_distance = nullptr;
     QToolButton* m_run = nullptr;
     QComboBox* m_speed = nullptr;
-    QLabel* m_count = nullptr;
+    Die* m_die = nullptr;
+    ElidedLabel* m_count = nullptr;
 };
 
 } // namespace view

@@ -14,15 +14,17 @@ namespace {
 
 constexpr int maxSteps = 30;                 // of a system of one map
 constexpr int tick = 33;                     // milliseconds
-constexpr std::uint64_t followable = 50'000; // points whose last jumps are shown
+constexpr std::uint64_t followable = 50'000; // jumps of which the last ones are shown
+constexpr std::size_t followed = 8;          // how many
 
 } // namespace
 
 Construction::Construction(document::Document* document, RenderBridge* bridge, QObject* parent)
-    : QObject(parent), m_document(document), m_bridge(bridge) {
+    : QObject(parent), m_document(document), m_bridge(bridge), m_steps(document, bridge) {
     m_tick.setInterval(tick);
     connect(&m_tick, &QTimer::timeout, this, &Construction::advance);
     connect(document, &document::Document::changed, this, &Construction::follow);
+    connect(&m_steps, &StepsBridge::changed, this, &Construction::changed);
     measure();
 }
 
@@ -46,26 +48,26 @@ double Construction::copies() const {
 }
 
 void Construction::setRunning(bool running) {
-    if (running == isRunning() || (running && (m_mode != Mode::ChaosGame || m_points >= maxPoints))) return;
+    if (running == isRunning() || (running && (m_mode != Mode::ChaosGame || points() >= maxPoints))) return;
     m_due = 0;
     m_sinceTick.start();
     running ? m_tick.start() : m_tick.stop();
     emit changed();
 }
 
-void Construction::plotOne() {
+void Construction::jumpOnce() {
     setRunning(false);
-    plot(m_points + 1);
+    jump(m_jumps + 1);
 }
 
 void Construction::startAgain() {
     ++m_seed;
     m_orbit.reset();
-    plot(0);
+    jump(0);
 }
 
-void Construction::setSpeed(double pointsPerSecond) {
-    m_speed = pointsPerSecond;
+void Construction::setSpeed(double jumpsPerSecond) {
+    m_speed = jumpsPerSecond;
     m_due = 0;
     emit changed();
 }
@@ -76,12 +78,12 @@ void Construction::advance() {
     const double whole = std::floor(m_due);
     if (whole < 1) return;
     m_due -= whole;
-    plot(m_points + std::uint64_t(whole));
+    jump(m_jumps + std::uint64_t(whole));
 }
 
-void Construction::plot(std::uint64_t points) {
-    m_points = std::min(points, maxPoints);
-    if (m_points == maxPoints) m_tick.stop();
+void Construction::jump(std::uint64_t jumps) {
+    m_jumps = std::min(jumps, maxPoints + dropped);
+    if (points() == maxPoints) m_tick.stop();
     show();
 }
 
@@ -89,7 +91,7 @@ void Construction::follow(const document::Change& change) {
     using document::Change;
     if (change.parts & (Change::Current | Change::File)) {
         m_tick.stop();
-        m_points = 0;
+        m_jumps = 0;
     }
     if (change.parts & (Change::System | Change::Current | Change::File)) {
         m_orbit.reset();
@@ -97,6 +99,9 @@ void Construction::follow(const document::Change& change) {
         show();
     } else if (change.parts & Change::Cage) {
         updateTrail();
+    } else if (change.parts & Change::Appearance) {
+        findFaces();
+        emit changed();
     }
 }
 
@@ -105,9 +110,21 @@ void Construction::measure() {
     m_maps = system ? ifs::countActive(*system) : 0;
     m_deepest = attractor::affordableIterations(m_maps, maxSteps);
     m_step = std::min(m_step, m_deepest);
+    findFaces();
+}
+
+void Construction::findFaces() {
+    m_faces.clear();
+    const document::Fractal& fractal = m_document->fractal();
+    const document::System2* system = document::system2(fractal);
+    if (!system) return;
+    const std::vector<double> shares = ifs::probabilities(*system);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        m_faces.push_back({mapColour(fractal.appearance, system->maps[i].id, i), shares[i]});
 }
 
 void Construction::show() {
+    m_steps.show(m_mode == Mode::Steps ? std::optional(m_step) : std::nullopt);
     switch (m_mode) {
     case Mode::Density:
         m_bridge->showDensity();
@@ -116,26 +133,30 @@ void Construction::show() {
         m_bridge->showSteps(m_step);
         break;
     case Mode::ChaosGame:
-        m_bridge->showChaosGame(m_points, m_seed);
+        m_bridge->showChaosGame(points(), m_seed);
         break;
     }
     updateTrail();
     emit changed();
 }
 
+std::optional<std::size_t> Construction::lastMap() const {
+    return m_trail.empty() ? std::nullopt : std::optional(m_trail.back().map);
+}
+
 void Construction::updateTrail() {
     const bool had = !m_trail.empty();
     m_trail.clear();
-    m_lastMap.reset();
     const document::Fractal& fractal = m_document->fractal();
     const document::System2* system = document::system2(fractal);
-    if (m_mode == Mode::ChaosGame && system && m_points > 0 && m_points <= followable) {
+    if (m_mode == Mode::ChaosGame && system && m_jumps > 0 && m_jumps <= followable) {
         if (!m_orbit) m_orbit.emplace(attractor::prepared(*system, document::movedBranches(fractal)), m_seed);
-        const auto& points = m_orbit->after(m_points);
+        std::span<const attractor::OrbitTrail::Point> all = m_orbit->after(m_jumps);
+        if (all.size() < m_jumps) all = all.last(std::min(all.size(), followed));
         const ifs::Placement display = document::placement(fractal);
-        for (const auto& point : points)
-            m_trail.push_back(display(point.x));
-        if (!points.empty()) m_lastMap = points.back().map;
+        std::uint64_t number = m_jumps - all.size();
+        for (const auto& point : all)
+            m_trail.push_back({display(point.x), point.map, ++number > dropped});
     }
     if (had || !m_trail.empty()) emit trailChanged();
 }

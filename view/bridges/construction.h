@@ -2,12 +2,14 @@
 #pragma once
 
 #include "attractor/samples/orbit_trail.h"
+#include "bridges/steps_bridge.h"
 #include "document/document.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -16,15 +18,16 @@ namespace view {
 
 class RenderBridge;
 
-// How the attractor arises: whether the canvas shows its density, the steps Wⁿ(cage) of the deterministic
-// algorithm, or a chaos game that grows point by point. A state of the view: no part of the document, no
-// undo.
+// How the attractor arises: whether the canvas shows its density, the steps Wⁿ of the deterministic algorithm
+// from the cage or another shape, or a chaos game that grows point by point. A state of the view: no part of
+// the document, no undo.
 class Construction : public QObject {
     Q_OBJECT
 
 public:
     enum class Mode { Density, Steps, ChaosGame };
     static constexpr std::uint64_t maxPoints = 10'000'000;
+    static constexpr std::uint64_t dropped = attractor::Orbit::skipped; // jumps that are not plotted
 
     Construction(document::Document* document, RenderBridge* bridge, QObject* parent = nullptr);
 
@@ -35,20 +38,34 @@ public:
     void setStep(int n);
     int deepest() const { return m_deepest; } // the largest n that is drawn
     double copies() const;                    // of the cage in Wⁿ
+    StepsBridge& steps() { return m_steps; }  // what they start from, and how far they are from the attractor
 
-    std::uint64_t points() const { return m_points; }
+    std::uint64_t jumps() const { return m_jumps; } // of the chaos game, with those that are not plotted
+    std::uint64_t points() const { return m_jumps - std::min(m_jumps, dropped); } // that are plotted
     bool isRunning() const { return m_tick.isActive(); }
     void setRunning(bool running);
-    void plotOne();
+    void jumpOnce();
     void startAgain(); // no points, other dice; keeps running
     double speed() const { return m_speed; }
-    void setSpeed(double pointsPerSecond);
+    void setSpeed(double jumpsPerSecond);
 
-    // The last points, the newest last, as they are displayed; empty but in a chaos game of few points.
-    const std::vector<ifs::Vector<2>>& trail() const { return m_trail; }
-    std::optional<std::size_t> lastMap() const {
-        return m_lastMap;
-    } // of the newest point: index in the system
+    // Where a jump led, as it is displayed.
+    struct Jump {
+        ifs::Vector<2> x;
+        std::size_t map = 0;    // the one that was applied: its index in the system
+        bool isPlotted = false; // false for the first jumps
+    };
+    // All jumps, the newest last, while they are so few that each can be seen, and the last ones while they
+    // can be followed; empty but in a chaos game.
+    const std::vector<Jump>& trail() const { return m_trail; }
+    std::optional<std::size_t> lastMap() const; // of the newest of them
+
+    // A face of the die for each map, as wide as its share of the jumps.
+    struct Face {
+        attractor::Rgba colour;
+        double share = 0; // 0 for a map that takes no part
+    };
+    const std::vector<Face>& faces() const { return m_faces; }
 
 signals:
     void changed();
@@ -57,26 +74,28 @@ signals:
 private:
     void follow(const document::Change& change);
     void measure(); // what depends on the system
+    void findFaces();
     void advance();
-    void plot(std::uint64_t points);
+    void jump(std::uint64_t jumps);
     void show();
     void updateTrail();
 
     document::Document* m_document;
     RenderBridge* m_bridge;
+    StepsBridge m_steps;
     Mode m_mode = Mode::Density;
     int m_step = 0;
     int m_deepest = 0;
     std::size_t m_maps = 0; // that take part
-    std::uint64_t m_points = 0;
+    std::uint64_t m_jumps = 0;
     std::uint64_t m_seed = 1;
     double m_speed = 10;
-    double m_due = 0; // points, a fraction of one may be left over
+    double m_due = 0; // jumps, a fraction of one may be left over
     QTimer m_tick;
     QElapsedTimer m_sinceTick;
     std::optional<attractor::OrbitTrail> m_orbit;
-    std::vector<ifs::Vector<2>> m_trail;
-    std::optional<std::size_t> m_lastMap;
+    std::vector<Jump> m_trail;
+    std::vector<Face> m_faces;
 };
 
 } // namespace view

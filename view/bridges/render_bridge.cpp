@@ -128,6 +128,9 @@ void RenderBridge::submit() {
         request.seed = m_shown.seed;
         quality = request.samples = m_shown.points;
         m_exposing = Exposing::Measured;
+        if (!attractor::coloursSamples(
+                request.appearance.colourBy)) // which map led there is what it is about
+            request.appearance.colourBy = attractor::ColourBy::Map;
         if (m_shown.algorithm == attractor::Algorithm::Deterministic)
             request.cage = document::effectiveCage(fractal);
     }

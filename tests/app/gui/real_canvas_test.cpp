@@ -236,11 +236,11 @@ void RealCanvasTest::theChaosGameIsWatched() {
     const auto* arising = window().findChild<view::Construction*>();
     hand().key("w");
     click(named<QToolButton>(window(), QStringLiteral("Chaos Game")));
-    const auto* one = named<QToolButton>(window(), QStringLiteral("One Point"));
-    for (int i = 0; i < 3; ++i)
+    const auto* one = named<QToolButton>(window(), QStringLiteral("One Jump"));
+    for (int i = 0; i < 17; ++i)
         click(one);
-    QTRY_COMPARE(arising->points(), std::uint64_t{3});
-    QCOMPARE(arising->trail().size(), std::size_t{3});
+    QTRY_COMPARE(arising->points(), std::uint64_t{3}); // without the first 14 jumps
+    QCOMPARE(arising->trail().size(), std::size_t{17});
     QTRY_VERIFY(shareFilled() > 0);
     const double three = shareFilled();
 

@@ -6,6 +6,12 @@
 
 namespace view {
 
+namespace {
+
+constexpr double newest = 6; // radius of where the point is now: the disc of a jump lies on it
+
+} // namespace
+
 void TrailItem::setPoints(const QPolygonF& points) {
     if (points == m_points) return;
     prepareGeometryChange();
@@ -27,14 +33,10 @@ void TrailItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
         painter->setOpacity(double(i) / double(count - 1));
         strokeLit(*painter, jump, m_style, m_style.lineWidth);
     }
-    for (qsizetype i = 0; i < count; ++i) {
-        const bool newest = i == count - 1;
-        painter->setOpacity(double(i + 1) / double(count));
-        painter->setPen(QPen(m_style.rim, m_style.lineWidth));
-        painter->setBrush(newest ? m_style.accent : m_style.core);
-        painter->drawEllipse(m_points[i], newest ? 5.5 : 3, newest ? 5.5 : 3);
-    }
     painter->setOpacity(1);
+    painter->setPen(QPen(m_style.rim, m_style.lineWidth));
+    painter->setBrush(m_style.accent);
+    painter->drawEllipse(m_points.back(), newest, newest);
 }
 
 } // namespace view

@@ -6,6 +6,7 @@
 #include "canvas/items/overlay_style.h"
 #include "panels/analysis/box_counting_plot.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QEvent>
@@ -161,6 +162,22 @@ QWidget* AnalysisPanel::makeOutlines() {
     grid->setColumnStretch(1, 1);
     colourOutlines();
     return m_outlines;
+}
+
+void AnalysisPanel::addOutlineAction(QAction* action, const QString& text) {
+    auto* box = new QCheckBox(text, m_outlines);
+    box->setChecked(action->isChecked());
+    const auto follow = [box, action] {
+        box->setEnabled(action->isEnabled());
+        box->setToolTip(action->toolTip());
+        box->setWhatsThis(action->statusTip() + u'.');
+    };
+    follow();
+    connect(box, &QCheckBox::toggled, action, &QAction::setChecked);
+    connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
+    connect(action, &QAction::changed, box, follow);
+    auto* grid = static_cast<QGridLayout*>(m_outlines->layout());
+    grid->addWidget(box, grid->rowCount(), 0, 1, 2);
 }
 
 void AnalysisPanel::colourOutlines() {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+class QAction;
 class QCheckBox;
 class QGridLayout;
 class QLabel;
@@ -30,6 +31,8 @@ public:
 
     const QList<Fact>& facts() const { return m_facts; }
     QCheckBox* outlineBox(document::Outline kind) const { return m_outlineBoxes.at(kind); }
+    // Adds a box that switches the action, and is switched by it.
+    void addOutlineAction(QAction* action, const QString& text);
     const BoxCountingPlot& plot() const { return *m_plot; }
     void copyAll() const; // one "name<tab>value" a line, all digits
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/marks/scene_mark.h"
+
+#include "canvas/scene/canvas_scene.h"
+
+#include <QPainter>
+#include <QWidget>
+
+namespace view {
+
+namespace {
+
+constexpr double level = 3.5; // over the grid, the analysis and the trail, under the handles
+
+} // namespace
+
+SceneMark::SceneMark() {
+    setZValue(level);
+}
+
+QRectF SceneMark::boundingRect() const {
+    return scene() ? scene()->sceneRect() : QRectF();
+}
+
+void SceneMark::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) {
+    const auto* canvas = qobject_cast<const CanvasScene*>(scene());
+    if (!canvas || !canvas->overlaysVisible()) return;
+    painter->setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    paintOver(*painter, *canvas,
+              overlayStyle(canvas->document().fractal().appearance.background,
+                           widget ? widget->palette() : QPalette()));
+}
+
+} // namespace view

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/items/overlay_style.h"
+
+#include <QGraphicsItem>
+
+namespace view {
+
+class CanvasScene;
+
+// Something that explains the picture and lies under the handles. It finds what it shows when it is painted,
+// and is hidden with everything else over the picture. To be added to a CanvasScene, which then owns it.
+class SceneMark : public QGraphicsItem {
+public:
+    SceneMark();
+
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) final;
+
+protected:
+    // In pixels of the view; the painter smooths.
+    virtual void paintOver(QPainter& painter, const CanvasScene& canvas, const OverlayStyle& style) = 0;
+};
+
+} // namespace view
