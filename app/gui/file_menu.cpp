@@ -5,11 +5,13 @@
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
+#include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/print_fractal.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/edits/cage_edits.h"
 #include "file_commands.h"
 #include "io/file/slow_disk.h"
+#include "latex_menu.h"
 #include "open_file.h"
 #include "recent_files.h"
 #include "session.h"
@@ -76,9 +78,19 @@ void FileMenu::addPictures() {
     QAction* copy = add({"copy", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                          tr("Copy the picture to the clipboard")},
                         [this] { copyPicture(); });
+    addMenu(new LatexMenu(context()));
     QAction* print = add(
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
         [this] { view::printFractal(context().document, context().canvas->camera(), context().window); });
+    add({nullptr,
+         tr("Print &Hand-out…"),
+         {},
+         tr("Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet")},
+        [this] {
+            auto* dialog = new view::HandoutDialog(context().document, context().window);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+        });
     disableWhen(m_export, &document::cageObstacle);
     disableWhen(copy, &document::cageObstacle);
     disableWhen(print, &document::planeObstacle);

@@ -2,6 +2,7 @@
 #include "io/exchange/latex.h"
 
 #include "document/fractal_geometry.h"
+#include "io/exchange/aifs.h"
 #include "io/text/number.h"
 
 #include <QByteArrayList>
@@ -56,6 +57,31 @@ template <int Dim> QByteArray formulas(const ifs::IteratedFunctionSystem<Dim>& s
     return "\\begin{align*}\n" + lines.join(" \\\\\n") + "\n\\end{align*}\n";
 }
 
+// Row by row of the map, as in Fractint's files: a b c d e f in the plane.
+template <int Dim> QByteArray table(const ifs::IteratedFunctionSystem<Dim>& system) {
+    constexpr int numbers = Dim * (Dim + 1);
+    QByteArrayList names{"$i$"};
+    for (int k = 0; k < numbers; ++k)
+        names << QByteArray("$") + char('a' + k) + '$';
+    names << "$p$";
+    QByteArrayList lines{"\\begin{tabular}{r" + QByteArray(numbers + 1, 'r') + '}',
+                         "  " + names.join(" & ") + " \\\\ \\hline"};
+    const std::vector<double> shares = ifs::probabilities(system);
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        if (!(shares[i] > 0)) continue;
+        const ifs::AffineMap<Dim>& map = system.maps[i].map;
+        QByteArrayList cells{QByteArray::number(qulonglong(i) + 1)};
+        for (int row = 0; row < Dim; ++row)
+            for (int column = 0; column < Dim; ++column)
+                cells << '$' + set(map.linear(row, column)) + '$';
+        for (int row = 0; row < Dim; ++row)
+            cells << '$' + set(map.translation[row]) + '$';
+        cells << '$' + set(shares[i]) + '$';
+        lines << "  " + cells.join(" & ") + " \\\\";
+    }
+    return lines.join('\n') + "\n\\end{tabular}\n";
+}
+
 // The corners, in centimetres.
 class Sheet {
 public:
@@ -72,13 +98,14 @@ public:
         m_scale = size > 0 ? figureSize / size : 1;
     }
 
+    QByteArray point(const ifs::Vector<2>& x) const {
+        const ifs::Vector<2> p = m_scale * (x - m_low);
+        return '(' + QByteArray::number(p.x(), 'f', 4) + ',' + QByteArray::number(p.y(), 'f', 4) + ')';
+    }
     QByteArray path(const std::vector<ifs::Vector<2>>& polygon) const {
         QByteArray text;
-        for (const ifs::Vector<2>& corner : polygon) {
-            const ifs::Vector<2> p = m_scale * (corner - m_low);
-            text +=
-                '(' + QByteArray::number(p.x(), 'f', 4) + ',' + QByteArray::number(p.y(), 'f', 4) + ") -- ";
-        }
+        for (const ifs::Vector<2>& corner : polygon)
+            text += point(corner) + " -- ";
         return text + "cycle";
     }
 
@@ -86,6 +113,12 @@ private:
     ifs::Vector<2> m_low;
     double m_scale = 1;
 };
+
+QByteArray tikzColour(const attractor::Rgba& colour) {
+    const auto level = [](std::uint8_t value) { return QByteArray::number(int(value)); };
+    return "color={rgb,255:red," + level(colour.red) + ";green," + level(colour.green) + ";blue," +
+           level(colour.blue) + '}';
+}
 
 QByteArray figure(const document::Fractal& fractal, const document::System2& system) {
     const std::vector<ifs::Vector<2>> cage = document::effectiveCage(fractal).rest;
@@ -103,15 +136,22 @@ QByteArray figure(const document::Fractal& fractal, const document::System2& sys
     }
     const Sheet sheet(polygons);
     QByteArray text = "\\begin{tikzpicture}\n  \\draw[thick] " + sheet.path(cage) + ";\n";
+    QByteArray marks; // over all images
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         const std::size_t i = drawn[k];
-        const attractor::Rgba colour = attractor::mapColour(fractal.appearance, system.maps[i].id, i);
-        const auto level = [](std::uint8_t value) { return QByteArray::number(int(value)); };
-        text += "  \\draw[color={rgb,255:red," + level(colour.red) + ";green," + level(colour.green) +
-                ";blue," + level(colour.blue) + "},fill,fill opacity=0.2] " + sheet.path(polygons[k + 1]) +
-                "; % " + QByteArray::number(qulonglong(i) + 1) + '\n';
+        const QByteArray number = QByteArray::number(qulonglong(i) + 1);
+        const QByteArray colour = tikzColour(attractor::mapColour(fractal.appearance, system.maps[i].id, i));
+        const auto& image = polygons[k + 1];
+        text +=
+            "  \\draw[" + colour + ",fill,fill opacity=0.2] " + sheet.path(image) + "; % " + number + '\n';
+        ifs::Vector<2> middle = ifs::Vector<2>::Zero();
+        for (const ifs::Vector<2>& corner : image)
+            middle += corner / double(image.size());
+        marks += "  \\node at " + sheet.point(middle) + " {$" + number + "$};\n";
+        if (const auto fixed = ifs::fixedPoint(system.maps[i].map))
+            marks += "  \\fill[" + colour + "] " + sheet.point(*fixed) + " circle[radius=2pt];\n";
     }
-    return text + "\\end{tikzpicture}\n";
+    return text + marks + "\\end{tikzpicture}\n";
 }
 
 } // namespace
@@ -126,6 +166,37 @@ QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fra
             parts << head + formulas(*space);
     }
     return parts.join('\n');
+}
+
+QByteArray latexTable(const document::Fractal& fractal) {
+    if (const auto* plane = document::system2(fractal)) return table(*plane);
+    const auto* space = document::system3(fractal);
+    return space ? table(*space) : QByteArray();
+}
+
+QByteArray latexMatrices(const document::Fractal& fractal) {
+    if (const auto* plane = document::system2(fractal)) return formulas(*plane);
+    const auto* space = document::system3(fractal);
+    return space ? formulas(*space) : QByteArray();
+}
+
+QByteArray latexInvariantForm(const document::Fractal& fractal) {
+    const auto* system = document::system2(fractal);
+    if (!system) return {};
+    ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    if (cage.rest.size() != 3) cage = document::canonicalCage(fractal);
+    const AffineInvariantForm form = affineInvariantForm(*system, {cage.rest[0], cage.rest[1], cage.rest[2]});
+    const std::vector<double> shares = ifs::probabilities(*system);
+    QByteArrayList lines;
+    for (std::size_t i = 0; i < form.maps.size(); ++i)
+        if (shares[i] > 0)
+            lines << "  S_{" + QByteArray::number(qulonglong(i) + 1) + "} &= " + matrix(form.maps[i]);
+    return "\\begin{align*}\n" + lines.join(" \\\\\n") + "\n\\end{align*}\n";
+}
+
+QByteArray tikzFigure(const document::Fractal& fractal) {
+    const auto* system = document::system2(fractal);
+    return system ? figure(fractal, *system) : QByteArray();
 }
 
 } // namespace io

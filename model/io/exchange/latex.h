@@ -11,8 +11,14 @@
 namespace io {
 
 // For a paper or a task sheet, not to be read again: of every system a formula per active map, and in the
-// plane a TikZ figure of the control polygon at rest and its images, in the colours of the maps. Needs
-// amsmath and tikz.
+// plane a TikZ figure of the control polygon at rest and its images, in the colours of the maps, with their
+// numbers and fixed points. Needs amsmath and tikz.
 QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fractals);
+
+// Parts of it, each empty for an entry that holds none of it. Only maps that take part; exact numbers.
+QByteArray latexTable(const document::Fractal& fractal);         // a tabular of coefficients and shares
+QByteArray latexMatrices(const document::Fractal& fractal);      // an align* of the formulas
+QByteArray latexInvariantForm(const document::Fractal& fractal); // of the plane: matrices S_i of the triangle
+QByteArray tikzFigure(const document::Fractal& fractal);         // of the plane
 
 } // namespace io

@@ -92,6 +92,49 @@ private slots:
         QCOMPARE(high, 8.0);
     }
 
+    void theFigureNumbersItsImages() {
+        const QByteArray tex = io::tikzFigure(document::sierpinskiTriangle());
+        QCOMPARE(tex.count("\\node at "), 3);
+        QCOMPARE(tex.count("circle[radius=2pt]"), 3);
+        for (int i = 1; i <= 3; ++i)
+            QVERIFY(tex.contains("{$" + QByteArray::number(i) + "$};"));
+        QVERIFY(text(document::sierpinskiTriangle()).contains(tex));
+        QVERIFY(io::tikzFigure(inSpace()).isEmpty());
+    }
+
+    void tablesHoldEveryNumber() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        document::plane(fractal)->system.maps[1].enabled = false;
+        const QByteArray tex = io::latexTable(fractal);
+        const QByteArrayList lines = tex.split('\n');
+        QCOMPARE(lines.front(), QByteArray("\\begin{tabular}{rrrrrrrr}"));
+        QCOMPARE(lines[1], QByteArray("  $i$ & $a$ & $b$ & $c$ & $d$ & $e$ & $f$ & $p$ \\\\ \\hline"));
+        QVERIFY(lines[2].startsWith("  1 & $0.5$ & $0$ & $0$ & $0.5$ & "));
+        QVERIFY(lines[3].startsWith("  3 & ") && lines[3].endsWith("$0.5$ \\\\"));
+        QCOMPARE(lines[4], QByteArray("\\end{tabular}"));
+        QVERIFY(io::latexTable(inSpace()).contains("& $l$ & $p$"));
+        QVERIFY(io::latexTable({}).isEmpty());
+    }
+
+    // Rows of the invariant form sum to 1, and those of an entry in space are none.
+    void theInvariantFormIsOneMatrixForEachMap() {
+        const QByteArray tex = io::latexInvariantForm(document::sierpinskiTriangle());
+        QCOMPARE(tex.count("\\begin{pmatrix}"), 3);
+        auto found = QRegularExpression(QStringLiteral(R"(pmatrix\} (\S+) & (\S+) & (\S+) )"))
+                         .globalMatch(QString::fromUtf8(tex));
+        int rows = 0;
+        while (found.hasNext()) {
+            const auto match = found.next();
+            const double sum =
+                match.captured(1).toDouble() + match.captured(2).toDouble() + match.captured(3).toDouble();
+            QVERIFY(std::abs(sum - 1) < 1e-12);
+            ++rows;
+        }
+        QCOMPARE(rows, 3);
+        QVERIFY(io::latexInvariantForm(inSpace()).isEmpty());
+        QVERIFY(io::latexMatrices(inSpace()).contains("align*"));
+    }
+
     void mapsThatAreOffAreLeftOut() {
         document::Fractal fractal = document::sierpinskiTriangle();
         document::plane(fractal)->system.maps[1].enabled = false;

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/handout_dialog.h"
+#include "dialogs/export/handout_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QListWidget>
+#include <QPainter>
+#include <QPushButton>
+#include <QtTest>
+
+using namespace view;
+
+namespace {
+
+HandoutItem item(std::size_t maps = 3) {
+    document::Fractal fractal = document::sierpinskiTriangle();
+    fractal.name = QStringLiteral("triangle");
+    document::system2(fractal)->maps.resize(maps, document::system2(fractal)->maps.front());
+    QImage picture(80, 70, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    return {std::make_shared<const document::Fractal>(fractal), picture};
+}
+
+// How many pixels of a page are of that colour: red for the picture, else dark.
+int count(const QImage& page, bool isRed) {
+    int all = 0;
+    for (int y = 0; y < page.height(); ++y)
+        for (int x = 0; x < page.width(); ++x) {
+            const QColor colour = page.pixelColor(x, y);
+            const bool red = colour.red() > 200 && colour.green() < 60;
+            all += isRed ? red : colour.lightness() < 110 && !red;
+        }
+    return all;
+}
+
+std::vector<QImage> pagesOf(const std::vector<HandoutItem>& items, const HandoutOptions& options) {
+    std::vector<QImage> pages;
+    QImage page(600, 850, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    paintHandout(painter, QRectF(20, 20, 560, 810), items, options, [&] {
+        pages.push_back(page.copy());
+        page.fill(Qt::white);
+    });
+    painter.end();
+    pages.push_back(page);
+    return pages;
+}
+
+} // namespace
+
+class HandoutTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void formulasLeaveOutWhatIsZero() {
+        ifs::AffineMap<2> map;
+        map.linear << 0.5, 0, -0.25, 1;
+        map.translation << 0, -2;
+        QCOMPARE(formulaText(map, 12), QStringLiteral("w₁₂(x, y) = (0.5x, −0.25x + y − 2)"));
+        map.linear << -1, 0, 0, 0;
+        map.translation << 1.0 / 3, 0;
+        QCOMPARE(formulaText(map, 1), QStringLiteral("w₁(x, y) = (−x + 0.3333, 0)"));
+    }
+
+    void pagesHoldAsManyAsTheyShould() {
+        const std::vector<HandoutItem> items(7, item());
+        for (const int perPage : {1, 2, 4, 6}) {
+            HandoutOptions options;
+            options.perPage = perPage;
+            const auto pages = pagesOf(items, options);
+            QCOMPARE(pages.size(), std::size_t((7 + perPage - 1) / perPage));
+            for (const QImage& page : pages) {
+                QVERIFY(count(page, true) > 2000);
+                QVERIFY(count(page, false) > 100); // name and formulas
+            }
+        }
+    }
+
+    void aTaskSheetHasNoPictureAndNoNumbersOfMaps() {
+        HandoutOptions options;
+        options.kind = HandoutOptions::Kind::TaskSheet;
+        const QImage page = pagesOf({item()}, options).front();
+        QCOMPARE(count(page, true), 0);
+        QVERIFY(count(page, false) > 500); // cage, grid and table
+        // The same sheet for every system with this cage and as many maps.
+        HandoutItem other = item();
+        document::Fractal changed = *other.fractal;
+        document::plane(changed)->cage = ifs::ControlCage<2>{
+            document::plane(*item().fractal)->cage.value_or(ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {0, 1}}))};
+        HandoutItem same{std::make_shared<const document::Fractal>(changed), {}};
+        document::system2(changed)->maps[1].map.translation *= 0.9;
+        HandoutItem moved{std::make_shared<const document::Fractal>(changed), {}};
+        QVERIFY(pagesOf({same}, options).front() == pagesOf({moved}, options).front());
+        options.hasNameLine = true;
+        QVERIFY(pagesOf({same}, options).front() != pagesOf({moved}, HandoutOptions()).front());
+    }
+
+    // Whatever does not fit is named, and nothing is drawn outside of the page.
+    void manyMapsEndWithHowManyMoreThereAre() {
+        for (const int perPage : {1, 6})
+            for (const auto kind : {HandoutOptions::Kind::Handout, HandoutOptions::Kind::TaskSheet}) {
+                HandoutOptions options;
+                options.perPage = perPage;
+                options.kind = kind;
+                const QImage page = pagesOf({item(400)}, options).front();
+                for (int x = 0; x < page.width(); ++x) {
+                    QCOMPARE(page.pixel(x, 0), 0xffffffff);
+                    QCOMPARE(page.pixel(x, page.height() - 1), 0xffffffff);
+                }
+            }
+        QImage empty(10, 10, QImage::Format_RGB32);
+        QPainter painter(&empty);
+        const std::vector<HandoutItem> items{item()};
+        paintHandout(painter, QRectF(), items, {}, [] {}); // of a printer that is not set up yet
+    }
+
+    void theDialogPrintsWhatIsTicked() {
+        document::Document document;
+        HandoutDialog dialog(&document);
+        QCOMPARE(dialog.chosen().size(), std::size_t{1});
+        QCOMPARE(dialog.chosen().front()->name, document.fractal().name);
+        auto* list = dialog.findChild<QListWidget*>();
+        list->item(0)->setCheckState(Qt::Unchecked);
+        const auto buttons = dialog.findChildren<QPushButton*>();
+        const auto* preview = *std::ranges::find_if(
+            buttons, [](const QPushButton* button) { return button->text().contains(u'…'); });
+        QVERIFY(!preview->isEnabled());
+        list->item(0)->setCheckState(Qt::Checked);
+        QVERIFY(preview->isEnabled());
+        auto* kind = dialog.findChildren<QComboBox*>().front();
+        kind->setCurrentIndex(1);
+        QVERIFY(dialog.options().kind == HandoutOptions::Kind::TaskSheet);
+        QVERIFY(dialog.options().hasNameLine);
+    }
+
+    void thePictureShowsAllOfTheCage() {
+        const document::Fractal fractal = document::sierpinskiTriangle();
+        const io::PngExport with = handoutPicture(fractal, {});
+        QVERIFY(with.overlay.cage && with.overlay.maps && with.overlay.numbers);
+        HandoutOptions plain;
+        plain.showsMaps = false;
+        const io::PngExport without = handoutPicture(fractal, plain);
+        QVERIFY(!without.overlay.cage && !without.overlay.maps);
+        QVERIFY(with.request.appearance.background.alpha == 255);
+        QVERIFY(with.request.appearance.background.red > 200); // paper
+    }
+};
+
+QTEST_MAIN(HandoutTest)
+#include "handout_test.moc"

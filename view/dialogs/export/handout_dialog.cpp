@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/handout_dialog.h"
+
+#include "dialogs/export/printed_parts.h"
+#include "document/fractal_geometry.h"
+#include "document/map_handles.h"
+#include "io/export_job.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPainter>
+#include <QPointer>
+#include <QPrintPreviewDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <memory>
+
+namespace view {
+
+namespace {
+
+using Kind = HandoutOptions::Kind;
+
+constexpr double margin = 0.04; // around everything that is shown
+
+} // namespace
+
+HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent)
+    : QDialog(parent),
+      m_entries(new QListWidget(this)),
+      m_kind(new QComboBox(this)),
+      m_perPage(new QComboBox(this)),
+      m_maps(new QCheckBox(tr("&Cage and maps"), this)),
+      m_formulas(new QCheckBox(tr("Fo&rmulas"), this)),
+      m_nameLine(new QCheckBox(tr("&Line for name and date"), this)) {
+    setWindowTitle(tr("Print a Hand-out"));
+    auto* layout = new QVBoxLayout(this);
+    createEntries(*document);
+    createOptions();
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_preview = buttons->addButton(tr("Pre&view…"), QDialogButtonBox::ActionRole);
+    m_preview->setDefault(true);
+    m_preview->setToolTip(tr("Show the pages before they are printed"));
+    connect(m_preview, &QPushButton::clicked, this, &HandoutDialog::showPreview);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout->addWidget(buttons);
+    update();
+    resize(560, 460);
+}
+
+void HandoutDialog::createEntries(const document::Document& document) {
+    auto* label = new QLabel(tr("&Entries:"), this);
+    label->setBuddy(m_entries);
+    m_entries->setAccessibleName(tr("Entries to print"));
+    m_entries->setWhatsThis(tr("The entries of the file that are systems in the plane. Those with a tick are "
+                               "printed, in this order, up to %1 of them.")
+                                .arg(maxEntries));
+    for (const document::Entry& entry : document.file().entries) {
+        if (m_entries->count() == maxListed) break;
+        const bool isCurrent = entry.id == document.currentId();
+        const std::shared_ptr<const document::Fractal> fractal =
+            isCurrent ? document.sharedFractal() : entry.fractal;
+        if (!document::plane(*fractal)) continue;
+        auto* row = new QListWidgetItem(fractal->name, m_entries);
+        row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        row->setCheckState(isCurrent ? Qt::Checked : Qt::Unchecked);
+        if (isCurrent) m_entries->setCurrentItem(row);
+        m_fractals.push_back(fractal);
+    }
+    connect(m_entries, &QListWidget::itemChanged, this, &HandoutDialog::update);
+    auto* all = new QPushButton(tr("&All"), this);
+    auto* none = new QPushButton(tr("&None"), this);
+    all->setToolTip(tr("Print all entries of the list"));
+    none->setToolTip(tr("Remove all ticks"));
+    const auto setAll = [this](Qt::CheckState state) {
+        for (int k = 0; k < m_entries->count(); ++k)
+            m_entries->item(k)->setCheckState(state);
+    };
+    connect(all, &QPushButton::clicked, this, [setAll] { setAll(Qt::Checked); });
+    connect(none, &QPushButton::clicked, this, [setAll] { setAll(Qt::Unchecked); });
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(label);
+    buttons->addStretch();
+    buttons->addWidget(all);
+    buttons->addWidget(none);
+    static_cast<QVBoxLayout*>(layout())->addLayout(buttons);
+    static_cast<QVBoxLayout*>(layout())->addWidget(m_entries, 1);
+}
+
+void HandoutDialog::createOptions() {
+    m_kind->addItem(tr("Hand-out with pictures"));
+    m_kind->addItem(tr("Blank task sheet"));
+    m_kind->setAccessibleName(tr("Kind of sheet"));
+    m_kind->setWhatsThis(tr("A hand-out has the picture of each entry, with its cage, its maps and their "
+                            "formulas. A blank task sheet has the cage on a grid and an empty table, to be "
+                            "filled in by hand."));
+    for (const int count : {1, 2, 4, 6})
+        m_perPage->addItem(QString::number(count), count);
+    m_perPage->setCurrentIndex(1);
+    m_perPage->setAccessibleName(tr("Entries per page"));
+    m_perPage->setWhatsThis(tr("How many entries are printed on one page."));
+    m_maps->setChecked(true);
+    m_maps->setToolTip(tr("Draw the cage and its numbered images over the picture"));
+    m_formulas->setChecked(true);
+    m_formulas->setToolTip(tr("Print the formula and the probability of each map"));
+    m_nameLine->setToolTip(tr("Leave lines at the top of each page for a name and a date"));
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Sheet:"), m_kind);
+    form->addRow(tr("Entries per &page:"), m_perPage);
+    form->addRow(QString(), m_maps);
+    form->addRow(QString(), m_formulas);
+    form->addRow(QString(), m_nameLine);
+    static_cast<QVBoxLayout*>(layout())->addLayout(form);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
+        m_nameLine->setChecked(options().kind == Kind::TaskSheet);
+        update();
+    });
+}
+
+void HandoutDialog::update() {
+    const bool isHandout = options().kind == Kind::Handout;
+    m_maps->setEnabled(isHandout);
+    m_formulas->setEnabled(isHandout);
+    if (!m_preview) return;
+    const std::size_t count = chosen().size();
+    m_preview->setEnabled(count > 0 && count <= std::size_t(maxEntries));
+    m_preview->setToolTip(count > std::size_t(maxEntries) ? tr("Choose at most %1 entries").arg(maxEntries)
+                          : count == 0                    ? tr("Choose an entry first")
+                                                          : tr("Show the pages before they are printed"));
+}
+
+HandoutOptions HandoutDialog::options() const {
+    return {Kind(m_kind->currentIndex()), m_perPage->currentData().toInt(), m_maps->isChecked(),
+            m_formulas->isChecked(), m_nameLine->isChecked()};
+}
+
+std::vector<std::shared_ptr<const document::Fractal>> HandoutDialog::chosen() const {
+    std::vector<std::shared_ptr<const document::Fractal>> all;
+    for (int k = 0; k < m_entries->count(); ++k)
+        if (m_entries->item(k)->checkState() == Qt::Checked) all.push_back(m_fractals[std::size_t(k)]);
+    return all;
+}
+
+io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options) {
+    const document::Fractal printed = onPaper(fractal);
+    ifs::Vector<2> low = ifs::Vector<2>::Constant(0), high = ifs::Vector<2>::Constant(1);
+    if (const auto box = document::displayedBox(fractal)) {
+        low = box->min;
+        high = box->max;
+    }
+    if (options.showsMaps) {
+        const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        const auto include = [&](const std::vector<ifs::Vector<2>>& corners) {
+            for (const ifs::Vector<2>& corner : corners) {
+                low = low.cwiseMin(corner);
+                high = high.cwiseMax(corner);
+            }
+        };
+        include(cage.current);
+    }
+    if (!((high - low).maxCoeff() > 0)) { // a single point
+        low.array() -= 0.5;
+        high.array() += 0.5;
+    }
+    const int longSide = options.perPage <= 2 ? 1400 : 900;
+    const ifs::Vector<2> size = (high - low).cwiseMax(0.2 * (high - low).maxCoeff());
+    attractor::Camera camera;
+    camera.width = std::max(1, int(longSide * size.x() / size.maxCoeff()));
+    camera.height = std::max(1, int(longSide * size.y() / size.maxCoeff()));
+    camera = fitted(camera, low, high, margin);
+    io::PngExport picture{printed, document::renderRequest(printed, camera), {}};
+    picture.request.threads = io::threadsOfThisMachine();
+    picture.request.samples = 40ULL * std::uint64_t(camera.width) * std::uint64_t(camera.height);
+    picture.overlay.maps = picture.overlay.numbers = picture.overlay.fixedPoints = options.showsMaps;
+    if (options.showsMaps) picture.overlay.cage = true;
+    return picture;
+}
+
+void HandoutDialog::showPreview() {
+    const HandoutOptions wanted = options();
+    std::vector<HandoutItem> items;
+    const QPointer<HandoutDialog> self(this); // it may be closed meanwhile
+    for (const auto& fractal : chosen()) {
+        HandoutItem item{fractal, {}};
+        if (wanted.kind == Kind::Handout) {
+            item.picture = drawnForPaper(handoutPicture(*fractal, wanted), this);
+            if (!self || item.picture.isNull()) return; // the user has changed their mind
+        }
+        items.push_back(std::move(item));
+    }
+    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(windowTitle());
+    auto* preview = new QPrintPreviewDialog(printer.get(), this);
+    preview->setAttribute(Qt::WA_DeleteOnClose);
+    preview->setWindowTitle(windowTitle());
+    QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
+                     [items = std::move(items), wanted, printer](QPrinter* device) {
+                         QPainter painter(device);
+                         const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
+                         paintHandout(painter, QRectF(QPointF(0, 0), size), items, wanted,
+                                      [device] { device->newPage(); });
+                     });
+    preview->open();
+}
+
+} // namespace view

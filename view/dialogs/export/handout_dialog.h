@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dialogs/export/handout_page.h"
+#include "document/document.h"
+#include "io/picture/png_export.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QListWidget;
+class QPushButton;
+
+namespace view {
+
+// Chooses entries of the file and how they are printed for a class, and shows the print preview.
+class HandoutDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    static constexpr int maxEntries = 60;  // on paper; their pictures are held at once
+    static constexpr int maxListed = 2000; // more rows than anybody reads
+
+    explicit HandoutDialog(const document::Document* document, QWidget* parent = nullptr);
+
+    HandoutOptions options() const;
+    std::vector<std::shared_ptr<const document::Fractal>> chosen() const; // in the order of the file
+    void showPreview(); // in the background, while progress is shown
+
+private:
+    void createEntries(const document::Document& document);
+    void createOptions();
+    void update();
+
+    std::vector<std::shared_ptr<const document::Fractal>> m_fractals; // by row of the list
+    QListWidget* m_entries;
+    QComboBox* m_kind;
+    QComboBox* m_perPage;
+    QCheckBox* m_maps;
+    QCheckBox* m_formulas;
+    QCheckBox* m_nameLine;
+    QPushButton* m_preview = nullptr;
+};
+
+// The picture of a hand-out: the displayed attractor on paper, with the cage and its numbered images where
+// the options want them.
+io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options);
+
+} // namespace view

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <QImage>
+#include <QRectF>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <span>
+
+class QPainter;
+
+namespace view {
+
+struct HandoutOptions {
+    enum class Kind {
+        Handout,   // picture with cage and maps, and the formulas
+        TaskSheet, // the cage on a grid, and an empty table of maps
+    };
+    Kind kind = Kind::Handout;
+    int perPage = 2;          // 1, 2, 4 or 6
+    bool showsMaps = true;    // of the picture of a hand-out: the cage and its images, numbered
+    bool hasFormulas = true;  // of a hand-out
+    bool hasNameLine = false; // for pupils to write their names on
+};
+
+struct HandoutItem {
+    std::shared_ptr<const document::Fractal> fractal; // a system of the plane
+    QImage picture;                                   // of a hand-out
+};
+
+// The entries from the top of `page` down, as many on each page as the options say: `newPage` begins another
+// one.
+void paintHandout(QPainter& painter, const QRectF& page, std::span<const HandoutItem> items,
+                  const HandoutOptions& options, const std::function<void()>& newPage);
+
+// "w₁(x, y) = (0.5x + 0.25, 0.5y)", to four digits, without what is 0. Number counts from 1.
+QString formulaText(const ifs::AffineMap<2>& map, std::size_t number);
+
+} // namespace view
