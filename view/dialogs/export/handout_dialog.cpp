@@ -40,7 +40,7 @@ HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent
       m_kind(new QComboBox(this)),
       m_perPage(new QComboBox(this)),
       m_maps(new QCheckBox(tr("&Cage and maps"), this)),
-      m_formulas(new QCheckBox(tr("Fo&rmulas"), this)),
+      m_formulas(new QCheckBox(tr("&Formulas"), this)),
       m_nameLine(new QCheckBox(tr("&Line for name and date"), this)) {
     setWindowTitle(tr("Print a Hand-out"));
     auto* layout = new QVBoxLayout(this);
