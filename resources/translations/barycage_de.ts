@@ -2347,6 +2347,70 @@
         <source>Save the view “%1”</source>
         <translation>Die Ansicht „%1“ speichern</translation>
     </message>
+    <message>
+        <source>Print &amp;Hand-out…</source>
+        <translation>&amp;Handout drucken…</translation>
+    </message>
+    <message>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <translation>Einträge für den Unterricht drucken: Bilder mit Käfig, Abbildungen und Formeln, oder ein leeres Aufgabenblatt</translation>
+    </message>
+    <message>
+        <source>Copy as La&amp;TeX</source>
+        <translation>Als &amp;LaTeX kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Table of Maps</source>
+        <translation>&amp;Tabelle der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Copy the coefficients as a tabular</source>
+        <translation>Die Koeffizienten als tabular kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas with Matrices</source>
+        <translation>&amp;Formeln mit Matrizen</translation>
+    </message>
+    <message>
+        <source>Copy each map as a matrix and a vector</source>
+        <translation>Jede Abbildung als Matrix und Vektor kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Affine Invariant Form</source>
+        <translation>&amp;Affin invariante Form</translation>
+    </message>
+    <message>
+        <source>Copy one matrix per map, in barycentric coordinates of the triangle</source>
+        <translation>Je Abbildung eine Matrix in baryzentrischen Koordinaten des Dreiecks kopieren</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gure (TikZ)</source>
+        <translation>Fi&amp;gur (TikZ)</translation>
+    </message>
+    <message>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <translation>Den Käfig und seine Bilder unter den Abbildungen mit Nummern und Fixpunkten kopieren, wie sie zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
+        <translation>Kopiert. Das Dokument braucht \usepackage{amsmath,tikz}.</translation>
+    </message>
+    <message>
+        <source>Map numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers of Maps</source>
+        <translation>N&amp;ummern der Abbildungen</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Show the number and the fixed point of each map</source>
+        <translation>Die Nummer und den Fixpunkt jeder Abbildung zeigen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -4363,6 +4427,14 @@
     <message>
         <source>the locks of its maps</source>
         <translation>die Sperren seiner Abbildungen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Datum:</translation>
     </message>
 </context>
 <context>
@@ -7006,10 +7078,6 @@
         <translation>Schritte Wⁿ</translation>
     </message>
     <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den ruhenden Käfig angewandt</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Chaos-Spiel</translation>
     </message>
@@ -7030,24 +7098,12 @@
         <translation>Noch keine Punkte, und andere Würfel</translation>
     </message>
     <message>
-        <source>One Point</source>
-        <translation>Ein Punkt</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Einen Punkt mehr zeichnen</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Abspielen</translation>
     </message>
     <message>
         <source>Plot points continuously</source>
         <translation>Punkte erscheinen lassen</translation>
-    </message>
-    <message>
-        <source>Points per second</source>
-        <translation>Punkte je Sekunde</translation>
     </message>
     <message>
         <source>%1 per second</source>
@@ -7082,16 +7138,68 @@
         <translation>, der letzte von Abbildung %1</translation>
     </message>
     <message>
-        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
-        <translation>Wie oft alle Abbildungen auf den Käfig angewandt werden: 0 ist der Käfig selbst, und mit jedem Schritt kommt das Bild dem Attraktor näher.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots per second.</source>
-        <translation>Wie viele Punkte das Chaos-Spiel in einer Sekunde zeichnet.</translation>
-    </message>
-    <message>
         <source>no points yet: press Play (▶)</source>
         <translation>noch keine Punkte: „Abspielen“ (▶) drücken</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
+        <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den Käfig oder eine andere Figur angewandt</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <translation>Wie oft alle Abbildungen angewandt werden: 0 ist die Ausgangsfigur, und mit jedem Schritt kommt das Bild dem Attraktor näher. Jede Kopie hat die Farbe ihrer äußersten Abbildung.</translation>
+    </message>
+    <message>
+        <source>One Jump</source>
+        <translation>Ein Sprung</translation>
+    </message>
+    <message>
+        <source>Roll the die once and jump</source>
+        <translation>Einmal würfeln und springen</translation>
+    </message>
+    <message>
+        <source>Jumps per second</source>
+        <translation>Sprünge je Sekunde</translation>
+    </message>
+    <message>
+        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <translation>Wie viele Sprünge das Chaos-Spiel je Sekunde macht. Bis zu zehn je Sekunde zeigt der Würfel jede Abbildung, die fällt.</translation>
+    </message>
+    <message>
+        <source>W%1: the start</source>
+        <translation>W%1: die Ausgangsfigur</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies</source>
+        <translation>W%1: %2 Kopien</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <translation>Der Hausdorff-Abstand des Bildes vom Attraktor A, und was er nicht übersteigen kann</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from Wⁿ(B) to the attractor A, measured on cells of side %1. It is at most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction factor of the maps.</source>
+        <translation>Der Hausdorff-Abstand von Wⁿ(B) zum Attraktor A, gemessen auf Zellen der Seite %1. Er ist höchstens sⁿ-mal der Abstand der Ausgangsfigur B von A, wobei s = %2 der größte Kontraktionsfaktor der Abbildungen ist.</translation>
+    </message>
+    <message>
+        <source>no bound: a map has the contraction factor %1</source>
+        <translation>keine Schranke: eine Abbildung hat den Kontraktionsfaktor %1</translation>
+    </message>
+    <message>
+        <source>distance to A at most %1</source>
+        <translation>Abstand von A höchstens %1</translation>
+    </message>
+    <message>
+        <source>distance to A &lt; %1, at most %2</source>
+        <translation>Abstand von A &lt; %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>distance to A ≈ %1, at most %2</source>
+        <translation>Abstand von A ≈ %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>jump %1 of the %2 that are not plotted</source>
+        <translation>Sprung %1 der %2, die nicht gezeichnet werden</translation>
     </message>
 </context>
 <context>
@@ -7107,6 +7215,25 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Klicken Sie auf die dritte Ecke. Die Rücktaste löscht den letzten Punkt.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Die</name>
+    <message>
+        <source>Die</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <translation>Der Würfel des Chaos-Spiels. Er hat für jede Abbildung eine Seite, so breit wie deren Wahrscheinlichkeit. Die gefallene Seite erscheint in der Farbe ihrer Abbildung, ebenso der Punkt, zu dem diese geführt hat. Bei mehr als zehn Sprüngen je Sekunde rollt er zu schnell, um abgelesen zu werden.</translation>
+    </message>
+    <message>
+        <source>Each map has a face, as wide as its probability.</source>
+        <translation>Jede Abbildung hat eine Seite, so breit wie ihre Wahrscheinlichkeit.</translation>
+    </message>
+    <message>
+        <source>Map %1 fell, whose probability is %2.</source>
+        <translation>Gefallen ist Abbildung %1 mit der Wahrscheinlichkeit %2.</translation>
     </message>
 </context>
 <context>
@@ -8165,10 +8292,6 @@
         <translation>Export a&amp;bbrechen</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
-        <translation>Die ausgewählten Exporte von der Liste nehmen; was nicht fertig ist, wird nicht gezeichnet. Geschriebene Dateien bleiben.</translation>
-    </message>
-    <message>
         <source>Clear &amp;Finished</source>
         <translation>Fertige entf&amp;ernen</translation>
     </message>
@@ -8179,6 +8302,10 @@
     <message>
         <source>&amp;Resume</source>
         <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
+        <translation>Die ausgewählten Exporte von der Liste nehmen; was nicht fertig ist, wird nicht gezeichnet, und geschriebene Dateien bleiben.</translation>
     </message>
 </context>
 <context>
@@ -8590,6 +8717,113 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::HandoutDialog</name>
+    <message>
+        <source>&amp;Cage and maps</source>
+        <translation>&amp;Käfig und Abbildungen</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas</source>
+        <translation>&amp;Formeln</translation>
+    </message>
+    <message>
+        <source>&amp;Line for name and date</source>
+        <translation>Zei&amp;le für Name und Datum</translation>
+    </message>
+    <message>
+        <source>Print a Hand-out</source>
+        <translation>Handout drucken</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view…</source>
+        <translation>&amp;Vorschau…</translation>
+    </message>
+    <message>
+        <source>Show the pages before they are printed</source>
+        <translation>Die Seiten vor dem Druck zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Entries:</source>
+        <translation>&amp;Einträge:</translation>
+    </message>
+    <message>
+        <source>Entries to print</source>
+        <translation>Zu druckende Einträge</translation>
+    </message>
+    <message>
+        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <translation>Die Einträge der Datei, die Systeme in der Ebene sind. Gedruckt werden die angekreuzten in dieser Reihenfolge, höchstens %1.</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Alle</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>Kei&amp;ne</translation>
+    </message>
+    <message>
+        <source>Print all entries of the list</source>
+        <translation>Alle Einträge der Liste drucken</translation>
+    </message>
+    <message>
+        <source>Remove all ticks</source>
+        <translation>Alle Kreuze entfernen</translation>
+    </message>
+    <message>
+        <source>Hand-out with pictures</source>
+        <translation>Handout mit Bildern</translation>
+    </message>
+    <message>
+        <source>Blank task sheet</source>
+        <translation>Leeres Aufgabenblatt</translation>
+    </message>
+    <message>
+        <source>Kind of sheet</source>
+        <translation>Art des Blatts</translation>
+    </message>
+    <message>
+        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <translation>Ein Handout zeigt das Bild jedes Eintrags mit seinem Käfig, seinen Abbildungen und deren Formeln. Ein leeres Aufgabenblatt zeigt den Käfig auf einem Gitter und eine leere Tabelle, die von Hand ausgefüllt wird.</translation>
+    </message>
+    <message>
+        <source>Entries per page</source>
+        <translation>Einträge je Seite</translation>
+    </message>
+    <message>
+        <source>How many entries are printed on one page.</source>
+        <translation>Wie viele Einträge auf eine Seite gedruckt werden.</translation>
+    </message>
+    <message>
+        <source>Draw the cage and its numbered images over the picture</source>
+        <translation>Den Käfig und seine nummerierten Bilder über das Bild zeichnen</translation>
+    </message>
+    <message>
+        <source>Print the formula and the probability of each map</source>
+        <translation>Formel und Wahrscheinlichkeit jeder Abbildung drucken</translation>
+    </message>
+    <message>
+        <source>Leave lines at the top of each page for a name and a date</source>
+        <translation>Oben auf jeder Seite Linien für Name und Datum lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet:</source>
+        <translation>&amp;Blatt:</translation>
+    </message>
+    <message>
+        <source>Entries per &amp;page:</source>
+        <translation>Einträge je Sei&amp;te:</translation>
+    </message>
+    <message>
+        <source>Choose at most %1 entries</source>
+        <translation>Höchstens %1 Einträge wählen</translation>
+    </message>
+    <message>
+        <source>Choose an entry first</source>
+        <translation>Zuerst einen Eintrag wählen</translation>
     </message>
 </context>
 <context>
@@ -11732,6 +11966,68 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Abbildung %5, Ecke %1 bei %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::StartShapeBox</name>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Aus</translation>
+    </message>
+    <message>
+        <source>The Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>A Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>A Letter</source>
+        <translation>Buchstabe</translation>
+    </message>
+    <message>
+        <source>A Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>What the steps start from</source>
+        <translation>Woraus die Schritte hervorgehen</translation>
+    </message>
+    <message>
+        <source>What the steps start from. Whatever you choose, the images get closer to the same attractor: a square, a letter that you type, or the dark shape in a picture, each as large as the attractor.</source>
+        <translation>Woraus die Schritte hervorgehen. Was immer Sie wählen, die Bilder kommen demselben Attraktor näher: ein Quadrat, ein getippter Buchstabe oder die dunkle Form in einem Bild, jeweils so groß wie der Attraktor.</translation>
+    </message>
+    <message>
+        <source>Letters to start from</source>
+        <translation>Buchstaben am Anfang</translation>
+    </message>
+    <message>
+        <source>One letter, or up to three</source>
+        <translation>Ein Buchstabe, oder bis zu drei</translation>
+    </message>
+    <message>
+        <source>The letter that the steps start from, or up to three letters. One that is not symmetric, such as R, shows how the maps turn and reflect.</source>
+        <translation>Der Buchstabe, aus dem die Schritte hervorgehen, oder bis zu drei. Einer ohne Symmetrie, etwa R, zeigt, wie die Abbildungen drehen und spiegeln.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture to Start From</source>
+        <translation>Ausgangsbild wählen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>view::StepsBridge</name>
+    <message>
+        <source>The picture has no dark shape on a light background.</source>
+        <translation>Das Bild enthält keine dunkle Form auf hellem Grund.</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Das Bild konnte nicht gelesen werden.</translation>
     </message>
 </context>
 <context>

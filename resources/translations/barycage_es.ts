@@ -2347,6 +2347,70 @@
         <source>Save the view “%1”</source>
         <translation>Guardar la vista «%1»</translation>
     </message>
+    <message>
+        <source>Print &amp;Hand-out…</source>
+        <translation>Imprimir &amp;hoja para clase…</translation>
+    </message>
+    <message>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <translation>Imprimir entradas para clase: imágenes con jaula, aplicaciones y fórmulas, o una hoja de ejercicios en blanco</translation>
+    </message>
+    <message>
+        <source>Copy as La&amp;TeX</source>
+        <translation>Copiar como &amp;LaTeX</translation>
+    </message>
+    <message>
+        <source>&amp;Table of Maps</source>
+        <translation>&amp;Tabla de aplicaciones</translation>
+    </message>
+    <message>
+        <source>Copy the coefficients as a tabular</source>
+        <translation>Copiar los coeficientes como tabular</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas with Matrices</source>
+        <translation>&amp;Fórmulas con matrices</translation>
+    </message>
+    <message>
+        <source>Copy each map as a matrix and a vector</source>
+        <translation>Copiar cada aplicación como matriz y vector</translation>
+    </message>
+    <message>
+        <source>&amp;Affine Invariant Form</source>
+        <translation>Forma &amp;afín invariante</translation>
+    </message>
+    <message>
+        <source>Copy one matrix per map, in barycentric coordinates of the triangle</source>
+        <translation>Copiar una matriz por aplicación, en coordenadas baricéntricas del triángulo</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gure (TikZ)</source>
+        <translation>Fi&amp;gura (TikZ)</translation>
+    </message>
+    <message>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <translation>Copiar la jaula y sus imágenes por las aplicaciones, con números y puntos fijos, tal como se ven</translation>
+    </message>
+    <message>
+        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
+        <translation>Copiado. El documento necesita \usepackage{amsmath,tikz}.</translation>
+    </message>
+    <message>
+        <source>Map numbers</source>
+        <translation>Números</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers of Maps</source>
+        <translation>Números de las aplicaci&amp;ones</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Show the number and the fixed point of each map</source>
+        <translation>Mostrar el número y el punto fijo de cada aplicación</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -4363,6 +4427,14 @@
     <message>
         <source>the locks of its maps</source>
         <translation>los bloqueos de sus aplicaciones</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Fecha:</translation>
     </message>
 </context>
 <context>
@@ -7006,10 +7078,6 @@
         <translation>Pasos Wⁿ</translation>
     </message>
     <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula en reposo</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Juego del caos</translation>
     </message>
@@ -7030,24 +7098,12 @@
         <translation>Ningún punto todavía, y otros dados</translation>
     </message>
     <message>
-        <source>One Point</source>
-        <translation>Un punto</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Dibujar un punto más</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Reproducir</translation>
     </message>
     <message>
         <source>Plot points continuously</source>
         <translation>Hacer que aparezcan puntos</translation>
-    </message>
-    <message>
-        <source>Points per second</source>
-        <translation>Puntos por segundo</translation>
     </message>
     <message>
         <source>%1 per second</source>
@@ -7082,16 +7138,68 @@
         <translation>, el último con la aplicación %1</translation>
     </message>
     <message>
-        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
-        <translation>Cuántas veces se aplican todas las aplicaciones a la jaula: con 0 se ve la propia jaula, y con cada paso la imagen se acerca más al atractor.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots per second.</source>
-        <translation>Cuántos puntos dibuja el juego del caos en un segundo.</translation>
-    </message>
-    <message>
         <source>no points yet: press Play (▶)</source>
         <translation>aún no hay puntos: pulse Reproducir (▶)</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
+        <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula o a otra figura</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <translation>Cuántas veces se aplican todas las aplicaciones: con 0 se ve la figura inicial, y con cada paso la imagen se acerca más al atractor. Cada copia tiene el color de su aplicación más externa.</translation>
+    </message>
+    <message>
+        <source>One Jump</source>
+        <translation>Un salto</translation>
+    </message>
+    <message>
+        <source>Roll the die once and jump</source>
+        <translation>Tirar el dado una vez y saltar</translation>
+    </message>
+    <message>
+        <source>Jumps per second</source>
+        <translation>Saltos por segundo</translation>
+    </message>
+    <message>
+        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <translation>Cuántos saltos da el juego del caos por segundo. Hasta diez por segundo, el dado muestra cada aplicación que sale.</translation>
+    </message>
+    <message>
+        <source>W%1: the start</source>
+        <translation>W%1: la figura inicial</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies</source>
+        <translation>W%1: %2 copias</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <translation>La distancia de Hausdorff de la imagen al atractor A, y lo que no puede superar</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from Wⁿ(B) to the attractor A, measured on cells of side %1. It is at most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction factor of the maps.</source>
+        <translation>La distancia de Hausdorff de Wⁿ(B) al atractor A, medida en celdas de lado %1. Es como mucho sⁿ veces la distancia de la figura inicial B a A, donde s = %2 es el mayor factor de contracción de las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>no bound: a map has the contraction factor %1</source>
+        <translation>sin cota: una aplicación tiene el factor de contracción %1</translation>
+    </message>
+    <message>
+        <source>distance to A at most %1</source>
+        <translation>distancia a A: como mucho %1</translation>
+    </message>
+    <message>
+        <source>distance to A &lt; %1, at most %2</source>
+        <translation>distancia a A &lt; %1, como mucho %2</translation>
+    </message>
+    <message>
+        <source>distance to A ≈ %1, at most %2</source>
+        <translation>distancia a A ≈ %1, como mucho %2</translation>
+    </message>
+    <message>
+        <source>jump %1 of the %2 that are not plotted</source>
+        <translation>salto %1 de los %2 que no se dibujan</translation>
     </message>
 </context>
 <context>
@@ -7107,6 +7215,25 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Haga clic en el tercer vértice. Retroceso borra el último punto.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Die</name>
+    <message>
+        <source>Die</source>
+        <translation>Dado</translation>
+    </message>
+    <message>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <translation>El dado del juego del caos. Tiene una cara por aplicación, tan ancha como la probabilidad de esta. La cara que ha salido se muestra en el color de su aplicación, igual que el punto al que esta ha llevado. Con más de diez saltos por segundo rueda demasiado rápido para leerlo.</translation>
+    </message>
+    <message>
+        <source>Each map has a face, as wide as its probability.</source>
+        <translation>Cada aplicación tiene una cara, tan ancha como su probabilidad.</translation>
+    </message>
+    <message>
+        <source>Map %1 fell, whose probability is %2.</source>
+        <translation>Ha salido la aplicación %1, cuya probabilidad es %2.</translation>
     </message>
 </context>
 <context>
@@ -8165,10 +8292,6 @@
         <translation>Ca&amp;ncelar la exportación</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
-        <translation>Quitar de la lista las exportaciones seleccionadas; lo que no esté terminado no se dibuja. Los archivos escritos se conservan.</translation>
-    </message>
-    <message>
         <source>Clear &amp;Finished</source>
         <translation>Quitar las &amp;terminadas</translation>
     </message>
@@ -8179,6 +8302,10 @@
     <message>
         <source>&amp;Resume</source>
         <translation>&amp;Reanudar</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
+        <translation>Quitar de la lista las exportaciones seleccionadas; lo que no esté terminado no se dibuja, y los archivos escritos se conservan.</translation>
     </message>
 </context>
 <context>
@@ -8590,6 +8717,113 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::HandoutDialog</name>
+    <message>
+        <source>&amp;Cage and maps</source>
+        <translation>&amp;Jaula y aplicaciones</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas</source>
+        <translation>&amp;Fórmulas</translation>
+    </message>
+    <message>
+        <source>&amp;Line for name and date</source>
+        <translation>&amp;Línea para nombre y fecha</translation>
+    </message>
+    <message>
+        <source>Print a Hand-out</source>
+        <translation>Imprimir una hoja para clase</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view…</source>
+        <translation>&amp;Vista previa…</translation>
+    </message>
+    <message>
+        <source>Show the pages before they are printed</source>
+        <translation>Mostrar las páginas antes de imprimirlas</translation>
+    </message>
+    <message>
+        <source>&amp;Entries:</source>
+        <translation>&amp;Entradas:</translation>
+    </message>
+    <message>
+        <source>Entries to print</source>
+        <translation>Entradas que se imprimen</translation>
+    </message>
+    <message>
+        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <translation>Las entradas del archivo que son sistemas en el plano. Se imprimen las marcadas, en este orden, como mucho %1.</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Todas</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Ninguna</translation>
+    </message>
+    <message>
+        <source>Print all entries of the list</source>
+        <translation>Imprimir todas las entradas de la lista</translation>
+    </message>
+    <message>
+        <source>Remove all ticks</source>
+        <translation>Quitar todas las marcas</translation>
+    </message>
+    <message>
+        <source>Hand-out with pictures</source>
+        <translation>Hoja con imágenes</translation>
+    </message>
+    <message>
+        <source>Blank task sheet</source>
+        <translation>Hoja de ejercicios en blanco</translation>
+    </message>
+    <message>
+        <source>Kind of sheet</source>
+        <translation>Tipo de hoja</translation>
+    </message>
+    <message>
+        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <translation>Una hoja para clase muestra la imagen de cada entrada con su jaula, sus aplicaciones y las fórmulas de estas. Una hoja de ejercicios en blanco muestra la jaula sobre una cuadrícula y una tabla vacía para rellenar a mano.</translation>
+    </message>
+    <message>
+        <source>Entries per page</source>
+        <translation>Entradas por página</translation>
+    </message>
+    <message>
+        <source>How many entries are printed on one page.</source>
+        <translation>Cuántas entradas se imprimen en una página.</translation>
+    </message>
+    <message>
+        <source>Draw the cage and its numbered images over the picture</source>
+        <translation>Dibujar la jaula y sus imágenes numeradas sobre la imagen</translation>
+    </message>
+    <message>
+        <source>Print the formula and the probability of each map</source>
+        <translation>Imprimir la fórmula y la probabilidad de cada aplicación</translation>
+    </message>
+    <message>
+        <source>Leave lines at the top of each page for a name and a date</source>
+        <translation>Dejar líneas arriba en cada página para nombre y fecha</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet:</source>
+        <translation>&amp;Hoja:</translation>
+    </message>
+    <message>
+        <source>Entries per &amp;page:</source>
+        <translation>Entradas por &amp;página:</translation>
+    </message>
+    <message>
+        <source>Choose at most %1 entries</source>
+        <translation>Elija como mucho %1 entradas</translation>
+    </message>
+    <message>
+        <source>Choose an entry first</source>
+        <translation>Elija antes una entrada</translation>
     </message>
 </context>
 <context>
@@ -11732,6 +11966,68 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Aplicación %5, esquina %1 en %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::StartShapeBox</name>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Desde</translation>
+    </message>
+    <message>
+        <source>The Cage</source>
+        <translation>La jaula</translation>
+    </message>
+    <message>
+        <source>A Square</source>
+        <translation>Un cuadrado</translation>
+    </message>
+    <message>
+        <source>A Letter</source>
+        <translation>Una letra</translation>
+    </message>
+    <message>
+        <source>A Picture…</source>
+        <translation>Una imagen…</translation>
+    </message>
+    <message>
+        <source>What the steps start from</source>
+        <translation>De qué parten los pasos</translation>
+    </message>
+    <message>
+        <source>What the steps start from. Whatever you choose, the images get closer to the same attractor: a square, a letter that you type, or the dark shape in a picture, each as large as the attractor.</source>
+        <translation>De qué parten los pasos. Elija lo que elija, las imágenes se acercan al mismo atractor: un cuadrado, una letra que escriba o la forma oscura de una imagen, siempre tan grandes como el atractor.</translation>
+    </message>
+    <message>
+        <source>Letters to start from</source>
+        <translation>Letras iniciales</translation>
+    </message>
+    <message>
+        <source>One letter, or up to three</source>
+        <translation>Una letra, o hasta tres</translation>
+    </message>
+    <message>
+        <source>The letter that the steps start from, or up to three letters. One that is not symmetric, such as R, shows how the maps turn and reflect.</source>
+        <translation>La letra de la que parten los pasos, o hasta tres. Una sin simetría, como la R, muestra cómo giran y reflejan las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture to Start From</source>
+        <translation>Elegir la imagen inicial</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>view::StepsBridge</name>
+    <message>
+        <source>The picture has no dark shape on a light background.</source>
+        <translation>La imagen no contiene ninguna forma oscura sobre fondo claro.</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>No se pudo leer la imagen.</translation>
     </message>
 </context>
 <context>

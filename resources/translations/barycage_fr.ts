@@ -845,7 +845,7 @@
     <name>Lesson</name>
     <message>
         <source>The file has no entry “%1”.</source>
-        <translation>Le fichier n’a pas d’entrée « %1 ».</translation>
+        <translation>Le fichier n’a pas d’entrée «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>Show a step of the lesson</source>
@@ -864,7 +864,7 @@
     </message>
     <message>
         <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
-        <translation>Ce n’est pas une leçon : sa première ligne ne commence pas par « lesson: ».</translation>
+        <translation>Ce n’est pas une leçon&#x202f;: sa première ligne ne commence pas par «&#x202f;lesson:&#x202f;».</translation>
     </message>
     <message>
         <source>The lesson has no steps.</source>
@@ -872,11 +872,11 @@
     </message>
     <message>
         <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
-        <translation>Cette ligne a été ignorée : les réglages ont la forme « file: nom.ifs » et les étapes commencent par « ## ».</translation>
+        <translation>Cette ligne a été ignorée&#x202f;: les réglages ont la forme «&#x202f;file: nom.ifs&#x202f;» et les étapes commencent par «&#x202f;##&#x202f;».</translation>
     </message>
     <message>
         <source>The lesson has more than %1 steps; the others were ignored.</source>
-        <translation>La leçon a plus de %1 étapes ; les autres ont été ignorées.</translation>
+        <translation>La leçon a plus de %1 étapes&#x202f;; les autres ont été ignorées.</translation>
     </message>
     <message>
         <source>The text of step %1 is longer than %2 characters and was cut.</source>
@@ -884,15 +884,15 @@
     </message>
     <message>
         <source>“%1” is not the name of a file in the folder of the lesson.</source>
-        <translation>« %1 » n’est pas le nom d’un fichier du dossier de la leçon.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas le nom d’un fichier du dossier de la leçon.</translation>
     </message>
     <message>
         <source>“%1: %2” was not understood.</source>
-        <translation>« %1: %2 » n’a pas été compris.</translation>
+        <translation>«&#x202f;%1: %2&#x202f;» n’a pas été compris.</translation>
     </message>
     <message>
         <source>“%1” is unknown to this version and is kept.</source>
-        <translation>« %1 » est inconnu de cette version et reste conservé.</translation>
+        <translation>«&#x202f;%1&#x202f;» est inconnu de cette version et reste conservé.</translation>
     </message>
 </context>
 <context>
@@ -2213,7 +2213,7 @@
     </message>
     <message>
         <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
-        <translation>La leçon ne nomme aucun fichier de fractales de son dossier (« file: nom.ifs »).</translation>
+        <translation>La leçon ne nomme aucun fichier de fractales de son dossier («&#x202f;file: nom.ifs&#x202f;»).</translation>
     </message>
     <message>
         <source>“%1” is not an ordinary file and cannot be opened.</source>
@@ -2229,7 +2229,7 @@
     </message>
     <message>
         <source>The lesson “%1” has unsaved changes.</source>
-        <translation>La leçon « %1 » contient des modifications non enregistrées.</translation>
+        <translation>La leçon «&#x202f;%1&#x202f;» contient des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>The lesson was not saved</source>
@@ -2237,7 +2237,7 @@
     </message>
     <message>
         <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
-        <translation>Une leçon ne peut pas désigner un fichier nommé « %1 ». Enregistrez d’abord les fractales sous un nom sans : * ? &quot; &lt; &gt; |.</translation>
+        <translation>Une leçon ne peut pas désigner un fichier nommé «&#x202f;%1&#x202f;». Enregistrez d’abord les fractales sous un nom sans&#x202f;: *&#x202f;? &quot; &lt; &gt; |.</translation>
     </message>
     <message>
         <source>Save Lesson</source>
@@ -2249,7 +2249,7 @@
     </message>
     <message>
         <source>A lesson must be in the folder of its fractals, “%1”.</source>
-        <translation>Une leçon doit se trouver dans le dossier de ses fractales, « %1 ».</translation>
+        <translation>Une leçon doit se trouver dans le dossier de ses fractales, «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>The fractals have unsaved changes.</source>
@@ -2309,7 +2309,7 @@
     </message>
     <message>
         <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
-        <translation>Une leçon sur ces fractales : ses étapes, chacune avec un texte et l’état de la fenêtre, à jouer sur tout l’écran.</translation>
+        <translation>Une leçon sur ces fractales&#x202f;: ses étapes, chacune avec un texte et l’état de la fenêtre, à jouer sur tout l’écran.</translation>
     </message>
     <message>
         <source>Saved &amp;Views</source>
@@ -2346,6 +2346,70 @@
     <message>
         <source>Save the view “%1”</source>
         <translation>Enregistrer la vue « %1 »</translation>
+    </message>
+    <message>
+        <source>Print &amp;Hand-out…</source>
+        <translation>Imprimer une &amp;fiche pour la classe…</translation>
+    </message>
+    <message>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <translation>Imprimer des entrées pour la classe : images avec cage, applications et formules, ou une feuille d’exercices vierge</translation>
+    </message>
+    <message>
+        <source>Copy as La&amp;TeX</source>
+        <translation>Copier en &amp;LaTeX</translation>
+    </message>
+    <message>
+        <source>&amp;Table of Maps</source>
+        <translation>&amp;Tableau des applications</translation>
+    </message>
+    <message>
+        <source>Copy the coefficients as a tabular</source>
+        <translation>Copier les coefficients en tabular</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas with Matrices</source>
+        <translation>&amp;Formules avec matrices</translation>
+    </message>
+    <message>
+        <source>Copy each map as a matrix and a vector</source>
+        <translation>Copier chaque application comme matrice et vecteur</translation>
+    </message>
+    <message>
+        <source>&amp;Affine Invariant Form</source>
+        <translation>Forme &amp;affinement invariante</translation>
+    </message>
+    <message>
+        <source>Copy one matrix per map, in barycentric coordinates of the triangle</source>
+        <translation>Copier une matrice par application, en coordonnées barycentriques du triangle</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gure (TikZ)</source>
+        <translation>Fi&amp;gure (TikZ)</translation>
+    </message>
+    <message>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <translation>Copier la cage et ses images par les applications, avec numéros et points fixes, comme affichées</translation>
+    </message>
+    <message>
+        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
+        <translation>Copié. Le document a besoin de \usepackage{amsmath,tikz}.</translation>
+    </message>
+    <message>
+        <source>Map numbers</source>
+        <translation>Numéros</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers of Maps</source>
+        <translation>Numéros &amp;des applications</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Show the number and the fixed point of each map</source>
+        <translation>Afficher le numéro et le point fixe de chaque application</translation>
     </message>
 </context>
 <context>
@@ -4363,6 +4427,14 @@
     <message>
         <source>the locks of its maps</source>
         <translation>les verrous de ses applications</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nom :</translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Date :</translation>
     </message>
 </context>
 <context>
@@ -7006,10 +7078,6 @@
         <translation>Étapes Wⁿ</translation>
     </message>
     <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>L’algorithme déterministe&#x202f;: toutes les applications appliquées n fois à la cage au repos</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Jeu du chaos</translation>
     </message>
@@ -7030,24 +7098,12 @@
         <translation>Repartir sans aucun point, avec d’autres tirages</translation>
     </message>
     <message>
-        <source>One Point</source>
-        <translation>Un point</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Tracer un point de plus</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Lancer</translation>
     </message>
     <message>
         <source>Plot points continuously</source>
         <translation>Faire apparaître des points</translation>
-    </message>
-    <message>
-        <source>Points per second</source>
-        <translation>Points par seconde</translation>
     </message>
     <message>
         <source>%1 per second</source>
@@ -7082,16 +7138,68 @@
         <translation>, le dernier par l’application %1</translation>
     </message>
     <message>
-        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
-        <translation>Combien de fois toutes les applications sont appliquées à la cage&#x202f;: 0 donne la cage elle-même, et à chaque étape l’image se rapproche de l’attracteur.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots per second.</source>
-        <translation>Combien de points le jeu du chaos trace en une seconde.</translation>
-    </message>
-    <message>
         <source>no points yet: press Play (▶)</source>
         <translation>pas encore de points : appuyez sur Lancer (▶)</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
+        <translation>L’algorithme déterministe : toutes les applications appliquées n fois à la cage ou à une autre figure</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <translation>Combien de fois toutes les applications sont appliquées : 0 donne la figure de départ, et à chaque étape l’image se rapproche de l’attracteur. Chaque copie a la couleur de son application la plus externe.</translation>
+    </message>
+    <message>
+        <source>One Jump</source>
+        <translation>Un saut</translation>
+    </message>
+    <message>
+        <source>Roll the die once and jump</source>
+        <translation>Lancer le dé une fois et sauter</translation>
+    </message>
+    <message>
+        <source>Jumps per second</source>
+        <translation>Sauts par seconde</translation>
+    </message>
+    <message>
+        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <translation>Combien de sauts le jeu du chaos fait par seconde. Jusqu’à dix par seconde, le dé montre chaque application qui sort.</translation>
+    </message>
+    <message>
+        <source>W%1: the start</source>
+        <translation>W%1 : la figure de départ</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies</source>
+        <translation>W%1 : %2 copies</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <translation>La distance de Hausdorff de l’image à l’attracteur A, et ce qu’elle ne peut dépasser</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from Wⁿ(B) to the attractor A, measured on cells of side %1. It is at most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction factor of the maps.</source>
+        <translation>La distance de Hausdorff de Wⁿ(B) à l’attracteur A, mesurée sur des cellules de côté %1. Elle vaut au plus sⁿ fois la distance de la figure de départ B à A, où s = %2 est le plus grand facteur de contraction des applications.</translation>
+    </message>
+    <message>
+        <source>no bound: a map has the contraction factor %1</source>
+        <translation>pas de borne : une application a le facteur de contraction %1</translation>
+    </message>
+    <message>
+        <source>distance to A at most %1</source>
+        <translation>distance à A : au plus %1</translation>
+    </message>
+    <message>
+        <source>distance to A &lt; %1, at most %2</source>
+        <translation>distance à A &lt; %1, au plus %2</translation>
+    </message>
+    <message>
+        <source>distance to A ≈ %1, at most %2</source>
+        <translation>distance à A ≈ %1, au plus %2</translation>
+    </message>
+    <message>
+        <source>jump %1 of the %2 that are not plotted</source>
+        <translation>saut %1 des %2 qui ne sont pas tracés</translation>
     </message>
 </context>
 <context>
@@ -7107,6 +7215,25 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Cliquez sur le troisième sommet. Retour arrière supprime le dernier point.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Die</name>
+    <message>
+        <source>Die</source>
+        <translation>Dé</translation>
+    </message>
+    <message>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <translation>Le dé du jeu du chaos. Il a une face par application, aussi large que la probabilité de celle-ci. La face sortie apparaît dans la couleur de son application, comme le point auquel celle-ci a mené. Au-delà de dix sauts par seconde, il roule trop vite pour être lu.</translation>
+    </message>
+    <message>
+        <source>Each map has a face, as wide as its probability.</source>
+        <translation>Chaque application a une face, aussi large que sa probabilité.</translation>
+    </message>
+    <message>
+        <source>Map %1 fell, whose probability is %2.</source>
+        <translation>L’application %1 est sortie ; sa probabilité est %2.</translation>
     </message>
 </context>
 <context>
@@ -8165,10 +8292,6 @@
         <translation>&amp;Annuler l’export</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
-        <translation>Retirer de la liste les exports sélectionnés ; ce qui n’est pas terminé n’est pas dessiné. Les fichiers écrits restent.</translation>
-    </message>
-    <message>
         <source>Clear &amp;Finished</source>
         <translation>Retirer les &amp;terminés</translation>
     </message>
@@ -8179,6 +8302,10 @@
     <message>
         <source>&amp;Resume</source>
         <translation>&amp;Reprendre</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
+        <translation>Retirer de la liste les exports sélectionnés ; ce qui n’est pas terminé n’est pas dessiné, et les fichiers écrits restent.</translation>
     </message>
 </context>
 <context>
@@ -8593,6 +8720,113 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::HandoutDialog</name>
+    <message>
+        <source>&amp;Cage and maps</source>
+        <translation>&amp;Cage et applications</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas</source>
+        <translation>F&amp;ormules</translation>
+    </message>
+    <message>
+        <source>&amp;Line for name and date</source>
+        <translation>&amp;Ligne pour le nom et la date</translation>
+    </message>
+    <message>
+        <source>Print a Hand-out</source>
+        <translation>Imprimer une fiche pour la classe</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view…</source>
+        <translation>A&amp;perçu…</translation>
+    </message>
+    <message>
+        <source>Show the pages before they are printed</source>
+        <translation>Afficher les pages avant de les imprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Entries:</source>
+        <translation>&amp;Entrées :</translation>
+    </message>
+    <message>
+        <source>Entries to print</source>
+        <translation>Entrées à imprimer</translation>
+    </message>
+    <message>
+        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <translation>Les entrées du fichier qui sont des systèmes dans le plan. Celles qui sont cochées sont imprimées dans cet ordre, %1 au plus.</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Toutes</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>A&amp;ucune</translation>
+    </message>
+    <message>
+        <source>Print all entries of the list</source>
+        <translation>Imprimer toutes les entrées de la liste</translation>
+    </message>
+    <message>
+        <source>Remove all ticks</source>
+        <translation>Décocher toutes les entrées</translation>
+    </message>
+    <message>
+        <source>Hand-out with pictures</source>
+        <translation>Fiche avec images</translation>
+    </message>
+    <message>
+        <source>Blank task sheet</source>
+        <translation>Feuille d’exercices vierge</translation>
+    </message>
+    <message>
+        <source>Kind of sheet</source>
+        <translation>Type de feuille</translation>
+    </message>
+    <message>
+        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <translation>Une fiche montre l’image de chaque entrée avec sa cage, ses applications et leurs formules. Une feuille d’exercices vierge montre la cage sur une grille et un tableau vide à remplir à la main.</translation>
+    </message>
+    <message>
+        <source>Entries per page</source>
+        <translation>Entrées par page</translation>
+    </message>
+    <message>
+        <source>How many entries are printed on one page.</source>
+        <translation>Combien d’entrées sont imprimées sur une page.</translation>
+    </message>
+    <message>
+        <source>Draw the cage and its numbered images over the picture</source>
+        <translation>Tracer la cage et ses images numérotées par-dessus l’image</translation>
+    </message>
+    <message>
+        <source>Print the formula and the probability of each map</source>
+        <translation>Imprimer la formule et la probabilité de chaque application</translation>
+    </message>
+    <message>
+        <source>Leave lines at the top of each page for a name and a date</source>
+        <translation>Laisser en haut de chaque page des lignes pour un nom et une date</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet:</source>
+        <translation>&amp;Feuille :</translation>
+    </message>
+    <message>
+        <source>Entries per &amp;page:</source>
+        <translation>Entrées par p&amp;age :</translation>
+    </message>
+    <message>
+        <source>Choose at most %1 entries</source>
+        <translation>Choisissez au plus %1 entrées</translation>
+    </message>
+    <message>
+        <source>Choose an entry first</source>
+        <translation>Choisissez d’abord une entrée</translation>
+    </message>
+</context>
+<context>
     <name>view::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -8693,7 +8927,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::LessonPanel</name>
     <message>
         <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
-        <translation>Disposez la fenêtre comme la classe doit la voir et cliquez sur « Ajouter une étape ». Écrivez ensuite ce que vous voulez en dire.</translation>
+        <translation>Disposez la fenêtre comme la classe doit la voir et cliquez sur «&#x202f;Ajouter une étape&#x202f;». Écrivez ensuite ce que vous voulez en dire.</translation>
     </message>
     <message>
         <source>&amp;Play</source>
@@ -8801,7 +9035,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Shown beside the picture; leave a line empty to begin a paragraph</source>
-        <translation>Affiché à côté de l’image ; une ligne vide commence un paragraphe</translation>
+        <translation>Affiché à côté de l’image&#x202f;; une ligne vide commence un paragraphe</translation>
     </message>
     <message>
         <source>Play the lesson on the whole screen, from the selected step</source>
@@ -8817,7 +9051,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The panels that this step shows beside the canvas; all others are hidden</source>
-        <translation>Les panneaux que cette étape montre à côté du canevas ; tous les autres sont masqués</translation>
+        <translation>Les panneaux que cette étape montre à côté du canevas&#x202f;; tous les autres sont masqués</translation>
     </message>
     <message>
         <source>Panels of the step</source>
@@ -10560,7 +10794,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Show another sheet, from the next seed</source>
-        <translation>Une autre planche : la graine suivante</translation>
+        <translation>Une autre planche&#x202f;: la graine suivante</translation>
     </message>
     <message>
         <source>Shows other systems of the same kind, from the next seed.</source>
@@ -10568,7 +10802,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Seed:</source>
-        <translation>&amp;Graine :</translation>
+        <translation>&amp;Graine&#x202f;:</translation>
     </message>
     <message>
         <source>Any</source>
@@ -11732,6 +11966,68 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Application %5, coin %1 en %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::StartShapeBox</name>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Depuis</translation>
+    </message>
+    <message>
+        <source>The Cage</source>
+        <translation>La cage</translation>
+    </message>
+    <message>
+        <source>A Square</source>
+        <translation>Un carré</translation>
+    </message>
+    <message>
+        <source>A Letter</source>
+        <translation>Une lettre</translation>
+    </message>
+    <message>
+        <source>A Picture…</source>
+        <translation>Une image…</translation>
+    </message>
+    <message>
+        <source>What the steps start from</source>
+        <translation>Ce dont partent les étapes</translation>
+    </message>
+    <message>
+        <source>What the steps start from. Whatever you choose, the images get closer to the same attractor: a square, a letter that you type, or the dark shape in a picture, each as large as the attractor.</source>
+        <translation>Ce dont partent les étapes. Quel que soit votre choix, les images se rapprochent du même attracteur : un carré, une lettre que vous tapez ou la forme sombre d’une image, chacun aussi grand que l’attracteur.</translation>
+    </message>
+    <message>
+        <source>Letters to start from</source>
+        <translation>Lettres de départ</translation>
+    </message>
+    <message>
+        <source>One letter, or up to three</source>
+        <translation>Une lettre, ou jusqu’à trois</translation>
+    </message>
+    <message>
+        <source>The letter that the steps start from, or up to three letters. One that is not symmetric, such as R, shows how the maps turn and reflect.</source>
+        <translation>La lettre dont partent les étapes, ou jusqu’à trois lettres. Une lettre sans symétrie, comme R, montre comment les applications tournent et reflètent.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture to Start From</source>
+        <translation>Choisir l’image de départ</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>view::StepsBridge</name>
+    <message>
+        <source>The picture has no dark shape on a light background.</source>
+        <translation>L’image ne contient aucune forme sombre sur fond clair.</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>L’image n’a pas pu être lue.</translation>
     </message>
 </context>
 <context>

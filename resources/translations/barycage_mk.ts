@@ -2354,6 +2354,70 @@
         <source>Save the view “%1”</source>
         <translation>Зачувување на погледот „%1“</translation>
     </message>
+    <message>
+        <source>Print &amp;Hand-out…</source>
+        <translation>Печати &amp;лист за час…</translation>
+    </message>
+    <message>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <translation>Печати записи за час: слики со кафез, пресликувања и формули, или празен лист со задачи</translation>
+    </message>
+    <message>
+        <source>Copy as La&amp;TeX</source>
+        <translation>Копирај како &amp;LaTeX</translation>
+    </message>
+    <message>
+        <source>&amp;Table of Maps</source>
+        <translation>&amp;Табела на пресликувањата</translation>
+    </message>
+    <message>
+        <source>Copy the coefficients as a tabular</source>
+        <translation>Копирај ги коефициентите како tabular</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas with Matrices</source>
+        <translation>&amp;Формули со матрици</translation>
+    </message>
+    <message>
+        <source>Copy each map as a matrix and a vector</source>
+        <translation>Копирај го секое пресликување како матрица и вектор</translation>
+    </message>
+    <message>
+        <source>&amp;Affine Invariant Form</source>
+        <translation>&amp;Афино инваријантен облик</translation>
+    </message>
+    <message>
+        <source>Copy one matrix per map, in barycentric coordinates of the triangle</source>
+        <translation>Копирај по една матрица за пресликување, во барицентрични координати на триаголникот</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gure (TikZ)</source>
+        <translation>С&amp;лика (TikZ)</translation>
+    </message>
+    <message>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <translation>Копирај го кафезот и неговите слики според пресликувањата, со броеви и неподвижни точки, како што се прикажани</translation>
+    </message>
+    <message>
+        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
+        <translation>Копирано. На документот му треба \usepackage{amsmath,tikz}.</translation>
+    </message>
+    <message>
+        <source>Map numbers</source>
+        <translation>Броеви</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers of Maps</source>
+        <translation>&amp;Броеви на пресликувањата</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Show the number and the fixed point of each map</source>
+        <translation>Прикажи ги бројот и неподвижната точка на секое пресликување</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -4371,6 +4435,14 @@
     <message>
         <source>the locks of its maps</source>
         <translation>заклучувањата на неговите пресликувања</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Име:</translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Датум:</translation>
     </message>
 </context>
 <context>
@@ -7020,10 +7092,6 @@
         <translation>Чекори Wⁿ</translation>
     </message>
     <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage at rest</source>
-        <translation>Детерминистичкиот алгоритам: сите пресликувања применети n пати врз кафезот во мирување</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Игра на хаос</translation>
     </message>
@@ -7044,24 +7112,12 @@
         <translation>Одново без ниедна точка, со други случајни броеви</translation>
     </message>
     <message>
-        <source>One Point</source>
-        <translation>Една точка</translation>
-    </message>
-    <message>
-        <source>Plot one more point</source>
-        <translation>Нацртај уште една точка</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Пушти</translation>
     </message>
     <message>
         <source>Plot points continuously</source>
         <translation>Нека се појавуваат точки</translation>
-    </message>
-    <message>
-        <source>Points per second</source>
-        <translation>Точки во секунда</translation>
     </message>
     <message>
         <source>%1 per second</source>
@@ -7096,16 +7152,68 @@
         <translation>, последната според пресликувањето %1</translation>
     </message>
     <message>
-        <source>How many times all maps are applied to the cage: 0 is the cage itself, and with every step the picture gets closer to the attractor.</source>
-        <translation>Колку пати сите пресликувања се применуваат врз кафезот: 0 е самиот кафез, а со секој чекор сликата се приближува кон атракторот.</translation>
-    </message>
-    <message>
-        <source>How many points the chaos game plots per second.</source>
-        <translation>Колку точки црта играта на хаос во една секунда.</translation>
-    </message>
-    <message>
         <source>no points yet: press Play (▶)</source>
         <translation>сѐ уште нема точки: притиснете „Пушти“ (▶)</translation>
+    </message>
+    <message>
+        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
+        <translation>Детерминистичкиот алгоритам: сите пресликувања применети n пати врз кафезот или врз друга фигура</translation>
+    </message>
+    <message>
+        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <translation>Колку пати се применуваат сите пресликувања: 0 е почетната фигура, а со секој чекор сликата се приближува кон атракторот. Секоја копија ја има бојата на своето најнадворешно пресликување.</translation>
+    </message>
+    <message>
+        <source>One Jump</source>
+        <translation>Еден скок</translation>
+    </message>
+    <message>
+        <source>Roll the die once and jump</source>
+        <translation>Фрли ја коцката еднаш и скокни</translation>
+    </message>
+    <message>
+        <source>Jumps per second</source>
+        <translation>Скокови во секунда</translation>
+    </message>
+    <message>
+        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <translation>Колку скокови прави играта на хаос во секунда. До десет во секунда, коцката го покажува секое пресликување што паѓа.</translation>
+    </message>
+    <message>
+        <source>W%1: the start</source>
+        <translation>W%1: почетната фигура</translation>
+    </message>
+    <message>
+        <source>W%1: %2 copies</source>
+        <translation>W%1: %2 копии</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <translation>Хаусдорфовото растојание од сликата до атракторот A, и она што не може да го надмине</translation>
+    </message>
+    <message>
+        <source>The Hausdorff distance from Wⁿ(B) to the attractor A, measured on cells of side %1. It is at most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction factor of the maps.</source>
+        <translation>Хаусдорфовото растојание од Wⁿ(B) до атракторот A, измерено на ќелии со страна %1. Тоа е најмногу sⁿ пати растојанието од почетната фигура B до A, каде што s = %2 е најголемиот коефициент на контракција на пресликувањата.</translation>
+    </message>
+    <message>
+        <source>no bound: a map has the contraction factor %1</source>
+        <translation>нема граница: едно пресликување има коефициент на контракција %1</translation>
+    </message>
+    <message>
+        <source>distance to A at most %1</source>
+        <translation>растојание до A најмногу %1</translation>
+    </message>
+    <message>
+        <source>distance to A &lt; %1, at most %2</source>
+        <translation>растојание до A &lt; %1, најмногу %2</translation>
+    </message>
+    <message>
+        <source>distance to A ≈ %1, at most %2</source>
+        <translation>растојание до A ≈ %1, најмногу %2</translation>
+    </message>
+    <message>
+        <source>jump %1 of the %2 that are not plotted</source>
+        <translation>скок %1 од првите %2 што не се цртаат</translation>
     </message>
 </context>
 <context>
@@ -7121,6 +7229,25 @@
     <message>
         <source>Click the third vertex. Backspace removes the last point.</source>
         <translation>Кликнете на третото теме. Backspace ја брише последната точка.</translation>
+    </message>
+</context>
+<context>
+    <name>view::Die</name>
+    <message>
+        <source>Die</source>
+        <translation>Коцка</translation>
+    </message>
+    <message>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <translation>Коцката на играта на хаос. Има по една страна за секое пресликување, широка колку неговата веројатност. Страната што паднала се прикажува во бојата на своето пресликување, исто како и точката до која тоа довело. При повеќе од десет скокови во секунда се тркала пребрзо за да се чита.</translation>
+    </message>
+    <message>
+        <source>Each map has a face, as wide as its probability.</source>
+        <translation>Секое пресликување има страна, широка колку неговата веројатност.</translation>
+    </message>
+    <message>
+        <source>Map %1 fell, whose probability is %2.</source>
+        <translation>Падна пресликувањето %1, чија веројатност е %2.</translation>
     </message>
 </context>
 <context>
@@ -8189,10 +8316,6 @@
         <translation>Отка&amp;жи го извозот</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn. Files that were written stay.</source>
-        <translation>Тргни ги избраните извози од списокот; тоа што не е готово не се црта. Запишаните датотеки остануваат.</translation>
-    </message>
-    <message>
         <source>Clear &amp;Finished</source>
         <translation>Тргни ги &amp;готовите</translation>
     </message>
@@ -8203,6 +8326,10 @@
     <message>
         <source>&amp;Resume</source>
         <translation>Про&amp;должи</translation>
+    </message>
+    <message>
+        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
+        <translation>Тргни ги избраните извози од списокот; тоа што не е готово не се црта, а запишаните датотеки остануваат.</translation>
     </message>
 </context>
 <context>
@@ -8614,6 +8741,113 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>%1 of %2</source>
         <translation>%1 од %2</translation>
+    </message>
+</context>
+<context>
+    <name>view::HandoutDialog</name>
+    <message>
+        <source>&amp;Cage and maps</source>
+        <translation>&amp;Кафез и пресликувања</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas</source>
+        <translation>&amp;Формули</translation>
+    </message>
+    <message>
+        <source>&amp;Line for name and date</source>
+        <translation>&amp;Линија за име и датум</translation>
+    </message>
+    <message>
+        <source>Print a Hand-out</source>
+        <translation>Печати лист за час</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view…</source>
+        <translation>&amp;Преглед…</translation>
+    </message>
+    <message>
+        <source>Show the pages before they are printed</source>
+        <translation>Прикажи ги страниците пред печатење</translation>
+    </message>
+    <message>
+        <source>&amp;Entries:</source>
+        <translation>&amp;Записи:</translation>
+    </message>
+    <message>
+        <source>Entries to print</source>
+        <translation>Записи за печатење</translation>
+    </message>
+    <message>
+        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <translation>Записите од датотеката што се системи во рамнината. Се печатат означените, по овој редослед, најмногу %1.</translation>
+    </message>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Сите</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Ниеден</translation>
+    </message>
+    <message>
+        <source>Print all entries of the list</source>
+        <translation>Печати ги сите записи од списокот</translation>
+    </message>
+    <message>
+        <source>Remove all ticks</source>
+        <translation>Отстрани ги сите ознаки</translation>
+    </message>
+    <message>
+        <source>Hand-out with pictures</source>
+        <translation>Лист со слики</translation>
+    </message>
+    <message>
+        <source>Blank task sheet</source>
+        <translation>Празен лист со задачи</translation>
+    </message>
+    <message>
+        <source>Kind of sheet</source>
+        <translation>Вид на листот</translation>
+    </message>
+    <message>
+        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <translation>Листот за час ја прикажува сликата на секој запис со неговиот кафез, пресликувањата и нивните формули. Празниот лист со задачи го прикажува кафезот на мрежа и празна табела што се пополнува рачно.</translation>
+    </message>
+    <message>
+        <source>Entries per page</source>
+        <translation>Записи на страница</translation>
+    </message>
+    <message>
+        <source>How many entries are printed on one page.</source>
+        <translation>Колку записи се печатат на една страница.</translation>
+    </message>
+    <message>
+        <source>Draw the cage and its numbered images over the picture</source>
+        <translation>Цртај го кафезот и неговите нумерирани слики врз сликата</translation>
+    </message>
+    <message>
+        <source>Print the formula and the probability of each map</source>
+        <translation>Печати ги формулата и веројатноста на секое пресликување</translation>
+    </message>
+    <message>
+        <source>Leave lines at the top of each page for a name and a date</source>
+        <translation>Остави линии на врвот од секоја страница за име и датум</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet:</source>
+        <translation>Л&amp;ист:</translation>
+    </message>
+    <message>
+        <source>Entries per &amp;page:</source>
+        <translation>Записи на с&amp;траница:</translation>
+    </message>
+    <message>
+        <source>Choose at most %1 entries</source>
+        <translation>Изберете најмногу %1 записи</translation>
+    </message>
+    <message>
+        <source>Choose an entry first</source>
+        <translation>Прво изберете запис</translation>
     </message>
 </context>
 <context>
@@ -11758,6 +11992,68 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Пресликување %5, аголот %1 е во %2, %3, %4</translation>
+    </message>
+</context>
+<context>
+    <name>view::StartShapeBox</name>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Од</translation>
+    </message>
+    <message>
+        <source>The Cage</source>
+        <translation>Кафезот</translation>
+    </message>
+    <message>
+        <source>A Square</source>
+        <translation>Квадрат</translation>
+    </message>
+    <message>
+        <source>A Letter</source>
+        <translation>Буква</translation>
+    </message>
+    <message>
+        <source>A Picture…</source>
+        <translation>Слика…</translation>
+    </message>
+    <message>
+        <source>What the steps start from</source>
+        <translation>Од што тргнуваат чекорите</translation>
+    </message>
+    <message>
+        <source>What the steps start from. Whatever you choose, the images get closer to the same attractor: a square, a letter that you type, or the dark shape in a picture, each as large as the attractor.</source>
+        <translation>Од што тргнуваат чекорите. Што и да изберете, сликите се приближуваат кон истиот атрактор: квадрат, напишана буква или темната форма во слика, секогаш големи колку атракторот.</translation>
+    </message>
+    <message>
+        <source>Letters to start from</source>
+        <translation>Почетни букви</translation>
+    </message>
+    <message>
+        <source>One letter, or up to three</source>
+        <translation>Една буква, или најмногу три</translation>
+    </message>
+    <message>
+        <source>The letter that the steps start from, or up to three letters. One that is not symmetric, such as R, shows how the maps turn and reflect.</source>
+        <translation>Буквата од која тргнуваат чекорите, или најмногу три букви. Буква без симетрија, како R, покажува како пресликувањата вртат и отсликуваат.</translation>
+    </message>
+    <message>
+        <source>Choose a Picture to Start From</source>
+        <translation>Изберете почетна слика</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
+        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Сите датотеки (*)</translation>
+    </message>
+</context>
+<context>
+    <name>view::StepsBridge</name>
+    <message>
+        <source>The picture has no dark shape on a light background.</source>
+        <translation>Сликата нема темна форма на светла позадина.</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Сликата не можеше да се прочита.</translation>
     </message>
 </context>
 <context>
