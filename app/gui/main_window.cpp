@@ -5,7 +5,6 @@
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
-#include "bridges/solo_switch.h"
 #include "cage_menu.h"
 #include "class_marks.h"
 #include "collection_commands.h"
@@ -220,7 +219,7 @@ void MainWindow::createPanels() {
         dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
     problemsDock->hide();
 
-    connectMaps(maps);
+    connectMaps(maps, m_canvas, m_stage, m_document, m_messages);
     connect(entries, &view::EntriesPanel::message, m_messages, &WindowMessages::say);
     connect(entries, &view::EntriesPanel::flamesPasted, this,
             [this](const QList<document::EntryId>& ids) { FlameBanner::offer(this, m_document, ids); });
@@ -238,28 +237,6 @@ void MainWindow::createPanels() {
             [this, problems] { problems->setFileName(m_file.name()); });
     connectCollection(collection,
                       {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
-}
-
-void MainWindow::connectMaps(view::MapsPanel* maps) {
-    // The rows of the table and the maps on the canvas are selected together.
-    connect(maps, &view::MapsPanel::selectionChanged, m_canvas,
-            [this, maps] { m_canvas->selectMaps(maps->selectedMaps()); });
-    connect(m_canvas, &view::CanvasView::selectedMapsChanged, maps, [this, maps] {
-        const bool isPlane = document::plane(m_document.fractal()) != nullptr; // it shows no maps of space
-        if (isPlane && maps->selectedMaps() != m_canvas->selectedMaps())
-            maps->selectMaps(m_canvas->selectedMaps());
-    });
-    m_canvas->selectMaps(maps->selectedMaps());
-    const auto showAlone = [this](ifs::MapId map) {
-        for (auto* solo : findChildren<view::SoloSwitch*>())
-            solo->set(map);
-    };
-    connect(maps, &view::MapsPanel::soloChanged, this, showAlone);
-    connect(m_stage->views(), &view::FourViews::fourShown, maps,
-            [maps, showAlone] { showAlone(maps->model()->solo()); });
-    connect(maps, &view::MapsPanel::mapPointed, m_canvas, &view::CanvasView::pointAt);
-    connect(maps, &view::MapsPanel::symmetryChosen, m_stage, &Stage::keepFitted);
-    connect(maps, &view::MapsPanel::message, m_messages, &WindowMessages::say);
 }
 
 void MainWindow::createCollage(QDockWidget* neighbour) {

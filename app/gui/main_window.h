@@ -69,7 +69,6 @@ private:
     void createTimeline();
     void createLesson();
     void createCollage(QDockWidget* neighbour);
-    void connectMaps(view::MapsPanel* maps);
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();
