@@ -179,6 +179,8 @@ Look along(const Segment<Look>& way) {
     const auto keys = keysAround(way);
     look.brightness = smoothFactor(keys.of([](const Look& key) { return key.brightness; }), way.share);
     look.gamma = smoothFactor(keys.of([](const Look& key) { return key.gamma; }), way.share);
+    look.contrast = smoothFactor(keys.of([](const Look& key) { return key.contrast; }), way.share);
+    look.vibrancy = smoothNumber(keys.of([](const Look& key) { return key.vibrancy; }), way.share);
     return look;
 }
 
