@@ -97,6 +97,7 @@ void SpaceExportDialog::createPicture() {
     m_section->setAccessibleName(tr("Section"));
     m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or a saved view."));
     m_form->addRow(tr("Sect&ion:"), m_section);
+    connect(m_section, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::showPreview);
     m_size = new ExportSizeEditor({m_camera.size.width, m_camera.size.height}, this);
     m_form->addRow(tr("&Size:"), m_size);
     m_supersample = new QSpinBox(this);
