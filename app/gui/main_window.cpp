@@ -22,6 +22,7 @@
 #include "io/file/background.h"
 #include "io/fractint/fractint_reader.h"
 #include "lesson_commands.h"
+#include "maps_connections.h"
 #include "maps_menu.h"
 #include "panel_texts.h"
 #include "panels/analysis/analysis_panel.h"

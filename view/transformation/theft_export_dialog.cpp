@@ -4,7 +4,7 @@
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
-#include "document/unique_names.h"
+#include "document/fractal_file.h"
 #include "io/file/background.h"
 #include "transformation/theft_export.h"
 #include "widgets/file_dialogs.h"

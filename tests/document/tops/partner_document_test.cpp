@@ -3,6 +3,7 @@
 
 #include "document/edits/coupled_entries.h"
 #include "document/edits/entries_edits.h"
+#include "document/edits/symmetry_edits.h"
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
 #include "document/tops/theft_starters.h"
@@ -131,7 +132,7 @@ private slots:
         fractal = document::withSymmetry(std::move(fractal), twice);
         const auto outcome = document::coupled(fractal, fractal, std::vector<std::size_t>{2, 0, 1});
         QVERIFY(outcome.entries);
-        QCOMPARE(outcome.entries->maps, (std::vector<std::size_t>{2, 2, 0, 0, 1, 1}));
+        QCOMPARE(outcome.entries->numbers, (std::vector<std::size_t>{2, 2, 0, 0, 1, 1}));
         const std::vector<std::size_t> bad[] = {{0, 1}, {0, 1, 1}, {0, 1, 2, 2}, {0, 1, 3}};
         for (const std::vector<std::size_t>& order : bad)
             QVERIFY(document::coupled(fractal, fractal, order).flaw == document::CouplingFlaw::Order);

@@ -9,6 +9,7 @@
 #include "widgets/tooltip_text.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QScopedValueRollback>
