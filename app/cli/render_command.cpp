@@ -240,7 +240,7 @@ private:
         reportNote(outcome.note, task.input->name);
         if (outcome.isCoarse)
             reportWarning(task.input->name, tr("So many pieces lie on each other that parts of the solid are "
-                                               "drawn coarsely. --look cloud shows all of it."));
+                                               "missing. --look cloud shows all of it."));
         return ExitStatus::Done;
     }
 

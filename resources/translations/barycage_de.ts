@@ -6242,8 +6242,8 @@
         <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
-        <translation>So viele Teile liegen aufeinander, dass manches an diesem Körper grob gezeichnet ist. Die Darstellung „Wolke“ zeigt alles.</translation>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
     </message>
 </context>
 <context>

@@ -6242,8 +6242,8 @@
         <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
-        <translation>Tantas piezas se superponen que partes de este sólido se dibujan de forma tosca. El aspecto Nube lo muestra todo.</translation>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
     </message>
 </context>
 <context>

@@ -6242,8 +6242,8 @@
         <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
-        <translation>Tant de pièces se superposent que des parties de ce solide sont dessinées grossièrement. L’aspect Nuage montre tout.</translation>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
     </message>
 </context>
 <context>

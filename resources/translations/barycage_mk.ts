@@ -6255,8 +6255,8 @@
         <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are drawn coarsely. The look Cloud shows all of it.</source>
-        <translation>Толку многу делови се преклопуваат што некои делови од ова тело се нацртани грубо. Изгледот Облак прикажува сè.</translation>
+        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
     </message>
 </context>
 <context>

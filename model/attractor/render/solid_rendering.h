@@ -35,8 +35,8 @@ public:
     struct Work {
         std::size_t words = 0;   // looked at
         std::size_t points = 0;  // drawn
-        bool isCutShort = false; // there were more words than are looked at: parts are drawn in larger pixels
-        bool isCoarse = false;   // most of what is seen is: pieces lie on each other too often
+        bool isCutShort = false; // there were more words than are looked at: holes are possible
+        bool isCoarse = false;   // there were in most of what is seen: pieces lie on each other too often
     };
     Work work() const; // of the last draw()
 

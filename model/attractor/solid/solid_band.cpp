@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace attractor {
@@ -16,13 +15,11 @@ constexpr double maxBentPixels = 0.25;   // by which a first-order map of a pers
 constexpr double maxSinglePixels = 2048; // wider words are composed in double precision
 constexpr double minEyeShare = 0x1p-14;  // of the eye's distance: words that reach the eye and are smaller
 
-// Of rows that begin at `firstRow`, in pixels so many times as wide.
-kernels::SolidWord screenWord(const SeenWord& seen, int colour, int firstRow, const DepthRange& range,
-                              int pixel) {
+kernels::SolidWord screenWord(const SeenWord& seen, int colour, int firstRow, const DepthRange& range) {
     const double codes = maxDepthCode / (range.far - range.near);
     kernels::SolidWord word;
     for (int row = 0; row < 3; ++row) {
-        const double factor = row == 2 ? codes : 1.0 / pixel;
+        const double factor = row == 2 ? codes : 1;
         const double origin = row == 0 ? 0 : row == 1 ? firstRow : range.near;
         for (int column = 0; column < 3; ++column)
             word.linear[static_cast<std::size_t>(3 * row + column)] =
@@ -79,7 +76,12 @@ void SolidScene::setView(const SpaceView& newView) {
 
 void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
                      const std::stop_token& stop) {
+    constexpr std::size_t wordsPerPixel = 1024; // leaves that are seen through each other need hundreds
+    constexpr std::size_t wideBudget = 1U << 18;
+    constexpr std::size_t widePerPixel = 16;
+    const auto pixels = static_cast<std::size_t>(raster.width * rows);
     const std::size_t pointsBefore = m_job.points;
+    std::size_t budget = (1U << 24) + wordsPerPixel * pixels;
     m_job.maps.count = scene.system.maps.size();
     for (std::size_t k = 0; k < 9; ++k)
         m_job.maps.linear[k] = scene.coefficients->coefficients[k].data();
@@ -87,92 +89,25 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
         m_job.maps.shift[k] = scene.coefficients->coefficients[9 + k].data();
     m_job.maps.colours = scene.colours.data();
     m_job.band = &m_keys;
-    m_pixel = 1;
-    const Walked walked = walk(scene, firstRow, rows, stop);
-    if (walked == Walked::Stopped) return;
+    // Of a system whose words lie on each other there are too many: then larger ones are drawn.
+    for (const std::size_t points : {SolidScene::leafPoints, Covers::maxPoints}) {
+        m_covers = scene.covers.ofAtMost(points);
+        if (!scene.facing.isEmpty()) m_covers.insert(m_covers.begin(), scene.facing.cover());
+        m_job.covers = m_covers;
+        m_job.budget = scene.system.contracts ? budget : 0;
+        m_wideBudget = wideBudget + widePerPixel * pixels;
+        m_keys.reset(raster.width, rows);
+        if (!walk(scene, firstRow, stop)) return;
+        if (m_job.budget > 0 || m_wideBudget == 0) break;
+        budget = 1U << 24; // more would not help any more
+    }
+    if (m_job.points > pointsBefore) ++m_shown;
+    if (m_job.budget == 0 || m_wideBudget == 0) ++m_cutShort;
     const auto width = static_cast<std::size_t>(raster.width);
     for (int y = 0; y < rows; ++y)
         std::copy_n(m_keys.row(y), width,
                     raster.keys.begin() +
                         static_cast<std::ptrdiff_t>(static_cast<std::size_t>(firstRow + y) * width));
-    if (m_job.points > pointsBefore) ++m_shown;
-    if (walked == Walked::Whole) return;
-    ++m_cutShort;
-    fillHoles(scene, firstRow, rows, raster, stop);
-}
-
-namespace {
-
-// Where the nearest key of the layers is, in pixels of the picture.
-struct Layer {
-    int pixel = 1; // width of its pixels
-    int stride = 0;
-    std::vector<std::uint32_t> keys;
-
-    std::uint32_t at(int x, int y) const {
-        return keys[static_cast<std::size_t>(y / pixel) * static_cast<std::size_t>(stride) +
-                    static_cast<std::size_t>(x / pixel)];
-    }
-};
-
-// What lies far behind the key of larger pixels was seen through a hole.
-std::uint32_t withoutHole(std::uint32_t key, std::uint32_t coarse, double maxBehind) {
-    if (key == emptyKey || coarse == emptyKey) return std::min(key, coarse);
-    return depthCode(key) <= depthCode(coarse) + maxBehind ? key : coarse;
-}
-
-} // namespace
-
-// By larger and larger pixels, until the band can be drawn whole.
-void SolidBand::fillHoles(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
-                          const std::stop_token& stop) {
-    constexpr int largest = 16;
-    constexpr double steepest = 2; // surfaces fall by that much in a pixel
-    std::vector<Layer> layers;
-    Walked walked = Walked::CutShort;
-    for (m_pixel = 2; m_pixel <= largest && walked == Walked::CutShort; m_pixel *= 2) {
-        walked = walk(scene, firstRow, rows, stop);
-        if (walked == Walked::Stopped) return;
-        layers.push_back({m_pixel, m_keys.stride(), {m_keys.row(0), m_keys.row(m_keys.rows())}});
-    }
-    const double maxBehind =
-        steepest * layers.back().pixel * maxDepthCode / (scene.range.far - scene.range.near);
-    for (int y = 0; y < rows; ++y) {
-        std::uint32_t* keys = raster.keys.data() +
-                              static_cast<std::size_t>(firstRow + y) * static_cast<std::size_t>(raster.width);
-        for (int x = 0; x < raster.width; ++x) {
-            std::uint32_t nearest = layers.back().at(x, y);
-            for (auto finer = std::next(layers.rbegin()); finer != layers.rend(); ++finer)
-                nearest = withoutHole(finer->at(x, y), nearest, maxBehind);
-            keys[x] = withoutHole(keys[x], nearest, maxBehind);
-        }
-    }
-}
-
-// Starts anew. Of a system whose words lie on each other there are too many: then larger ones are drawn.
-SolidBand::Walked SolidBand::walk(const SolidScene& scene, int firstRow, int rows,
-                                  const std::stop_token& stop) {
-    constexpr std::size_t wordsPerPixel = 1024; // leaves that are seen through each other need hundreds
-    constexpr std::size_t wideBudget = 1U << 18;
-    constexpr std::size_t widePerPixel = 16;
-    const int width = (scene.view.size.width + m_pixel - 1) / m_pixel;
-    const int height = (rows + m_pixel - 1) / m_pixel;
-    const auto pixels = static_cast<std::size_t>(width * height);
-    std::size_t budget = (1U << 24) + wordsPerPixel * pixels;
-    for (const std::size_t points : {SolidScene::leafPoints, Covers::maxPoints}) {
-        m_covers = scene.covers.ofAtMost(points);
-        const bool isFine = m_pixel == 1; // what the facing cover is made for
-        if (isFine && !scene.facing.isEmpty()) m_covers.insert(m_covers.begin(), scene.facing.cover());
-        m_job.covers = m_covers;
-        m_job.budget = scene.system.contracts ? budget : 0;
-        m_wideBudget = wideBudget + widePerPixel * pixels;
-        m_keys.reset(width, height);
-        if (!walkAll(scene, firstRow, stop)) return Walked::Stopped;
-        if (m_job.budget > 0 && m_wideBudget > 0) return Walked::Whole;
-        if (m_wideBudget == 0) break;
-        budget = 1U << 24; // more would not help any more
-    }
-    return Walked::CutShort;
 }
 
 SolidBand::Work SolidBand::takeWork() {
@@ -212,7 +147,7 @@ const kernels::Cover* SolidBand::coverFor(double size) const {
     return nullptr;
 }
 
-bool SolidBand::walkAll(const SolidScene& scene, int firstRow, const std::stop_token& stop) {
+bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_token& stop) {
     m_open.clear();
     m_children.clear();
     const ifs::AffineMap<3> box = scene.view.toPixels * scene.system.fromBox();
@@ -241,14 +176,14 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
         if (!spent && word.half.z() > minEyeShare * scene.view.eyeDistance) expand(scene, open);
         return true;
     }
-    const kernels::SolidWord shown = screenWord(word, open.colour, firstRow, scene.range, m_pixel);
-    m_job.pixelsPerCode = static_cast<float>(word.scale / (codes * m_pixel));
-    const kernels::Cover* cover = word.isCut ? coverFor(word.size() / m_pixel) : nullptr;
-    const bool isSingle = word.miss <= maxBentPixels * m_pixel &&
+    const kernels::SolidWord shown = screenWord(word, open.colour, firstRow, scene.range);
+    m_job.pixelsPerCode = static_cast<float>(word.scale / codes);
+    const kernels::Cover* cover = word.isCut ? coverFor(word.size()) : nullptr;
+    const bool isSingle = word.miss <= maxBentPixels &&
                           (word.isCut ? cover != nullptr && open.colour != kernels::SolidWord::uncoloured
                                       : word.size() <= maxSinglePixels);
     if (!isSingle && !spent) {
-        if (!kernels::isHidden(shown, static_cast<float>(word.miss / m_pixel + maxBentPixels), m_keys))
+        if (!kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys))
             expand(scene, open);
         return true;
     }

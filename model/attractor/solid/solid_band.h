@@ -64,11 +64,7 @@ private:
         WalkedWord word; // box → SpaceView::toPixels
         int colour = kernels::SolidWord::uncoloured;
     };
-    enum class Walked { Stopped, CutShort, Whole };
-    Walked walk(const SolidScene& scene, int firstRow, int rows, const std::stop_token& stop);
-    bool walkAll(const SolidScene& scene, int firstRow, const std::stop_token& stop);
-    void fillHoles(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
-                   const std::stop_token& stop);
+    bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
     bool draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop);
     void expand(const SolidScene& scene, const Open& open);
     void openSorted(const SolidScene& scene);
@@ -81,7 +77,6 @@ private:
     std::vector<Open> m_open;
     std::vector<Open> m_children;
     std::vector<std::pair<double, std::size_t>> m_order;
-    int m_pixel = 1;                         // width of what counts as a pixel
     std::size_t m_shown = 0, m_cutShort = 0; // bands
 };
 

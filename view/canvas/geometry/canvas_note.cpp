@@ -145,8 +145,8 @@ QString noteInSpace(attractor::RenderNote note, bool isCoarse) {
     switch (note) {
     case attractor::RenderNote::None:
     case attractor::RenderNote::FewerIterations:
-        return isCoarse ? Notes::tr("So many pieces lie on each other that parts of this solid are drawn "
-                                    "coarsely. The look Cloud shows all of it.")
+        return isCoarse ? Notes::tr("So many pieces lie on each other that parts of this solid are missing. "
+                                    "The look Cloud shows all of it.")
                         : QString();
     case attractor::RenderNote::NoMaps:
         return Notes::tr("No map is active, so there is nothing to draw. Add a map or switch one on.");

@@ -19,7 +19,8 @@ SceneMark::SceneMark() {
 }
 
 QRectF SceneMark::boundingRect() const {
-    return scene() ? scene()->sceneRect() : QRectF();
+    const auto* canvas = qobject_cast<const CanvasScene*>(scene());
+    return canvas ? QRectF(0, 0, canvas->camera().width, canvas->camera().height) : QRectF();
 }
 
 void SceneMark::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) {
