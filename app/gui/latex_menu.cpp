@@ -38,5 +38,6 @@ LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy 
 
 void LatexMenu::copy(const QByteArray& text) {
     QGuiApplication::clipboard()->setText(QString::fromUtf8(text));
-    context().messages->say(tr("Copied. The document needs \\usepackage{amsmath,tikz}."));
+    context().messages->say(
+        tr("Copied. The document needs %1.").arg(QStringLiteral("\\usepackage{amsmath,tikz}")));
 }

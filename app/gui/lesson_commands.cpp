@@ -216,6 +216,9 @@ void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*
     for (const auto& [name, title] : builtIn) {
         QAction* action = menu->addAction(tr(title));
         action->setStatusTip(tr("Play this lesson, in a window of its own if this one is in use"));
+        action->setWhatsThis(
+            tr("Plays this lesson on the whole screen: its text stands beside the picture, and "
+               "Page Down and Page Up lead from step to step. Esc leaves it."));
         action->setToolTip(action->statusTip());
         action->setWhatsThis(action->statusTip() + u'.');
         connect(action, &QAction::triggered, this, [this, window, name = QLatin1String(name)] {

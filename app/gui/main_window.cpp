@@ -272,6 +272,7 @@ void MainWindow::createLesson() {
         dock(m_lessons->panel(), tr("Lesson"), QStringLiteral("lesson"), Qt::RightDockWidgetArea);
     tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("history")), lesson);
     lesson->hide();
+    findChild<QDockWidget*>(QStringLiteral("maps"))->raise(); // what becomes a tab takes the front
     m_lessons->setDock(lesson);
     m_lessons->setFiles(m_fileCommands, &m_file);
     m_lessons->addBuiltIn(m_lessons->addMenu(tr("&Ready-Made Lessons")), [] {

@@ -2392,8 +2392,8 @@
         <translation>Den Käfig und seine Bilder unter den Abbildungen mit Nummern und Fixpunkten kopieren, wie sie zu sehen sind</translation>
     </message>
     <message>
-        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
-        <translation>Kopiert. Das Dokument braucht \usepackage{amsmath,tikz}.</translation>
+        <source>Copied. The document needs %1.</source>
+        <translation>Kopiert. Das Dokument braucht %1.</translation>
     </message>
     <message>
         <source>Map numbers</source>
@@ -2410,6 +2410,10 @@
     <message>
         <source>Show the number and the fixed point of each map</source>
         <translation>Die Nummer und den Fixpunkt jeder Abbildung zeigen</translation>
+    </message>
+    <message>
+        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
+        <translation>Spielt diese Lektion auf dem ganzen Bildschirm ab: Ihr Text steht neben dem Bild, und Bild ab und Bild auf führen von Schritt zu Schritt. Esc beendet sie.</translation>
     </message>
 </context>
 <context>
@@ -9065,6 +9069,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>%1. %2</source>
         <comment>number and title of a step</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <translation>%1. Eine Lektion ist eine Liste von Schritten. Zu jedem gehören ein Text und ein Zustand des Fensters: der Eintrag, was von ihm zu sehen ist, das Werkzeug, Farben und Umrisse.</translation>
     </message>
 </context>
 <context>

@@ -2392,8 +2392,8 @@
         <translation>Copiar la jaula y sus imágenes por las aplicaciones, con números y puntos fijos, tal como se ven</translation>
     </message>
     <message>
-        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
-        <translation>Copiado. El documento necesita \usepackage{amsmath,tikz}.</translation>
+        <source>Copied. The document needs %1.</source>
+        <translation>Copiado. El documento necesita %1.</translation>
     </message>
     <message>
         <source>Map numbers</source>
@@ -2410,6 +2410,10 @@
     <message>
         <source>Show the number and the fixed point of each map</source>
         <translation>Mostrar el número y el punto fijo de cada aplicación</translation>
+    </message>
+    <message>
+        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
+        <translation>Reproduce esta lección en toda la pantalla: su texto aparece junto a la imagen, y Av Pág y Re Pág llevan de un paso a otro. Esc la termina.</translation>
     </message>
 </context>
 <context>
@@ -9065,6 +9069,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>%1. %2</source>
         <comment>number and title of a step</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <translation>%1. Una lección es una lista de pasos. Cada uno tiene un texto y el estado de la ventana que le corresponde: la entrada, lo que se ve de ella, la herramienta, los colores y los contornos.</translation>
     </message>
 </context>
 <context>

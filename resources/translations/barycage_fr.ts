@@ -2237,7 +2237,7 @@
     </message>
     <message>
         <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
-        <translation>Une leçon ne peut pas désigner un fichier nommé «&#x202f;%1&#x202f;». Enregistrez d’abord les fractales sous un nom sans&#x202f;: *&#x202f;? &quot; &lt; &gt; |.</translation>
+        <translation>Une leçon ne peut pas désigner un fichier nommé «&#x202f;%1&#x202f;». Enregistrez les fractales sous un nom sans : * ? &quot; &lt; &gt; | d’abord.</translation>
     </message>
     <message>
         <source>Save Lesson</source>
@@ -2392,8 +2392,8 @@
         <translation>Copier la cage et ses images par les applications, avec numéros et points fixes, comme affichées</translation>
     </message>
     <message>
-        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
-        <translation>Copié. Le document a besoin de \usepackage{amsmath,tikz}.</translation>
+        <source>Copied. The document needs %1.</source>
+        <translation>Copié. Le document a besoin de %1.</translation>
     </message>
     <message>
         <source>Map numbers</source>
@@ -2410,6 +2410,10 @@
     <message>
         <source>Show the number and the fixed point of each map</source>
         <translation>Afficher le numéro et le point fixe de chaque application</translation>
+    </message>
+    <message>
+        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
+        <translation>Joue cette leçon en plein écran : son texte est à côté de l’image, et Page suivante et Page précédente mènent d’une étape à l’autre. Échap la quitte.</translation>
     </message>
 </context>
 <context>
@@ -9065,6 +9069,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>%1. %2</source>
         <comment>number and title of a step</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <translation>%1. Une leçon est une liste d’étapes. Chacune a un texte et l’état de la fenêtre qui lui correspond : l’entrée, ce qu’on en voit, l’outil, les couleurs et les contours.</translation>
     </message>
 </context>
 <context>

@@ -2399,8 +2399,8 @@
         <translation>Копирај го кафезот и неговите слики според пресликувањата, со броеви и неподвижни точки, како што се прикажани</translation>
     </message>
     <message>
-        <source>Copied. The document needs \usepackage{amsmath,tikz}.</source>
-        <translation>Копирано. На документот му треба \usepackage{amsmath,tikz}.</translation>
+        <source>Copied. The document needs %1.</source>
+        <translation>Копирано. На документот му треба %1.</translation>
     </message>
     <message>
         <source>Map numbers</source>
@@ -2417,6 +2417,10 @@
     <message>
         <source>Show the number and the fixed point of each map</source>
         <translation>Прикажи ги бројот и неподвижната точка на секое пресликување</translation>
+    </message>
+    <message>
+        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
+        <translation>Ја пушта лекцијата на цел екран: текстот стои покрај сликата, а Page Down и Page Up водат од чекор до чекор. Esc ја завршува.</translation>
     </message>
 </context>
 <context>
@@ -9089,6 +9093,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>%1. %2</source>
         <comment>number and title of a step</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <translation>%1. Лекцијата е список од чекори. Секој има текст и состојба на прозорецот што му припаѓа: записот, што се гледа од него, алатката, боите и контурите.</translation>
     </message>
 </context>
 <context>

@@ -152,7 +152,11 @@ private slots:
         const QRect below(0, 20, 20, 20), above(0, 0, 40, 20);
         QVERIFY(coloured(first, below) > 40 && coloured(first, above) < 6);
         QVERIFY(coloured(last, above) > 40 && coloured(last, QRect(0, 22, 40, 18)) < 6);
-        QVERIFY(qAlpha(first.pixel(30, 38)) > 10); // the faint whole
+        int faintPixels = 0; // of the whole
+        for (int y = 20; y < 40; ++y)
+            for (int x = 20; x < 40; ++x)
+                faintPixels += qAlpha(first.pixel(x, y)) > 10;
+        QVERIFY(faintPixels > 20);
         QVERIFY(points.picture(3, faint).isNull());
         const MapPoints solid(inSpace(), 40, 30);
         QVERIFY(coloured(solid.picture(0, faint), QRect(0, 0, 40, 30)) > 20);

@@ -190,7 +190,7 @@ Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped)
 Orbit::Point Orbit::next() {
     step();
     Point shown = m_point;
-    if (!m_address.empty()) shown.x = change()(m_point.x);
+    if (!m_system->moved.empty()) shown.x = change()(m_point.x);
     return shown;
 }
 

@@ -218,9 +218,10 @@ bool readPanels(const QString& value, LessonState& state) {
     bool isGood = true;
     state.panels.clear();
     for (const QString& item : items(value)) {
-        const bool isPanel = id.match(item).hasMatch() && state.panels.size() < maxPanels;
-        if (isPanel && !state.panels.contains(item)) state.panels << item;
-        isGood = isGood && isPanel;
+        const bool isNew =
+            id.match(item).hasMatch() && state.panels.size() < maxPanels && !state.panels.contains(item);
+        if (isNew) state.panels << item;
+        isGood = isGood && isNew;
     }
     return isGood;
 }

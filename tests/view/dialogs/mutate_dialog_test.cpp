@@ -121,7 +121,7 @@ void MutateDialogTest::theParentIsInTheMiddle() {
     }
     // On a tile of the colour of selections.
     const QImage seen = ringOf(dialog).viewport()->grab().toImage();
-    const int inset = (middle.width() - ring.parentSide()) / 2;
+    const int inset = (middle.height() - ring.parentSide()) / 2;
     QCOMPARE(seen.pixelColor(middle.center().x(), middle.top() + inset - 2).name(),
              ring.palette().color(QPalette::Highlight).name());
 }

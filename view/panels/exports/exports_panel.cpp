@@ -56,7 +56,9 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     layout->addWidget(buttonBar(m_actions, m_remove, this));
     layout->addWidget(m_list, 1);
     layout->addWidget(m_empty, 1);
-    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_selected = selectedIds(); });
+    // Not before a reset: then the rows are those of the new list already. A reset does not announce it.
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            [this] { m_selected = selectedIds(); });
     connect(m_model, &QAbstractItemModel::modelReset, this, &ExportsPanel::keepSelection);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &ExportsPanel::updateActions);
     connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,

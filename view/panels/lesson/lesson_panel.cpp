@@ -51,6 +51,11 @@ void LessonPanel::createActions() {
         auto* action = new QAction(icon(QLatin1String(name)), text, this);
         action->setToolTip(tip);
         action->setStatusTip(tip);
+        action->setWhatsThis(
+            tr("%1. A lesson is a list of steps. Each has a text, and the state of the window "
+               "that belongs to it: the entry, what is seen of it, the tool, colours and "
+               "outlines.")
+                .arg(tip));
         connect(action, &QAction::triggered, this, operation);
         return action;
     };
