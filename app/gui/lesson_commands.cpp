@@ -220,7 +220,6 @@ void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*
             tr("Plays this lesson on the whole screen: its text stands beside the picture, and "
                "Page Down and Page Up lead from step to step. Esc leaves it."));
         action->setToolTip(action->statusTip());
-        action->setWhatsThis(action->statusTip() + u'.');
         connect(action, &QAction::triggered, this, [this, window, name = QLatin1String(name)] {
             (isUnused() ? this : window())->showBuiltIn(name);
         });

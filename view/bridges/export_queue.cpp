@@ -71,7 +71,7 @@ void ExportQueue::shutDown() {
         drawn.task.begun = 0; // it was not its fault
         keep(drawn);
     }
-    m_store.release();
+    m_store.waitForDone();
 }
 
 int ExportQueue::rowOf(const QString& id) const {

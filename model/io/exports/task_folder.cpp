@@ -39,10 +39,6 @@ TaskFolder::TaskFolder(const QString& folder) : m_folder(folder) {}
 
 TaskFolder::~TaskFolder() = default;
 
-void TaskFolder::release() {
-    m_locks.clear();
-}
-
 QString TaskFolder::newId() {
     return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }

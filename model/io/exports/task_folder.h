@@ -42,8 +42,6 @@ public:
     };
     TakenOver takeOver();
 
-    void release(); // all of ours, to whoever comes next
-
 private:
     QString pathOf(const QString& id) const;
     bool own(const QString& id);

@@ -13,11 +13,6 @@ TaskStore::~TaskStore() {
     m_writer.waitForDone();
 }
 
-void TaskStore::release() {
-    m_writer.waitForDone();
-    m_folder.release();
-}
-
 void TaskStore::write(const QString& id, const ExportTask& task, std::function<void(bool isKept)> done) {
     m_writer.start([this, id, task, done = std::move(done)] {
         const bool isKept = m_folder.write(id, task);

@@ -19,7 +19,7 @@ public:
     void write(const QString& id, const ExportTask& task, std::function<void(bool isKept)> done = {});
     void remove(const QString& id);
     void takeOver(std::function<void(const TaskFolder::TakenOver&)> done);
-    void release(); // when all is written
+    void waitForDone() { m_writer.waitForDone(); }
 
 private:
     TaskFolder m_folder;  // used by the thread alone

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 using view::ExportQueue;
 using view::QueuedExport;
@@ -184,7 +185,8 @@ void ExportQueueTest::aNewFileIsNotReplaced() {
 }
 
 void ExportQueueTest::ordersWhatWaits() {
-    ExportQueue queue(kept());
+    std::optional<ExportQueue> first(std::in_place, kept());
+    ExportQueue& queue = *first;
     queue.setPaused(true);
     for (const char* name : {"a.png", "b.png", "c.png"})
         queue.add(task(out(QLatin1String(name))));
@@ -193,7 +195,7 @@ void ExportQueueTest::ordersWhatWaits() {
     queue.move(queue.exports()[0].id, -1); // it is the first
     const QStringList wanted{QStringLiteral("c"), QStringLiteral("a"), QStringLiteral("b")};
     QCOMPARE(names(queue), wanted);
-    queue.shutDown();
+    first.reset(); // its tasks are free
     ExportQueue next(kept());
     next.resume();
     QTRY_COMPARE(next.exports().size(), std::size_t(3));
@@ -209,7 +211,8 @@ void ExportQueueTest::goesOnAfterTheEnd() {
         QTRY_VERIFY_WITH_TIMEOUT(queue.exports().front().progress > 0, soon);
     }
     QVERIFY(written().isEmpty());
-    ExportQueue queue(kept());
+    std::optional<ExportQueue> second(std::in_place, kept());
+    ExportQueue& queue = *second;
     QSignalSpy resumed(&queue, &ExportQueue::resumed);
     queue.resume();
     QTRY_COMPARE_WITH_TIMEOUT(queue.exports().size(), std::size_t(3), soon);
@@ -219,7 +222,7 @@ void ExportQueueTest::goesOnAfterTheEnd() {
     QTRY_VERIFY_WITH_TIMEOUT(isDone(queue), soon);
     QCOMPARE(written(), QStringList{QStringLiteral("short.png")});
     // What has failed is there again, too, and can be tried.
-    queue.shutDown();
+    second.reset();
     ExportQueue third(kept());
     third.resume();
     QTRY_COMPARE_WITH_TIMEOUT(third.exports().size(), std::size_t(1), soon);

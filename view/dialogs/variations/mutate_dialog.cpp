@@ -3,6 +3,7 @@
 
 #include "dialogs/variations/sheet_maker.h"
 #include "widgets/tooltip_text.h"
+#include "widgets/vertical_scroll_area.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +48,10 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent)
     columns->addLayout(createLine());
     columns->addWidget(m_ring, 1);
     columns->addSpacing(6);
-    columns->addLayout(createControls());
+    auto* controls = new QWidget(this);
+    controls->setLayout(createControls());
+    controls->layout()->setContentsMargins({});
+    columns->addWidget(new VerticalScrollArea(controls, this)); // in large fonts it needs more height
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(tr("&Use the Parent"), QDialogButtonBox::AcceptRole);
     m_use->setWhatsThis(
