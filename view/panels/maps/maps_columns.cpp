@@ -16,9 +16,9 @@ namespace view {
 namespace {
 
 constexpr int narrowest = 30; // of a number column
-constexpr int eye = 24;
-constexpr int lock = 22;
-constexpr int picture = 40;
+constexpr int eye = 22;
+constexpr int lock = 18;
+constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
 constexpr int minDecimals = 2;
 
