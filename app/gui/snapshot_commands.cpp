@@ -36,13 +36,13 @@ SnapshotCommands::SnapshotCommands(const MenuContext& context, view::RenderBridg
 }
 
 void SnapshotCommands::addTo(ActionMenu& menu) {
-    m_take = menu.add({"snapshot", tr("Take &Snapshot"), QKeySequence(tr("S")),
+    m_take = menu.add({"snapshot", tr("Ta&ke Snapshot"), QKeySequence(tr("S")),
                        tr("Keep the present state of this fractal in the Snapshots panel")},
                       [this] {
                           m_look.end(); // the fractal is kept, not what is looked at
                           m_snapshots.take();
                       });
-    m_compare = menu.add({"compare", tr("&Compare with Snapshot"), QKeySequence(tr("Q")),
+    m_compare = menu.add({"compare", tr("C&ompare with Snapshot"), QKeySequence(tr("Q")),
                           tr("Show the snapshot marked B in place of the fractal; press again, or hold the "
                              "key and let go, to come back")},
                          [this] {

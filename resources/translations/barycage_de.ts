@@ -2834,7 +2834,7 @@
         <translation>Schnappschüsse lassen sich nicht vergleichen, während eine fraktale Transformation gezeigt wird.</translation>
     </message>
     <message>
-        <source>Take &amp;Snapshot</source>
+        <source>Ta&amp;ke Snapshot</source>
         <translation>&amp;Schnappschuss aufnehmen</translation>
     </message>
     <message>
@@ -2846,7 +2846,7 @@
         <translation>Den jetzigen Zustand dieses Fraktals im Feld „Schnappschüsse“ festhalten</translation>
     </message>
     <message>
-        <source>&amp;Compare with Snapshot</source>
+        <source>C&amp;ompare with Snapshot</source>
         <translation>Mit Schnappschuss &amp;vergleichen</translation>
     </message>
     <message>

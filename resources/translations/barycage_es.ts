@@ -2834,7 +2834,7 @@
         <translation>No se pueden comparar instantáneas mientras se muestra una transformación fractal.</translation>
     </message>
     <message>
-        <source>Take &amp;Snapshot</source>
+        <source>Ta&amp;ke Snapshot</source>
         <translation>Tomar una &amp;instantánea</translation>
     </message>
     <message>
@@ -2846,7 +2846,7 @@
         <translation>Guardar el estado actual de este fractal en el panel «Instantáneas»</translation>
     </message>
     <message>
-        <source>&amp;Compare with Snapshot</source>
+        <source>C&amp;ompare with Snapshot</source>
         <translation>&amp;Comparar con la instantánea</translation>
     </message>
     <message>

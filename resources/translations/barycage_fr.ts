@@ -2834,7 +2834,7 @@
         <translation>On ne peut pas comparer d’instantanés tant qu’une transformation fractale est affichée.</translation>
     </message>
     <message>
-        <source>Take &amp;Snapshot</source>
+        <source>Ta&amp;ke Snapshot</source>
         <translation>Prendre un &amp;instantané</translation>
     </message>
     <message>
@@ -2846,7 +2846,7 @@
         <translation>Garder l’état présent de cette fractale dans le panneau « Instantanés »</translation>
     </message>
     <message>
-        <source>&amp;Compare with Snapshot</source>
+        <source>C&amp;ompare with Snapshot</source>
         <translation>&amp;Comparer avec l’instantané</translation>
     </message>
     <message>

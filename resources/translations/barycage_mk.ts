@@ -2841,7 +2841,7 @@
         <translation>Снимките не може да се споредуваат додека се прикажува фрактална трансформација.</translation>
     </message>
     <message>
-        <source>Take &amp;Snapshot</source>
+        <source>Ta&amp;ke Snapshot</source>
         <translation>Направи с&amp;нимка</translation>
     </message>
     <message>
@@ -2853,7 +2853,7 @@
         <translation>Зачувај ја сегашната состојба на фракталот во панелот „Снимки“</translation>
     </message>
     <message>
-        <source>&amp;Compare with Snapshot</source>
+        <source>C&amp;ompare with Snapshot</source>
         <translation>Сп&amp;ореди со снимка</translation>
     </message>
     <message>
