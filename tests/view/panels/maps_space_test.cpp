@@ -40,7 +40,8 @@ private slots:
         const MapsModel& model = *m_panel->model();
         QVERIFY(m_panel->table()->isVisible());
         QCOMPARE(model.rowCount(), 4);
-        const QStringList names = QStringLiteral("On,,a,b,c,d,e,f,g,h,i,j,k,l,p,det,‖A‖,Kind").split(u',');
+        const QStringList names =
+            QStringLiteral("On,,,Name,a,b,c,d,e,f,g,h,i,j,k,l,p,det,‖A‖,Kind").split(u',');
         for (int column = 0; column < names.size(); ++column)
             QCOMPARE(model.headerData(column, Qt::Horizontal).toString(), names[column]);
         QCOMPARE(model.columnCount(), int(names.size()) + 12);
@@ -70,14 +71,15 @@ private slots:
         const MapsModel& model = *m_panel->model();
         for (int column = 0; column < model.columnCount(); ++column) {
             const auto flags = model.index(1, column).flags();
-            const bool typed = column >= MapsModel::A && column <= model.columnOf(MapsModel::Weight);
+            const bool typed = column >= MapsModel::Name && column <= model.columnOf(MapsModel::Weight);
             QCOMPARE(flags.testFlag(Qt::ItemIsEditable), typed);
-            QCOMPARE(flags.testFlag(Qt::ItemIsUserCheckable), column == MapsModel::Enabled);
+            QCOMPARE(flags.testFlag(Qt::ItemIsUserCheckable),
+                     column == MapsModel::Enabled || column == MapsModel::Lock);
         }
         m_document->setFile(document::fileOf(maple())); // fewer columns
         QCOMPARE(model.columnCount(), int(MapsModel::ColumnCount));
         m_document->setFile(document::fileOf(fernInSpace()));
-        QCOMPARE(model.columnCount(), 30);
+        QCOMPARE(model.columnCount(), 32);
     }
 
     void typingInACellIsLiveAndOneStep() {
