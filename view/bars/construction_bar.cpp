@@ -26,7 +26,7 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 18;  // of a count, in a narrow window
+constexpr int fewLetters = 9;   // of a count, in a narrow window
 constexpr double readable = 10; // jumps per second of which each can be seen
 
 QString superscript(int n) {
@@ -93,6 +93,7 @@ QWidget* ConstructionBar::makeSteps() {
     m_start = new StartShapeBox(&m_construction->steps(), page);
     m_distance = new ElidedLabel(page);
     m_copies = new QLabel(page);
+    m_copies->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // cut off in a small window
     m_copies->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -118,6 +119,8 @@ QWidget* ConstructionBar::makeChaosGame() {
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
         m_speed->addItem(tr("%1 per second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_construction->speed()));
+    m_speed->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_speed->setMinimumContentsLength(6); // its list is as wide as it needs
     m_die = new Die(page);
     m_count = new ElidedLabel(page);
     m_count->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());

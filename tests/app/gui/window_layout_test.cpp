@@ -233,7 +233,8 @@ void WindowLayoutTest::barsFitASmallWindow() {
         QTRY_VERIFY(branches->isVisible() && branches->y() != arising->y());
         QCOMPARE(window->width(), 800);
         for (const QToolBar* bar : {arising, branches})
-            QVERIFY(bar->minimumSizeHint().width() < 700); // letters are larger elsewhere
+            QVERIFY2(bar->minimumSizeHint().width() < 700, // letters are larger elsewhere
+                     qPrintable(bar->objectName() + u' ' + QString::number(bar->minimumSizeHint().width())));
         window->removeToolBarBreak(branches);
         window->document().undoStack()->setClean();
         window->close();
