@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "messages.h"
 
+#include "document/reordered_text.h"
+
 #include <QCoreApplication>
 
 #include <cstdio>
 #include <utility>
 
 namespace cli {
-
-namespace {
-
-// Marks, embeddings, overrides and isolates, with which a name could show another order than it has.
-bool turnsText(QChar c) {
-    const char16_t u = c.unicode();
-    return u == 0x061c || u == 0x200e || u == 0x200f || (u >= 0x202a && u <= 0x202e) ||
-           (u >= 0x2066 && u <= 0x2069);
-}
-
-} // namespace
 
 QString printable(QString text) {
     for (qsizetype i = text.size(); i-- > 0;) { // bytes of names that are not UTF-8, see io::pathOf()
@@ -27,7 +18,7 @@ QString printable(QString text) {
                          QStringLiteral("\\x%1").arg(text[i].unicode() & 0xff, 2, 16, QLatin1Char('0')));
     }
     for (QChar& c : text)
-        if ((c.category() == QChar::Other_Control && c != u'\n') || turnsText(c))
+        if ((c.category() == QChar::Other_Control && c != u'\n') || document::turnsText(c))
             c = QChar::ReplacementCharacter;
     return text;
 }

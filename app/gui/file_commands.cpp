@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "file_commands.h"
 
+#include "save_question.h"
 #include "widgets/file_dialogs.h"
 
 #include <QAbstractButton>
@@ -25,12 +26,8 @@ bool FileCommands::maybeSave() {
     if (m_lessons.maybeSave && !m_lessons.maybeSave()) return false;
     m_context.canvas->cancelGesture();
     if (!m_context.document->isModified()) return true;
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
-                    tr("“%1” has unsaved changes.").arg(m_file->name()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_context.window);
-    box.setInformativeText(tr("Do you want to save them?"));
-    box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
+    switch (askToSave(m_context.window, tr("Unsaved changes"),
+                      tr("“%1” has unsaved changes.").arg(m_file->name()))) {
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:

@@ -10,6 +10,7 @@
 #include "open_file.h"
 #include "panels/lesson/lesson_panel.h"
 #include "recent_files.h"
+#include "save_question.h"
 #include "stage.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/save_beside.h"
@@ -229,12 +230,8 @@ void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*
 bool LessonCommands::maybeSave() {
     m_player->stop();
     if (!m_notebook->isModified() || m_notebook->isEmpty()) return true;
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved lesson"),
-                    tr("The lesson “%1” has unsaved changes.").arg(m_notebook->lesson().title),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parts.window);
-    box.setInformativeText(tr("Do you want to save them?"));
-    box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
+    switch (askToSave(m_parts.window, tr("Unsaved lesson"),
+                      tr("The lesson “%1” has unsaved changes.").arg(m_notebook->lesson().title))) {
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/map_names.h"
 
+#include "document/reordered_text.h"
+
 namespace document {
 
 namespace {
-
-// With these a name could turn round what stands behind it.
-bool turnsText(QChar c) {
-    const char16_t u = c.unicode();
-    return u == 0x061c || u == 0x200e || u == 0x200f || (u >= 0x202a && u <= 0x202e) ||
-           (u >= 0x2066 && u <= 0x2069);
-}
 
 bool isPart(const QString& text, qsizetype at) {
     const QChar c = text[at];

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "document/lesson/lesson.h"
 
+#include "document/reordered_text.h"
+
 #include <algorithm>
 
 namespace document {
 
 namespace {
 
-// Embeddings, overrides and isolates: they could show a text in another order than it is written.
-bool reorders(QChar c) {
-    const char16_t code = c.unicode();
-    return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-}
-
 bool isKept(QChar c) {
-    return c == u'\n' || (c.category() != QChar::Other_Control && !reorders(c));
+    return c == u'\n' || (c.category() != QChar::Other_Control && !reordersText(c));
 }
 
 QString cut(const QString& text, int limit) {
