@@ -11,6 +11,7 @@ bool isPart(const QString& text, qsizetype at) {
     const QChar c = text[at];
     if (c.isHighSurrogate()) return at + 1 < text.size() && text[at + 1].isLowSurrogate();
     if (c.isLowSurrogate()) return at > 0 && text[at - 1].isHighSurrogate();
+    if (c == QChar::ByteOrderMark) return false; // decoders drop it
     return !turnsText(c) && c.category() != QChar::Other_Control && c.category() != QChar::Other_NotAssigned;
 }
 

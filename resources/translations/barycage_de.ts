@@ -7110,10 +7110,6 @@
         <translation>Punkte erscheinen lassen</translation>
     </message>
     <message>
-        <source>%1 per second</source>
-        <translation>%1 je Sekunde</translation>
-    </message>
-    <message>
         <source>W%1: the cage itself</source>
         <translation>W%1: der Käfig selbst</translation>
     </message>
@@ -7204,6 +7200,11 @@
     <message>
         <source>jump %1 of the %2 that are not plotted</source>
         <translation>Sprung %1 der %2, die nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <comment>jumps per second</comment>
+        <translation>%1/s</translation>
     </message>
 </context>
 <context>
@@ -9803,10 +9804,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Determinante, Kontraktionsfaktor und Art jeder Abbildung zeigen</translation>
     </message>
     <message>
-        <source>Effective code</source>
-        <translation>Effektiver Code</translation>
-    </message>
-    <message>
         <source>Show the maps as they act on the picture under the current cage</source>
         <translation>Die Abbildungen zeigen, wie sie unter dem jetzigen Käfig auf das Bild wirken</translation>
     </message>
@@ -9965,6 +9962,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Cut %1 maps</source>
         <translation>%1 Abbildungen ausschneiden</translation>
+    </message>
+    <message>
+        <source>Effective</source>
+        <translation>Effektiv</translation>
     </message>
 </context>
 <context>

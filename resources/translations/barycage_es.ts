@@ -7110,10 +7110,6 @@
         <translation>Hacer que aparezcan puntos</translation>
     </message>
     <message>
-        <source>%1 per second</source>
-        <translation>%1 por segundo</translation>
-    </message>
-    <message>
         <source>W%1: the cage itself</source>
         <translation>W%1: la propia jaula</translation>
     </message>
@@ -7204,6 +7200,11 @@
     <message>
         <source>jump %1 of the %2 that are not plotted</source>
         <translation>salto %1 de los %2 que no se dibujan</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <comment>jumps per second</comment>
+        <translation>%1/s</translation>
     </message>
 </context>
 <context>
@@ -9803,10 +9804,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mostrar el determinante, el factor de contracción y el tipo de cada aplicación</translation>
     </message>
     <message>
-        <source>Effective code</source>
-        <translation>Código efectivo</translation>
-    </message>
-    <message>
         <source>Show the maps as they act on the picture under the current cage</source>
         <translation>Mostrar las aplicaciones tal como actúan sobre la imagen con la jaula actual</translation>
     </message>
@@ -9940,7 +9937,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>Names</source>
-        <translation>Nombres</translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Show the names of the maps</source>
@@ -9965,6 +9962,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Cut %1 maps</source>
         <translation>Cortar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Effective</source>
+        <translation>Efectivo</translation>
     </message>
 </context>
 <context>

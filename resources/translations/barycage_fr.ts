@@ -7110,10 +7110,6 @@
         <translation>Faire apparaître des points</translation>
     </message>
     <message>
-        <source>%1 per second</source>
-        <translation>%1 par seconde</translation>
-    </message>
-    <message>
         <source>W%1: the cage itself</source>
         <translation>W%1&#x202f;: la cage elle-même</translation>
     </message>
@@ -7204,6 +7200,11 @@
     <message>
         <source>jump %1 of the %2 that are not plotted</source>
         <translation>saut %1 des %2 qui ne sont pas tracés</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <comment>jumps per second</comment>
+        <translation>%1/s</translation>
     </message>
 </context>
 <context>
@@ -9803,10 +9804,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Afficher le déterminant, le facteur de contraction et la nature de chaque application</translation>
     </message>
     <message>
-        <source>Effective code</source>
-        <translation>Code effectif</translation>
-    </message>
-    <message>
         <source>Show the maps as they act on the picture under the current cage</source>
         <translation>Afficher les applications telles qu’elles agissent sur l’image sous la cage actuelle</translation>
     </message>
@@ -9965,6 +9962,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Cut %1 maps</source>
         <translation>Couper %1 applications</translation>
+    </message>
+    <message>
+        <source>Effective</source>
+        <translation>Effectif</translation>
     </message>
 </context>
 <context>

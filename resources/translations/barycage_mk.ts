@@ -7124,10 +7124,6 @@
         <translation>Нека се појавуваат точки</translation>
     </message>
     <message>
-        <source>%1 per second</source>
-        <translation>%1 во секунда</translation>
-    </message>
-    <message>
         <source>W%1: the cage itself</source>
         <translation>W%1: самиот кафез</translation>
     </message>
@@ -7218,6 +7214,11 @@
     <message>
         <source>jump %1 of the %2 that are not plotted</source>
         <translation>скок %1 од првите %2 што не се цртаат</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <comment>jumps per second</comment>
+        <translation>%1/s</translation>
     </message>
 </context>
 <context>
@@ -9828,10 +9829,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Прикажи ги детерминантата, коефициентот на контракција и видот на секое пресликување</translation>
     </message>
     <message>
-        <source>Effective code</source>
-        <translation>Ефективен код</translation>
-    </message>
-    <message>
         <source>Show the maps as they act on the picture under the current cage</source>
         <translation>Прикажи ги пресликувањата онака како што дејствуваат на сликата под сегашниот кафез</translation>
     </message>
@@ -9990,6 +9987,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Cut %1 maps</source>
         <translation>Сечење на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Effective</source>
+        <translation>Ефективен</translation>
     </message>
 </context>
 <context>

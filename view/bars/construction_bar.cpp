@@ -26,7 +26,7 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 9;   // of a count, in a narrow window
+constexpr int fewLetters = 12;   // of a count, in a narrow window
 constexpr double readable = 10; // jumps per second of which each can be seen
 
 QString superscript(int n) {
@@ -117,10 +117,8 @@ QWidget* ConstructionBar::makeChaosGame() {
     m_speed->setWhatsThis(tr("How many jumps the chaos game makes per second. Up to ten per second, the die "
                              "shows each map that falls."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
-        m_speed->addItem(tr("%1 per second").arg(groupedNumber(speed)), double(speed));
+        m_speed->addItem(tr("%1/s", "jumps per second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_construction->speed()));
-    m_speed->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_speed->setMinimumContentsLength(6); // its list is as wide as it needs
     m_die = new Die(page);
     m_count = new ElidedLabel(page);
     m_count->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());

@@ -51,9 +51,11 @@ private slots:
         const MapsModel model(m_document.get());
         for (int column = 0; column < MapsModel::ColumnCount; ++column) {
             const auto flags = model.flags(model.index(0, column));
-            const bool number = column >= MapsModel::A && column <= MapsModel::Weight;
-            QCOMPARE(flags.testFlag(Qt::ItemIsEditable), number);
-            QCOMPARE(flags.testFlag(Qt::ItemIsUserCheckable), column == MapsModel::Enabled);
+            const bool typed =
+                column == MapsModel::Name || (column >= MapsModel::A && column <= MapsModel::Weight);
+            QCOMPARE(flags.testFlag(Qt::ItemIsEditable), typed);
+            QCOMPARE(flags.testFlag(Qt::ItemIsUserCheckable),
+                     column == MapsModel::Enabled || column == MapsModel::Lock);
         }
     }
 

@@ -171,7 +171,7 @@ QWidget* MapsPanel::makeEditBar() {
     for (QAction* each : {m_up, m_down})
         layout->addWidget(button(each));
     layout->addSpacing(8);
-    for (QAction* each : {m_rename, m_lock, m_alone})
+    for (QAction* each : {m_lock, m_alone}) // names are edited in their column
         layout->addWidget(button(each));
     layout->addStretch();
     layout->addWidget(
@@ -197,13 +197,13 @@ QWidget* MapsPanel::makeColumnBar() {
     auto* bar = new QWidget(this);
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
+    layout->setSpacing(0); // they have margins of their own
     layout->addWidget(columnToggle(tr("Names"), tr("Show the names of the maps"), Columns::Names, false));
     layout->addWidget(columnToggle(tr("Code"), {}, Columns::Code, true));
     layout->addWidget(columnToggle(tr("Properties"),
                                    tr("Show determinant, contraction factor and kind of each map"),
                                    Columns::Facts, false));
-    layout->addWidget(columnToggle(tr("Effective code"),
+    layout->addWidget(columnToggle(tr("Effective"),
                                    tr("Show the maps as they act on the picture under the current cage"),
                                    Columns::Effective, false));
     layout->addStretch();
