@@ -145,6 +145,8 @@ void RealSnapshotsTest::aSnapshotIsNamedAddedAndDeleted() {
     QTRY_VERIFY(visible<QMenu>());
     chooseFrom(visible<QMenu>(), QStringLiteral("Rename"));
     QTRY_VERIFY(strip().findChild<QLineEdit*>());
+    QTRY_VERIFY(strip().findChild<QLineEdit*>()->hasFocus() && !visible<QMenu>());
+    QTest::qWait(100); // the server gives the keys back to the window
     hand().key("Control+a");
     hand().type(QStringLiteral("upright"));
     hand().key("Return");

@@ -212,13 +212,13 @@ void RealTableTest::rowsAreCopiedAndPasted() {
     hand().key("Control+c");
     QTRY_VERIFY(
         QGuiApplication::clipboard()->text().startsWith(QStringLiteral("0.61\t0\t0\t0.31\t0.07\t3.5\t")));
-    hand().key("Control+Shift+v");
+    hand().key("Control+v"); // as a new map
     QTRY_COMPARE(code().maps.size(), std::size_t{5});
     QVERIFY(code().maps[4].map == before.maps[1].map);
 
     QGuiApplication::clipboard()->setText(QStringLiteral("a,b,c,d,e,f\n1/2,0,0,1/2,0,1\n"));
     hand().clickAt(placeOf(0, MapsModel::A));
-    hand().key("Control+v"); // in place of the selected row
+    hand().key("Control+Shift+v"); // in place of the selected row
     QTRY_COMPARE(steps(), 2);
     QCOMPARE(code().maps.size(), std::size_t{5});
     QCOMPARE(code().maps[0].map.linear, ifs::Matrix<2>(ifs::Matrix<2>::Identity() / 2));
@@ -228,7 +228,7 @@ void RealTableTest::rowsAreCopiedAndPasted() {
 void RealTableTest::theColumnsOfPastedRowsAreChosen() {
     QGuiApplication::clipboard()->setText(QStringLiteral("0.5 0.1 3 0.2 0.4 5 0.25\n0.3 0 2 0 0.3 1 0.75\n"));
     hand().clickAt(placeOf(0, MapsModel::A));
-    hand().key("Control+v");
+    hand().key("Control+Shift+v");
     QTRY_VERIFY(visible<view::PasteTableDialog>());
     QVERIFY(QTest::qWaitForWindowActive(visible<view::PasteTableDialog>()));
     QTest::qWait(200);                                                  // the window manager finds its place

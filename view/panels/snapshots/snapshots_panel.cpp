@@ -170,20 +170,21 @@ void SnapshotsPanel::showTile(QListWidgetItem* item, const Snapshot& snapshot) {
 }
 
 void SnapshotsPanel::showContextMenu(const QPoint& position) {
-    QMenu menu(this);
-    menu.setToolTipsVisible(true);
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
     if (m_list->itemAt(position)) {
-        menu.addActions({m_restore, m_mark});
-        menu.addSeparator();
-        menu.addActions({m_rename, m_add, m_remove});
-        menu.addSeparator();
+        menu->addActions({m_restore, m_mark});
+        menu->addSeparator();
+        menu->addActions({m_rename, m_add, m_remove});
+        menu->addSeparator();
     }
     if (const QString removed = m_snapshots->removed(); !removed.isEmpty()) {
         m_bringBack->setText(tr("&Bring Back “%1”").arg(QString(removed).replace(u'&', QLatin1String("&&"))));
-        menu.addAction(m_bringBack);
+        menu->addAction(m_bringBack);
     }
-    menu.addAction(m_take);
-    menu.exec(m_list->viewport()->mapToGlobal(position));
+    menu->addAction(m_take);
+    menu->popup(m_list->viewport()->mapToGlobal(position));
 }
 
 void SnapshotsPanel::paintEmpty() {
