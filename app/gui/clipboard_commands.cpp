@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QKeyEvent>
+#include <QPointer>
 #include <QTableView>
 
 namespace {
@@ -31,6 +32,22 @@ view::MapsPanel& maps(const MenuContext& context) {
     return *context.window->findChild<view::MapsPanel*>();
 }
 
+bool isWanted(const QKeyCombination& key, QWidget* widget) {
+    QKeyEvent event(QEvent::ShortcutOverride, key.key(), key.keyboardModifiers());
+    event.ignore();
+    QApplication::sendEvent(widget, &event);
+    return event.isAccepted();
+}
+
+// Past the shortcuts, to a widget or to the nearest around it that takes the key.
+void deliver(QKeyEvent& event, QWidget* widget) {
+    for (QWidget* each = widget; each != nullptr; each = each->isWindow() ? nullptr : each->parentWidget()) {
+        event.accept();
+        static_cast<QObject*>(each)->event(&event);
+        if (event.isAccepted()) return;
+    }
+}
+
 } // namespace
 
 ClipboardCommands::Target ClipboardCommands::target() const {
@@ -45,7 +62,8 @@ ClipboardCommands::Target ClipboardCommands::target() const {
     return isOfMaps ? Target::CanvasOfMaps : Target::Canvas;
 }
 
-// As if it had been typed: each widget knows what the key means to it.
+// As if it had been typed: each widget knows what the key means to it. A key that no widget claims would be
+// taken for the shortcut of the command that presses it.
 void ClipboardCommands::press(const QKeySequence& keys) const {
     if (keys.isEmpty()) return;
     QWidget* focused = QApplication::focusWidget();
@@ -55,9 +73,15 @@ void ClipboardCommands::press(const QKeySequence& keys) const {
     }
     if (focused == nullptr) return;
     const QKeyCombination key = keys[0];
+    const bool isClaimed = isWanted(key, focused);
+    const QPointer<QWidget> widget = focused; // the key may close it
     for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
         QKeyEvent event(type, key.key(), key.keyboardModifiers());
-        QApplication::sendEvent(focused, &event);
+        if (!widget) return;
+        if (isClaimed)
+            QApplication::sendEvent(widget, &event);
+        else
+            deliver(event, widget);
     }
 }
 

@@ -32,6 +32,7 @@ private slots:
     void menusHaveEveryLetterOnce();
     void whatIsDisabledSaysWhy();
     void toolsOfThePlaneAreNotOfferedInSpace();
+    void aKeyThatNobodyClaimsEnds();
 };
 
 void ActionMenuTest::commandsOfThePanelsAreFound() {
@@ -245,6 +246,31 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
     window->document().undoStack()->undo();
     QTest::keyClick(window->focusWidget(), Qt::Key_M);
     QCOMPARE(canvas->tool(), Tool::Maps);
+    window->document().undoStack()->setClean();
+}
+
+// Copy and the like press their key for the widget with the focus. Where it has no use for the key, the
+// shortcut of the command must not run again.
+void ActionMenuTest::aKeyThatNobodyClaimsEnds() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    const QList<QKeySequence> keys{QKeySequence::Copy,   QKeySequence::Cut,
+                                   QKeySequence::Paste,  QKeySequence::SelectAll,
+                                   QKeySequence::Delete, QKeySequence(Qt::Key_Insert)};
+    int pressed = 0;
+    for (auto* widget : window->findChildren<QWidget*>()) {
+        if (!widget->isVisible() || !widget->isEnabled() || widget->focusPolicy() == Qt::NoFocus) continue;
+        const QPointer<QWidget> guard = widget;
+        for (const QAction* menu : window->menuBar()->actions())
+            for (QAction* action : menu->menu()->actions()) {
+                if (!guard || !keys.contains(action->shortcut())) continue;
+                guard->setFocus();
+                action->trigger();
+                ++pressed;
+            }
+    }
+    QVERIFY(pressed > 50);
     window->document().undoStack()->setClean();
 }
 
