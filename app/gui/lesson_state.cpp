@@ -155,6 +155,7 @@ LessonState lessonState(const LessonParts& parts) {
     state.showsGrid = canvas.options().isGridVisible();
     state.showsAxes = canvas.options().areAxesVisible();
     state.showsCage = canvas.options().overlaysVisible();
+    state.showsMapNumbers = canvas.options().areMapNumbersVisible();
     return state;
 }
 
@@ -169,6 +170,7 @@ QString showLessonState(const LessonParts& parts, const LessonState& state) {
     canvas.options().setGridVisible(state.showsGrid);
     canvas.options().setAxesVisible(state.showsAxes);
     canvas.options().setOverlaysVisible(state.showsCage);
+    canvas.options().setMapNumbersVisible(state.showsMapNumbers);
     parts.analysis->setCylinderDepth(state.cylinderDepth);
     for (const Outline outline : outlines)
         parts.analysis->setOutlined(outline, state.outlines.contains(outline));

@@ -139,9 +139,13 @@ void ViewMenu::addOverlays() {
     });
     auto* marks = new view::MapNumbers; // the scene owns it
     canvas->scene()->addItem(marks);
+    connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, canvas,
+            [marks](bool on) { marks->setVisible(on); });
     m_numbers = addToggle({nullptr, tr("&Numbers of Maps"), QKeySequence(tr("N")),
                            tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
-                          [marks](bool on) { marks->setVisible(on); });
+                          [canvas](bool on) { canvas->options().setMapNumbersVisible(on); });
+    connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, m_numbers,
+            &QAction::setChecked);
     for (QAction* ofThePlane : {grid, axes, downwards, m_numbers})
         disableWhen(ofThePlane, &document::planeObstacle);
     QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),

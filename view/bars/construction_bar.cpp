@@ -12,7 +12,6 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStackedWidget>
@@ -26,7 +25,7 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 12;   // of a count, in a narrow window
+constexpr int fewLetters = 12;  // of a count, in a narrow window
 constexpr double readable = 10; // jumps per second of which each can be seen
 
 QString superscript(int n) {
@@ -91,17 +90,14 @@ QWidget* ConstructionBar::makeSteps() {
     m_steps->setTickInterval(1);
     m_steps->setMaximumWidth(240);
     m_start = new StartShapeBox(&m_construction->steps(), page);
-    m_distance = new ElidedLabel(page);
-    m_copies = new QLabel(page);
-    m_copies->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // cut off in a small window
-    m_copies->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
+    m_facts = new ElidedLabel(page);
+    m_facts->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
     auto* layout = new QHBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(12);
     layout->addWidget(m_start);
     layout->addWidget(m_steps, 1);
-    layout->addWidget(m_copies);
-    layout->addWidget(m_distance, 1);
+    layout->addWidget(m_facts, 2);
     connect(m_steps, &QSlider::valueChanged, m_construction, &Construction::setStep);
     return page;
 }
@@ -160,12 +156,15 @@ void ConstructionBar::followSteps() {
     const double copies = m_construction->copies();
     const QString step = superscript(m_construction->step());
     const bool isCage = m_construction->steps().start() == StepsBridge::Start::Cage;
+    QStringList facts;
     if (copies == 1)
-        m_copies->setText(isCage ? tr("W%1: the cage itself").arg(step) : tr("W%1: the start").arg(step));
+        facts << (isCage ? tr("W%1: the cage itself").arg(step) : tr("W%1: the start").arg(step));
     else
-        m_copies->setText((isCage ? tr("W%1: %2 copies of the cage") : tr("W%1: %2 copies"))
-                              .arg(step, groupedNumber(copies)));
-    m_distance->setText(distanceText());
+        facts << (isCage ? tr("W%1: %2 copies of the cage") : tr("W%1: %2 copies"))
+                     .arg(step, groupedNumber(copies));
+    facts << distanceText();
+    facts.removeAll(QString());
+    m_facts->setText(facts.join(QStringLiteral(" · ")));
     QString tip = tr("The Hausdorff distance from the picture to the attractor A, and what it cannot exceed");
     if (const auto& distance = m_construction->steps().distance(); distance && distance->distance)
         tip =
@@ -173,8 +172,9 @@ void ConstructionBar::followSteps() {
                "most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction "
                "factor of the maps.")
                 .arg(digits(distance->cell), roundedNumber(distance->contraction, maxDecimals));
-    m_distance->setToolTip(tip);
-    m_distance->setWhatsThis(tip);
+    m_facts->setToolTip(m_facts->text() + QStringLiteral("\n\n") +
+                        tip); // where there is no room for all of it
+    m_facts->setWhatsThis(tip);
 }
 
 QString ConstructionBar::distanceText() const {

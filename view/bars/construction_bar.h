@@ -5,7 +5,6 @@
 
 class QButtonGroup;
 class QComboBox;
-class QLabel;
 class QSlider;
 class QStackedWidget;
 class QToolButton;
@@ -44,8 +43,7 @@ private:
     QStackedWidget* m_pages;
     QSlider* m_steps = nullptr;
     StartShapeBox* m_start = nullptr;
-    QLabel* m_copies = nullptr;
-    ElidedLabel* m_distance = nullptr;
+    ElidedLabel* m_facts = nullptr; // copies and distance
     QToolButton* m_run = nullptr;
     QComboBox* m_speed = nullptr;
     Die* m_die = nullptr;

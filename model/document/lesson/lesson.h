@@ -82,6 +82,7 @@ struct LessonState {
     bool showsGrid = true;
     bool showsAxes = true;
     bool showsCage = true; // and the other marks on the canvas
+    bool showsMapNumbers = false;
     QStringList panels;    // that are shown besides the canvas, by their ids
 
     friend bool operator==(const LessonState&, const LessonState&) = default;

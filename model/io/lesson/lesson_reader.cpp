@@ -203,14 +203,23 @@ bool readFrame(const QString& value, LessonState& state) {
     return state.moment.has_value();
 }
 
-bool readHidden(const QString& value, LessonState& state) {
+bool setMarks(const QString& value, std::span<const LessonWord<bool LessonState::*>> marks, bool shown,
+              LessonState& state) {
     bool isGood = true;
     for (const QString& item : items(value))
-        if (const auto mark = meaningOf(lessonMarks(), item))
-            state.*(*mark) = false;
+        if (const auto mark = meaningOf(marks, item))
+            state.*(*mark) = shown;
         else
             isGood = false;
     return isGood;
+}
+
+bool readHidden(const QString& value, LessonState& state) {
+    return setMarks(value, lessonMarks(), false, state);
+}
+
+bool readShown(const QString& value, LessonState& state) {
+    return setMarks(value, lessonExtras(), true, state);
 }
 
 bool readPanels(const QString& value, LessonState& state) {
@@ -240,7 +249,8 @@ constexpr Setting knownSettings[] = {
     {QLatin1String("tool"), readTool},     {QLatin1String("cage"), readCage},
     {QLatin1String("colour"), readColour}, {QLatin1String("outlines"), readOutlines},
     {QLatin1String("frame"), readFrame},   {QLatin1String("construction"), readConstruction},
-    {QLatin1String("hide"), readHidden},   {QLatin1String("panels"), readPanels},
+    {QLatin1String("hide"), readHidden},   {QLatin1String("show"), readShown},
+    {QLatin1String("panels"), readPanels},
 };
 
 class Reader {

@@ -35,6 +35,10 @@ constexpr LessonWord<bool LessonState::*> marks[] = {
     {QLatin1String("cage"), &LessonState::showsCage},
 };
 
+constexpr LessonWord<bool LessonState::*> extras[] = {
+    {QLatin1String("map-numbers"), &LessonState::showsMapNumbers},
+};
+
 } // namespace
 
 std::span<const LessonWord<LessonTool>> lessonTools() {
@@ -51,6 +55,10 @@ std::span<const LessonWord<Outline>> lessonOutlines() {
 
 std::span<const LessonWord<bool LessonState::*>> lessonMarks() {
     return marks;
+}
+
+std::span<const LessonWord<bool LessonState::*>> lessonExtras() {
+    return extras;
 }
 
 } // namespace io

@@ -102,10 +102,11 @@ QByteArray constructionOf(const LessonConstruction& construction) {
     return text;
 }
 
-QByteArray hiddenIn(const LessonState& state) {
+QByteArray marksOf(const LessonState& state, std::span<const LessonWord<bool LessonState::*>> marks,
+                   bool shown) {
     QByteArrayList texts;
-    for (const auto& [word, shown] : lessonMarks())
-        if (!(state.*shown)) texts << QByteArray(word.data(), word.size());
+    for (const auto& [word, mark] : marks)
+        if (state.*mark == shown) texts << QByteArray(word.data(), word.size());
     return texts.join(", ");
 }
 
@@ -127,7 +128,8 @@ QByteArray settingsOf(const LessonStep& step) {
     settings.add("outlines", outlinesOf(state));
     settings.add("construction", constructionOf(state.construction));
     settings.add("frame", momentOf(state));
-    settings.add("hide", hiddenIn(state));
+    settings.add("hide", marksOf(state, lessonMarks(), false));
+    settings.add("show", marksOf(state, lessonExtras(), true));
     settings.add("panels", state.panels.join(QStringLiteral(", ")).toUtf8());
     settings.add(step.unknown);
     return settings.text();

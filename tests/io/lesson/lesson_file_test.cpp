@@ -58,6 +58,7 @@ LessonStep fullStep() {
     step.state.construction = {document::LessonConstruction::Mode::ChaosGame, 0, 12345, 0.5};
     step.state.moment = animation::moment(49, 4);
     step.state.showsGrid = step.state.showsCage = false;
+    step.state.showsMapNumbers = true;
     step.state.panels = {u"maps"_s, u"lesson"_s};
     return step;
 }
@@ -135,6 +136,7 @@ void LessonFileTest::settingsAreReadLeniently_data() {
     row("frame: -1");
     row("frame: 1/0");
     row("hide: everything");
+    row("show: everything");
     row("panels: ../x");
 }
 

@@ -21,4 +21,10 @@ void CanvasOptions::setOverlaysVisible(bool visible) {
     emit overlaysVisibleChanged(visible);
 }
 
+void CanvasOptions::setMapNumbersVisible(bool visible) {
+    if (visible == m_areMapNumbersVisible) return;
+    m_areMapNumbersVisible = visible;
+    emit mapNumbersVisibleChanged(visible);
+}
+
 } // namespace view

@@ -18,6 +18,8 @@ public:
     bool areAxesVisible() const { return m_scene.grid().areAxesVisible(); }
     void setOverlaysVisible(bool visible); // all but the picture
     bool overlaysVisible() const { return m_scene.overlaysVisible(); }
+    void setMapNumbersVisible(bool visible); // and fixed points
+    bool areMapNumbersVisible() const { return m_areMapNumbersVisible; }
     void setSnapping(Snapping snapping) { m_scene.setSnapping(snapping); }
     Snapping snapping() const { return m_scene.snapping(); }
 
@@ -25,9 +27,11 @@ signals:
     void gridVisibleChanged(bool visible);
     void axesVisibleChanged(bool visible);
     void overlaysVisibleChanged(bool visible);
+    void mapNumbersVisibleChanged(bool visible);
 
 private:
     CanvasScene& m_scene;
+    bool m_areMapNumbersVisible = false;
 };
 
 } // namespace view
