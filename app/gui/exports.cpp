@@ -38,7 +38,9 @@ view::ExportQueue* queue() {
 void connectPanel(QDockWidget* panel, WindowMessages* messages) {
     panel->hide();
     QObject::connect(queue(), &view::ExportQueue::message, messages, &WindowMessages::say);
-    QObject::connect(queue(), &view::ExportQueue::resumed, panel, [panel, messages](int count) {
+    QObject::connect(queue(), &view::ExportQueue::resumed, panel, [panel, messages] {
+        const int count = queue()->unfinished();
+        if (count == 0) return; // those that failed can wait until the panel is opened
         panel->show();
         panel->raise();
         messages->say(Text::tr("%n exports from last time are in the queue.", nullptr, count));

@@ -245,8 +245,8 @@ void ExportDialog::connectOptions() {
     connect(m_depth, &QSpinBox::valueChanged, this, &ExportDialog::update);
     connect(m_style, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
-    for (QCheckBox* box : {m_transparent, m_triangle})
-        connect(box, &QCheckBox::toggled, this, &ExportDialog::showPreview);
+    connect(m_transparent, &QCheckBox::toggled, this, &ExportDialog::showPreview);
+    connect(m_triangle, &QCheckBox::toggled, this, &ExportDialog::update); // it may take a larger section
     connect(m_quality, &QComboBox::currentIndexChanged, this, &ExportDialog::showPreview);
 }
 
@@ -283,8 +283,14 @@ attractor::Camera ExportDialog::camera() const {
     if (const int saved = section - int(Section::Attractor) - 1; saved >= 0)
         return attractor::cameraOf(std::get<attractor::View>(m_views[std::size_t(saved)].camera),
                                    {camera.width, camera.height});
-    const std::optional<document::Box> box = m_extent.result(); // waits
-    return box ? attractor::fitted(camera, box->min, box->max) : camera;
+    std::optional<document::Box> box = m_extent.result(); // waits
+    if (!box) return camera;
+    if (m_triangle->isChecked())
+        for (const ifs::Vector<2>& corner : document::effectiveCage(m_fractal).current) {
+            box->min = box->min.cwiseMin(corner);
+            box->max = box->max.cwiseMax(corner);
+        }
+    return attractor::fitted(camera, box->min, box->max);
 }
 
 io::ExportRecipe ExportDialog::recipe(const attractor::Camera& camera) const {

@@ -159,13 +159,16 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
     }
     if (options.showsMaps) {
         const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-        const auto include = [&](const std::vector<ifs::Vector<2>>& corners) {
-            for (const ifs::Vector<2>& corner : corners) {
-                low = low.cwiseMin(corner);
-                high = high.cwiseMax(corner);
+        const auto include = [&](const ifs::AffineMap<2>& map) {
+            for (const ifs::Vector<2>& corner : cage.current) {
+                low = low.cwiseMin(map(corner));
+                high = high.cwiseMax(map(corner));
             }
         };
-        include(cage.current);
+        include({});
+        if (const auto displayed = document::effectiveSystem(fractal))
+            for (const auto& map : displayed->maps)
+                if (map.enabled) include(map.map);
     }
     if (!((high - low).maxCoeff() > 0)) { // a single point
         low.array() -= 0.5;
@@ -199,6 +202,8 @@ void HandoutDialog::showPreview() {
     }
     const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
     printer->setDocName(windowTitle());
+    constexpr double paperMargin = 15; // mm: printers and hole punches need some
+    printer->setPageMargins({paperMargin, paperMargin, paperMargin, paperMargin}, QPageLayout::Millimeter);
     auto* preview = new QPrintPreviewDialog(printer.get(), this);
     preview->setAttribute(Qt::WA_DeleteOnClose);
     preview->setWindowTitle(windowTitle());
