@@ -215,10 +215,11 @@ attractor::Palette paletteArgument(const std::string& option, const std::string&
 }
 
 attractor::ColourBy colourByArgument(const std::string& option, const std::string& text) {
-    const std::string name = choiceArgument(option, text, {"density", "map", "address", "none"});
+    const std::string name = choiceArgument(option, text, {"density", "map", "address", "blend", "none"});
     return name == "density"   ? attractor::ColourBy::Density
            : name == "map"     ? attractor::ColourBy::Map
            : name == "address" ? attractor::ColourBy::Address
+           : name == "blend"   ? attractor::ColourBy::Blend
                                : attractor::ColourBy::Plain;
 }
 

@@ -199,7 +199,8 @@ Command galleryCommand(CLI::App& program) {
         ->type_name("PALETTE")
         ->default_str("stored in each entry, else Maple")
         ->group("Colours");
-    command->add_option("--colour,--color", arguments->colour, "Colour by density, map, address or none")
+    command
+        ->add_option("--colour,--color", arguments->colour, "Colour by density, map, address, blend or none")
         ->type_name("BY")
         ->default_str("stored in each entry, else density")
         ->group("Colours");

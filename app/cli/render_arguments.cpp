@@ -310,7 +310,7 @@ void addColourOptions(CLI::App& command, RenderArguments& arguments) {
     colours.add("--palette", "PALETTE", arguments.palette,
                 "Palette: its name, or a .gpl, .ggr, .ugr or .map file", "stored in the entry, else Maple");
     colours.add("--colour,--color", "BY", arguments.colour,
-                "Colour by density, map, address or none; a solid by map, height, depth or none",
+                "Colour by density, map, address, blend or none; a solid by map, height, depth or none",
                 "stored in the entry, else density");
     colours.add("--gamma", "G", arguments.gamma, "Gamma of the tone curve", "stored in the entry, else 2.2");
     colours.add("--brightness", "B", arguments.brightness, "Brightness of the tone curve",

@@ -190,6 +190,28 @@ Fractal MapHandles::withMapsSwung(std::span<const std::size_t> indices, const Ve
 
 namespace {
 
+// Of the maps over the cut set of the branch, which come first, and of those that take no part.
+attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<2>& active,
+                                const ifs::Word& branch, const System2& system) {
+    const attractor::Appearance& appearance = fractal.appearance;
+    attractor::MapBlends blends;
+    if (appearance.colourBy != attractor::ColourBy::Blend && appearance.mapBlends.empty()) return blends;
+    const System2& before = *system2(fractal);
+    const auto blendAt = [&](std::size_t index) {
+        return attractor::mapBlend(appearance, before.maps[index].id, index, before.maps.size());
+    };
+    std::size_t made = 0;
+    for (const ifs::Word& word : ifs::cutSet(branch, active.maps.size())) {
+        attractor::MapBlend blend{0, 0};
+        for (const int letter : word)
+            blend = attractor::composed(blend, blendAt(active.index[std::size_t(letter)]));
+        blends[system.maps[made++].id] = blend;
+    }
+    for (std::size_t index = 0; index < before.maps.size(); ++index)
+        if (!std::ranges::binary_search(active.index, index)) blends[system.maps[made++].id] = blendAt(index);
+    return blends;
+}
+
 // The system over the cut set of the branch, whose maps have the colours and the labels of the maps they
 // begin with. Maps that take no part stay, at the end.
 Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
@@ -216,6 +238,7 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
         system.maps.back().id = ifs::MapId{std::uint32_t(system.maps.size())};
         keepColour(index);
     }
+    result.appearance.mapBlends = blendsOver(fractal, active, letters, system);
     std::vector<MovedBranch<2>> moved;
     for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))
         for (const ifs::Word& over : ifs::overCutSet(word, letters, active.maps.size()))

@@ -27,8 +27,8 @@ std::optional<std::size_t> indexOf(const ifs::IteratedFunctionSystem<Dim>& syste
     return std::size_t(found - system.maps.begin());
 }
 
-// Colours by address go from the share of the map in the palette to the whole of it: this is what they are
-// taken from.
+// Colours by address or blend go from the share of the map in the palette to the whole of it: this is what
+// they are taken from.
 attractor::Palette shareOf(const attractor::Palette& palette, double from, double to) {
     attractor::Palette share{palette.name, {}};
     share.stops.push_back({0, attractor::colourAt(palette, from)});
@@ -42,7 +42,7 @@ attractor::Palette shareOf(const attractor::Palette& palette, double from, doubl
 // Every map below has the colour of this one.
 template <int Dim>
 void keepColours(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
-                 std::size_t index, bool isByMap, bool isByAddress) {
+                 std::size_t index, bool isByMap, bool isByAddress, bool isByBlend) {
     if (isByMap) {
         const attractor::Rgba colour = attractor::mapColour(appearance, system.maps[index].id, index);
         attractor::MapColours colours;
@@ -54,6 +54,12 @@ void keepColours(attractor::Appearance& appearance, const ifs::IteratedFunctionS
         for (const ifs::MapId id : ids)
             colours[id] = colour;
         appearance.mapColours = std::move(colours);
+    }
+    if (isByBlend) {
+        const attractor::MapBlend blend =
+            attractor::mapBlend(appearance, system.maps[index].id, index, system.maps.size());
+        const double from = blend.speed * blend.coordinate;
+        appearance.palette = shareOf(appearance.palette, from, from + 1 - blend.speed);
     }
     if (!isByAddress) return;
     const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
@@ -124,10 +130,11 @@ QString soloObstacle(const Fractal& fractal, ifs::MapId map) {
 Fractal soloed(Fractal fractal, ifs::MapId map) {
     const bool isByAddress = fractal.appearance.colourBy == attractor::ColourBy::Address;
     const bool isByMap = fractal.appearance.colourBy == attractor::ColourBy::Map;
+    const bool isByBlend = fractal.appearance.colourBy == attractor::ColourBy::Blend;
     if (Shape<2>* shape = plane(fractal)) {
         const auto index = indexOf(shape->system, map);
         if (index && soloObstacle(fractal, map).isEmpty()) {
-            keepColours(fractal.appearance, shape->system, *index, isByMap, isByAddress);
+            keepColours(fractal.appearance, shape->system, *index, isByMap, isByAddress, isByBlend);
             shape->moved = movedWithin(*shape, shape->system.maps[*index]);
         }
     } else if (Shape<3>* solid = space(fractal)) {
@@ -136,7 +143,8 @@ Fractal soloed(Fractal fractal, ifs::MapId map) {
         using attractor::SolidColour;
         const auto colour = fractal.inSpace.colourBy;
         keepColours(fractal.appearance, solid->system, *index, isByMap || colour == SolidColour::Map,
-                    isByAddress || colour == SolidColour::Address);
+                    isByAddress || colour == SolidColour::Address,
+                    isByBlend && attractor::showsCloud(fractal.inSpace.look));
         solid->cage = cageOnto(solid->cage, thickened(solid->system.maps[*index].map));
     }
     return fractal;

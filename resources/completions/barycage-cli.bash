@@ -142,7 +142,7 @@ _barycage_cli_options() {
 _barycage_cli_value() {
   case $1 in
     --entry | --from) _barycage_cli_names "$2" ;;
-    --colour | --color) _barycage_cli_offer "$2"{density,map,address,height,depth,none} ;;
+    --colour | --color) _barycage_cli_offer "$2"{density,map,address,blend,height,depth,none} ;;
     --algorithm) _barycage_cli_offer "$2"{density,chaos-game,deterministic} ;;
     --look) _barycage_cli_offer "$2"{stone,ink,cloud,x-ray,depth,normals} ;;
     --stereo) _barycage_cli_offer "$2"{side-by-side,anaglyph} ;;

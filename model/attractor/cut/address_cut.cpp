@@ -31,8 +31,7 @@ template <class Real> struct Node {
     Real xx, xy, yx, yy;
     Real x, y;
     double probability = 1;
-    double address = 0; // Σ σ_k N^−k
-    double step = 1;    // N^−|σ|
+    PaletteInterval colours{};
     std::uint64_t key = 0;
     std::uint32_t firstMap = 0;
     std::uint32_t lastMap = 0; // the innermost
@@ -198,6 +197,7 @@ public:
           m_divided(std::clamp<std::size_t>(maxWaiting / system.maps.size(), 64, View::maxWords)),
           m_nodeMemory(&memory.nodes),
           m_view(system, projection, memory.bends) {
+        if (m_settings.colours.empty()) m_settings.colours = ColourCoordinates(system.maps.size());
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));
         // The empty word has no sample set where maps are linked.
@@ -226,6 +226,7 @@ public:
             threshold /= 2;
         m_exact = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
         m_atBorder = m_settings.samples > 0 ? atBorder / m_settings.samples * visible : 1;
+        m_oneColour = std::max(m_exact, m_settings.colours.leastShare() * visible);
         m_followsBend = View::bends;
         m_thinnings = 0;
         AddressCut result = words(leaves(threshold, Threshold::Absolute, stop));
@@ -265,8 +266,7 @@ private:
         result.y = node.y + (node.yx * b.x + node.yy * b.y);
         result.probability = node.probability * (m_system.isLinked() ? share(node, i) : b.probability);
         result.lastMap = static_cast<std::uint32_t>(i);
-        result.step = node.step / static_cast<double>(m_branches.size());
-        result.address = node.address + static_cast<double>(i) * result.step;
+        result.colours = m_settings.colours.child(node.colours, i);
         result.key = mixed(node.key + i + 1);
         result.firstMap = node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap;
         result.depth = node.depth + 1;
@@ -296,6 +296,10 @@ private:
         return m_followsBend && !(node.shown.curvedMiss <= m_maxMiss);
     }
 
+    bool isTooMixed(const Node<Real>& node, double measure) const {
+        return measure > m_oneColour && m_settings.colours.isMixed(node.colours) && node.shown.size > minSize;
+    }
+
     // `slack` times the usual measure is allowed.
     bool isLeaf(const Node<Real>& node, double threshold, double slack) const {
         if (node.depth >= m_settings.maxDepth) return true;
@@ -303,7 +307,7 @@ private:
         if (node.depth < m_settings.minDepth || !(size <= m_maxSize)) return false;
         const double measure = node.probability / slack;
         return ((measure <= threshold && (measure <= m_atBorder || isInside(node))) || size <= minSize) &&
-               (!isTooBent(node) || measure <= m_exact);
+               (!isTooBent(node) || measure <= m_exact) && !isTooMixed(node, measure);
     }
 
     // Where a node has hundreds of children, dividing all that are a little too large would make far more
@@ -444,7 +448,7 @@ private:
         return result;
     }
 
-    static Word word(const Node<Real>& node) {
+    Word word(const Node<Real>& node) const {
         const Shown& s = node.shown;
         Word result;
         result.xx = static_cast<float>(s.xx);
@@ -457,7 +461,7 @@ private:
         // Runs begin at multiples of the widest vector.
         result.offset = static_cast<std::uint32_t>(node.key % (SampleSet::size / 16)) * 16;
         result.probability = node.probability;
-        result.addressCoordinate = node.address + node.step / 2;
+        result.addressCoordinate = m_settings.colours.middle(node.colours);
         return result;
     }
 
@@ -467,8 +471,9 @@ private:
     double m_height;
     double m_maxSize;
     double m_maxMiss;
-    double m_atBorder = 1; // probability above which a word that is partly in view is divided
-    double m_exact = 0;    // probability below which samples are mapped one by one
+    double m_oneColour = 1; // probability below which a word has one colour, however its points differ
+    double m_atBorder = 1;  // probability above which a word that is partly in view is divided
+    double m_exact = 0;     // probability below which samples are mapped one by one
     bool m_followsBend = false;
     std::uint64_t m_thinnings = 0;
     std::size_t m_divided; // words at once; fewer where every word has thousands of children

@@ -4,6 +4,7 @@
 #include "attractor/cut/bend_table.h"
 #include "attractor/kernels/word.h"
 #include "attractor/request/camera.h"
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/prepared_system.h"
 #include "ifs/cage/control_cage.h"
 
@@ -45,7 +46,8 @@ struct CutSettings {
     int maxDepth = 1 << 30;          // no word is longer
     std::uint64_t seed = 1;          // decides which words stand for others where there are too many
     std::size_t maxLooks = 1U << 25; // words looked at; then those that are open stay as they are
-    double samples = 0; // in view; a bend is not followed into words that would get fewer than 32
+    double samples = 0; // in view; bends and blends are not followed into words that would get fewer than 32
+    ColourCoordinates colours{}; // empty: along the address
 };
 
 // Words of the address tree that meet the grid: A ∩ view = ∪ w_σ(A) ∩ view.

@@ -16,8 +16,7 @@ struct Node {
     ifs::AffineMap<3> word; // box → SpaceView::toPixels
     SeenWord seen;
     double probability = 1;
-    double address = 0; // Σ σ_k N^−k
-    double step = 1;    // N^−|σ|
+    PaletteInterval colours{};
     std::uint64_t key = 0;
     std::uint32_t firstMap = 0;
     int depth = 0;
@@ -29,6 +28,7 @@ public:
         : m_system(system), m_view(view), m_settings(settings) {
         for (const ifs::AffineMap<3>& map : system.maps)
             m_maps.push_back(system.inBox(map));
+        if (m_settings.colours.empty()) m_settings.colours = ColourCoordinates(system.maps.size());
     }
 
     SpaceCut cut(const std::stop_token& stop) {
@@ -41,6 +41,7 @@ public:
         while (threshold > 0 && threshold > visible / m_settings.words)
             threshold /= 2;
         m_enough = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
+        m_oneColour = std::max(m_enough, m_settings.colours.leastShare() * visible);
         m_followsBend = true;
         m_thinnings = 0;
         SpaceCut result = words(leaves(threshold, stop));
@@ -67,8 +68,7 @@ private:
         result.word = node.word * m_maps[i];
         result.seen = seen(result.word, m_view);
         result.probability = node.probability * m_system.probabilities[i];
-        result.step = node.step / static_cast<double>(m_maps.size());
-        result.address = node.address + static_cast<double>(i) * result.step;
+        result.colours = m_settings.colours.child(node.colours, i);
         result.key = mixed(node.key + i + 1);
         result.firstMap = node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap;
         result.depth = node.depth + 1;
@@ -87,7 +87,8 @@ private:
         const double size = 2 * std::max(node.seen.half.x(), node.seen.half.y());
         const double most = 2.0 * std::max(m_view.size.width, m_view.size.height);
         const bool isSmall = node.probability <= threshold && size <= most;
-        return (isSmall || size <= minSize) && (!isBent(node) || node.probability <= m_enough);
+        const bool isMixed = node.probability > m_oneColour && m_settings.colours.isMixed(node.colours);
+        return ((isSmall && !isMixed) || size <= minSize) && (!isBent(node) || node.probability <= m_enough);
     }
 
     // Level by level.
@@ -137,7 +138,7 @@ private:
         return result;
     }
 
-    static void add(const Node& node, SpaceCut& cut) {
+    void add(const Node& node, SpaceCut& cut) const {
         const ifs::AffineMap<3>& map = node.seen.onScreen;
         SpaceWord word;
         for (int k = 0; k < 3; ++k) {
@@ -152,7 +153,7 @@ private:
         // Runs begin at multiples of the widest vector.
         word.offset = static_cast<std::uint32_t>(node.key % (SampleSet::size / 16)) * 16;
         word.probability = node.probability;
-        word.addressCoordinate = node.address + node.step / 2;
+        word.addressCoordinate = m_settings.colours.middle(node.colours);
         cut.words.push_back(word);
         cut.probability += node.probability;
     }
@@ -162,7 +163,8 @@ private:
     SpaceCutSettings m_settings;
     std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
     bool m_followsBend = false;
-    double m_enough = 0; // probability below which samples are projected one by one
+    double m_enough = 0;    // probability below which samples are projected one by one
+    double m_oneColour = 1; // probability below which a word has one colour, however its points differ
     std::uint64_t m_thinnings = 0;
 };
 

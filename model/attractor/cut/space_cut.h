@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/kernels/cloud_kernels.h"
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/prepared_space.h"
 #include "attractor/solid/space_view.h"
 
@@ -18,7 +19,7 @@ struct SpaceWord {
     std::uint32_t firstMap = 0;   // outermost, among the maps that take part
     std::uint32_t offset = 0;     // where its run of samples begins; depends on the address alone
     double probability = 0;       // p_σ
-    double addressCoordinate = 0; // middle of the interval Σ σ_k N^−k … + N^−|σ|
+    double addressCoordinate = 0; // on the palette: ColourCoordinates::middle()
 };
 
 // Words of the address tree that meet the view. From `firstExact` on, a perspective bends a word too much for
@@ -42,7 +43,8 @@ struct SpaceCutSettings {
     int minDepth = 0;   // no word is shorter, so that its first maps are known
     double samples = 0; // in view; a word that gets fewer than 32 is not divided because it bends
     Exactness exactness = Exactness::WhereNeeded;
-    std::uint64_t seed = 1; // decides which words stand for others where there are too many
+    std::uint64_t seed = 1;      // decides which words stand for others where there are too many
+    ColourCoordinates colours{}; // empty: along the address
 };
 
 // The size of the view is counted in cells. Empty when stopped.

@@ -18,7 +18,8 @@ void ChaosGameFold::begin(std::uint64_t samples) {
 bool ChaosGameFold::complete(const std::stop_token& stop) {
     constexpr std::uint64_t together = 8192; // between two looks at the stop token
     const PreparedRequest& request = prepared();
-    if (!m_orbit) m_orbit.emplace(request.system(), request.request().seed);
+    if (!m_orbit)
+        m_orbit.emplace(request.system(), request.request().seed, Orbit::skipped, request.coordinates());
     while (remaining() > 0) {
         if (stop.stop_requested()) return false;
         const std::uint64_t run = std::min(remaining(), together);
@@ -26,7 +27,7 @@ bool ChaosGameFold::complete(const std::stop_token& stop) {
         for (std::uint64_t n = 0; n < run; ++n) {
             const Orbit::Point point = m_orbit->next();
             plot(point.x,
-                 request.coloured() ? &request.colourOf(point.lastMap, point.addressCoordinate) : nullptr, 0);
+                 request.coloured() ? &request.colourOf(point.lastMap, point.colourCoordinate) : nullptr, 0);
         }
         counted(run);
         settle(run, run);

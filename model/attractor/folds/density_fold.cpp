@@ -72,8 +72,11 @@ CutSettings DensityFold::cutSettings() const {
     settings.words = wordsFor(request.samples);
     settings.seed = m_sampleSets == 0 ? request.seed : mixed(request.seed) + m_sampleSets;
     settings.samples = static_cast<double>(request.samples);
-    if (request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
-    if (request.appearance.colourBy == ColourBy::Address)
+    settings.colours = prepared().coordinates();
+    const ColourBy colourBy = request.appearance.colourBy;
+    if (colourBy == ColourBy::Map) settings.minDepth = 1;
+    // Where maps blend, the cut divides what needs it, unless no word may be longer than the others.
+    if (colourBy == ColourBy::Address || (colourBy == ColourBy::Blend && !(system.meanLogarithm < 0)))
         for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
             ++settings.minDepth;
     if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;

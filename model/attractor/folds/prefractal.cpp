@@ -41,18 +41,14 @@ public:
             int depth = 0;
             std::uint32_t firstMap = 0;
             std::size_t lastMap = 0; // the innermost
-            double address = 0;      // Σ σ_k N^−k
-            double step = 1;
+            PaletteInterval colours{};
         };
-        const auto count = static_cast<double>(m_job.system.maps.size());
+        const ColourCoordinates along =
+            m_job.colours.empty() ? ColourCoordinates(m_job.system.maps.size()) : m_job.colours;
         const auto child = [&](const Node& node, std::size_t i) {
-            const double step = node.step / count;
-            return Node{node.map * m_job.system.maps[i],
-                        node.depth + 1,
-                        node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap,
-                        i,
-                        node.address + static_cast<double>(i) * step,
-                        step};
+            return Node{node.map * m_job.system.maps[i], node.depth + 1,
+                        node.depth == 0 ? static_cast<std::uint32_t>(i) : node.firstMap, i,
+                        along.child(node.colours, i)};
         };
         const std::vector<double>& links = m_job.system.links;
         const auto isChild = [&](const Node& node, std::size_t i) { // whether the word is admissible
@@ -80,7 +76,7 @@ public:
             const Reach reach = reachOf(node.map);
             if (!reach.inView) continue;
             if (node.depth == m_job.iterations || reach.size < 0.5) {
-                const ColourCell colour = m_colour(node.firstMap, node.address + node.step / 2);
+                const ColourCell colour = m_colour(node.firstMap, along.middle(node.colours));
                 if (fill(node.map, colour) && m_outlined && reach.size >= minOutlined) outline(colour);
                 continue;
             }

@@ -31,7 +31,7 @@ std::vector<ifs::Vector<2>> PrefractalFold::polygon() const {
 bool PrefractalFold::complete(const std::stop_token& stop) {
     if (remaining() == 0) return true;
     sums().reset(sums().kind(), sums().window(), workers().size());
-    const Prefractal job{prepared().system(), polygon(), m_iterations};
+    const Prefractal job{prepared().system(), polygon(), m_iterations, prepared().coordinates()};
     const auto colour = [this](std::uint32_t map, double addressCoordinate) {
         return prepared().coloured() ? prepared().colourOf(map, addressCoordinate) : ColourCell{};
     };

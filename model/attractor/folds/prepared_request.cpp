@@ -27,11 +27,11 @@ ifs::Placement PreparedRequest::placement() {
     if (!m_request.cage || !ifs::isValid(*m_request.cage)) return {};
     if (ifs::bends(*m_request.cage) && m_bent != m_request.cage->rest) {
         const auto support = m_system.isLinked() ? std::nullopt : ifs::SupportFunction<2>::of(m_system.maps);
-        m_coordinates = ifs::suitableCoordinates(m_request.cage->rest, support ? &*support : nullptr,
-                                                 shownPieces(m_system));
+        m_cageCoordinates = ifs::suitableCoordinates(m_request.cage->rest, support ? &*support : nullptr,
+                                                     shownPieces(m_system));
         m_bent = m_request.cage->rest;
     }
-    return {*m_request.cage, m_coordinates};
+    return {*m_request.cage, m_cageCoordinates};
 }
 
 bool PreparedRequest::isDrawable() const {
@@ -57,6 +57,7 @@ void PreparedRequest::makeColours() {
         for (const std::size_t index : m_system.index)
             ids.push_back(m_request.system.maps[index].id);
     m_colours = SampleColours(m_request.appearance, ids, m_system.index);
+    m_coordinates = colourCoordinates<2>(m_request.appearance, m_request.system, m_system);
 }
 
 } // namespace attractor

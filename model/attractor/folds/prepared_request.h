@@ -3,6 +3,7 @@
 
 #include "attractor/cut/address_cut.h"
 #include "attractor/folds/sample_colours.h"
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/request/render_request.h"
 #include "attractor/samples/prepared_system.h"
 
@@ -28,6 +29,7 @@ public:
     RenderNote viewNote() const;
 
     bool coloured() const { return coloursSamples(m_request.appearance.colourBy); }
+    const ColourCoordinates& coordinates() const { return m_coordinates; }
     // Of a coloured sample; its map is counted among those that take part.
     const ColourCell& colourOf(std::uint32_t map, double addressCoordinate) const {
         return m_colours.of(map, addressCoordinate);
@@ -41,8 +43,9 @@ private:
     PreparedSystem m_system;
     Projection m_projection;
     SampleColours m_colours;
+    ColourCoordinates m_coordinates;
     std::vector<ifs::Vector<2>> m_bent; // rest of a cage that bends, for which the coordinates were chosen
-    ifs::Coordinates m_coordinates = ifs::Coordinates::MeanValue;
+    ifs::Coordinates m_cageCoordinates = ifs::Coordinates::MeanValue;
 };
 
 } // namespace attractor

@@ -26,7 +26,7 @@ SampleColours::SampleColours(const Appearance& appearance, std::span<const ifs::
     if (m_byMap)
         for (std::size_t i = 0; i < ids.size(); ++i)
             m_colours.push_back(colourCell(mapColour(appearance, ids[i], index[i])));
-    if (appearance.colourBy == ColourBy::Address)
+    if (appearance.colourBy == ColourBy::Address || appearance.colourBy == ColourBy::Blend)
         for (std::size_t i = 0; i < addressColours; ++i)
             m_colours.push_back(
                 colourCell(colourAt(appearance.palette, (static_cast<double>(i) + 0.5) / addressColours)));

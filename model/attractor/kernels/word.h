@@ -12,7 +12,7 @@ struct Word {
     std::uint32_t firstMap = 0;   // outermost, among the maps that take part
     std::uint32_t offset = 0;     // where its run of samples begins; depends on the address alone
     double probability = 0;       // p_σ
-    double addressCoordinate = 0; // middle of the interval Σ σ_k N^−k … + N^−|σ|
+    double addressCoordinate = 0; // on the palette: ColourCoordinates::middle()
 };
 
 // What a word has beside its affine map when the cage bends it by more: terms of second order, in cells.

@@ -7,6 +7,7 @@
 #include "attractor/cut/space_cut.h"
 #include "attractor/folds/sample_colours.h"
 #include "attractor/light/tone_map.h"
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/space_samples.h"
 #include "attractor/solid/depth_range.h"
 #include "attractor/threads/job_shares.h"
@@ -54,6 +55,7 @@ struct CloudRendering::State {
     PreparedSpace system;
     SpaceView view; // in cells
     SampleColours colours;
+    ColourCoordinates coordinates;
     RenderNote note = RenderNote::None;
     std::unique_ptr<Workers> workers;
     CellSums sums;
@@ -110,6 +112,7 @@ void CloudRendering::State::start(SpaceRequest newRequest) {
     for (const std::size_t index : system.index)
         ids.push_back(request.system.maps[index].id);
     colours = SampleColours(request.appearance, ids, system.index);
+    coordinates = colourCoordinates<3>(request.appearance, request.system, system);
     const auto threads = static_cast<std::size_t>(std::clamp(request.threads, 1, 256));
     if (!workers || workers->size() != threads) workers = std::make_unique<Workers>(threads);
     cut.reset();
@@ -141,8 +144,10 @@ bool CloudRendering::State::makeCut(std::uint64_t samples, const std::stop_token
     settings.samples = static_cast<double>(samples);
     settings.seed = sampleSets == 0 ? request.seed : mixed(request.seed) + sampleSets;
     if (showsDepth()) settings.exactness = Exactness::All;
+    if (!showsDepth()) settings.colours = coordinates;
     if (!showsDepth() && request.appearance.colourBy == ColourBy::Map) settings.minDepth = 1;
-    if (!showsDepth() && request.appearance.colourBy == ColourBy::Address)
+    const bool isBlend = request.appearance.colourBy == ColourBy::Blend && !system.contracts;
+    if (!showsDepth() && (request.appearance.colourBy == ColourBy::Address || isBlend))
         for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
             ++settings.minDepth;
     cut = spaceCut(system, view, settings, stop);

@@ -1,35 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/appearance.h"
 
-#include <algorithm>
-
 namespace attractor {
 
-namespace {
-
-constexpr auto idOf = &std::pair<ifs::MapId, Rgba>::first;
-
-} // namespace
-
 bool coloursSamples(ColourBy colourBy) {
-    return colourBy == ColourBy::Map || colourBy == ColourBy::Address;
-}
-
-const Rgba* MapColours::find(ifs::MapId id) const {
-    const auto found = std::ranges::lower_bound(m_colours, id, {}, idOf);
-    return found != m_colours.end() && found->first == id ? &found->second : nullptr;
-}
-
-Rgba& MapColours::operator[](ifs::MapId id) {
-    const bool isLast = m_colours.empty() || m_colours.back().first < id;
-    auto found = isLast ? m_colours.end() : std::ranges::lower_bound(m_colours, id, {}, idOf);
-    if (found == m_colours.end() || found->first != id) found = m_colours.insert(found, {id, Rgba{}});
-    return found->second;
+    return colourBy == ColourBy::Map || colourBy == ColourBy::Address || colourBy == ColourBy::Blend;
 }
 
 Rgba mapColour(const Appearance& appearance, ifs::MapId id, std::size_t index) {
     const Rgba* own = appearance.mapColours.find(id);
     return own ? *own : categoricalColour(index);
+}
+
+MapBlend usualBlend(std::size_t index, std::size_t maps) {
+    return {maps > 1 ? static_cast<double>(index) / static_cast<double>(maps - 1) : 0};
+}
+
+MapBlend mapBlend(const Appearance& appearance, ifs::MapId id, std::size_t index, std::size_t maps) {
+    const MapBlend* own = appearance.mapBlends.find(id);
+    return own ? *own : usualBlend(index, maps);
+}
+
+MapBlend composed(const MapBlend& outer, const MapBlend& inner) {
+    const double ofInner = (1 - outer.speed) * inner.speed;
+    const double speed = outer.speed + ofInner;
+    if (!(speed > 0)) return {outer.coordinate, 0};
+    return {(outer.speed * outer.coordinate + ofInner * inner.coordinate) / speed, speed};
 }
 
 } // namespace attractor

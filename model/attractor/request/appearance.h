@@ -2,10 +2,10 @@
 #pragma once
 
 #include "attractor/colour/palette.h"
+#include "attractor/request/map_values.h"
 #include "ifs/system/iterated_function_system.h"
 
-#include <utility>
-#include <vector>
+#include <cstddef>
 
 namespace attractor {
 
@@ -14,35 +14,29 @@ enum class ColourBy {
     Map,     // the colour of the last map applied
     Address, // the palette along the address coordinate Σ σ_k N^-k
     Plain,   // one colour, the tone is its opacity
+    Blend,   // the palette along the coordinate that every map pulls to its own, as in flames
 };
 
 bool coloursSamples(ColourBy colourBy); // whether every sample has a colour of its own
 
-// Colours that maps have been given. In one piece, because a system is copied at every step of a drag and may
-// have 10⁵ maps.
-class MapColours {
-public:
-    const Rgba* find(ifs::MapId id) const; // nullptr: it has been given none
-    Rgba& operator[](ifs::MapId id);       // fast when ids grow
-    bool empty() const { return m_colours.empty(); }
-    void reserve(std::size_t count) { m_colours.reserve(count); }
+// Colours that maps have been given.
+using MapColours = MapValues<Rgba>;
 
-    // Forgets the colours of the maps for which `isGone(id)`.
-    template <typename Predicate> void eraseIf(Predicate isGone) {
-        std::erase_if(m_colours, [&](const auto& colour) { return isGone(colour.first); });
-    }
+// Where a map takes points on the palette: from c to (1 − speed)·c + speed·coordinate.
+struct MapBlend {
+    double coordinate = 0; // 0 … 1
+    double speed = 0.5;    // 0 … 1
 
-    friend bool operator==(const MapColours&, const MapColours&) = default;
-
-private:
-    std::vector<std::pair<ifs::MapId, Rgba>> m_colours; // by id
+    friend bool operator==(const MapBlend&, const MapBlend&) = default;
 };
+using MapBlends = MapValues<MapBlend>;
 
 // How densities become colours. docs/mathematics.md, "Density to colour".
 struct Appearance {
     ColourBy colourBy = ColourBy::Density;
     Palette palette = builtInPalettes().front();
     MapColours mapColours; // maps absent here take categoricalColour(index in the system)
+    MapBlends mapBlends;   // maps absent here take usualBlend(index in the system, its maps)
     Rgba plain{235, 235, 235, 255};
     Rgba background{13, 16, 23, 255}; // alpha 0: transparent
     double brightness = 20;           // κ > 0
@@ -55,5 +49,12 @@ struct Appearance {
 };
 
 Rgba mapColour(const Appearance& appearance, ifs::MapId id, std::size_t index);
+
+// At even distances along the palette, half of the way at a time.
+MapBlend usualBlend(std::size_t index, std::size_t maps);
+// Of the map at `index` of so many.
+MapBlend mapBlend(const Appearance& appearance, ifs::MapId id, std::size_t index, std::size_t maps);
+// What two maps do, `outer` after `inner`.
+MapBlend composed(const MapBlend& outer, const MapBlend& inner);
 
 } // namespace attractor

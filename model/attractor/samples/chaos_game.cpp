@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace attractor {
 
@@ -167,11 +168,13 @@ void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t
     repeatBeginning(samples.y);
 }
 
-Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped)
+Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped, ColourCoordinates colours)
     : m_system(&system),
+      m_colours(colours.empty() ? ColourCoordinates(system.maps.size()) : std::move(colours)),
       m_next(nextMaps(system)),
       m_pieces(ifs::pieces<2>(system.moved, system.maps.size())),
       m_random(mixed(seed)) {
+    m_point.colourCoordinate = m_colours.beginning();
     std::size_t longest = 0;
     for (const auto& [word, change] : m_pieces)
         longest = std::max(longest, word.size());
@@ -208,6 +211,7 @@ void Orbit::step() {
         m_address.front() = static_cast<int>(i);
     }
     m_point.addressCoordinate = (i + m_point.addressCoordinate) / static_cast<double>(m_system->maps.size());
+    m_point.colourCoordinate = m_colours.next(i, m_point.colourCoordinate);
     if (!((m_point.x - m_system->centre).cwiseAbs().maxCoeff() <= m_farAway)) m_point.x = m_system->centre;
 }
 

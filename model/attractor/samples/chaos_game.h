@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/kernels/sample_set.h"
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/address_strata.h"
 #include "attractor/samples/prepared_system.h"
 
@@ -51,12 +52,14 @@ public:
     static constexpr int skipped = 14;
 
     // With dropped = 0, next() begins with the points that are not plotted.
-    Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped = skipped);
+    Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped = skipped,
+          ColourCoordinates colours = {}); // empty: along the address
 
     struct Point {
         ifs::Vector<2> x;             // where it is shown
         std::uint32_t lastMap = 0;    // among the maps that take part
         double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
+        double colourCoordinate = 0;
     };
     Point next(); // the point that is plotted next
 
@@ -65,6 +68,7 @@ private:
     const ifs::AffineMap<2>& change() const; // of the piece that the point lies in
 
     const PreparedSystem* m_system; // outlives the orbit
+    ColourCoordinates m_colours;
     std::vector<AliasTable> m_next; // nextMaps()
     std::vector<ifs::MovedBranch<2>> m_pieces;
     ifs::Word m_address; // of the point, as far as it tells the piece

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/samples/prepared_space.h"
 
@@ -12,17 +13,20 @@ namespace attractor {
 // Orbit::skipped points are not plotted. An orbit that escapes begins anew.
 class SpaceOrbit {
 public:
-    SpaceOrbit(const PreparedSpace& system, std::uint64_t seed);
+    SpaceOrbit(const PreparedSpace& system, std::uint64_t seed,
+               ColourCoordinates colours = {}); // empty: along the address
 
     struct Point {
         ifs::Vector<3> x = ifs::Vector<3>::Zero();
         std::uint32_t lastMap = 0;    // among the maps that take part
         double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
+        double colourCoordinate = 0;
     };
     const Point& next(); // the point that is plotted next
 
 private:
     const PreparedSpace* m_system; // outlives the orbit
+    ColourCoordinates m_colours;
     AliasTable m_table;
     Point m_point;
     double m_farAway = 0;

@@ -42,22 +42,33 @@ void listWords(Fractal& fractal, const ifs::ActiveMaps<2>& active, const ifs::Pl
     System2& system = plane(fractal)->system;
     attractor::Appearance& appearance = fractal.appearance;
     const bool isByMap = appearance.colourBy == attractor::ColourBy::Map;
+    const bool hasBlends = appearance.colourBy == attractor::ColourBy::Blend || !appearance.mapBlends.empty();
+    const auto blendOf = [&](std::size_t map) {
+        const std::size_t index = active.index[map];
+        return attractor::mapBlend(appearance, system.maps[index].id, index, system.maps.size());
+    };
     System2 listed;
     attractor::MapColours colours;
+    attractor::MapBlends blends;
     MapLabels labels;
     for (std::size_t k = 0; k < plain.words.size(); ++k) {
         ifs::AffineMap<2> map = active.maps[plain.words[k].front()];
-        for (std::size_t m = 1; m < plain.words[k].size(); ++m)
+        attractor::MapBlend blend = blendOf(plain.words[k].front());
+        for (std::size_t m = 1; m < plain.words[k].size(); ++m) {
             map = map * active.maps[plain.words[k][m]];
+            blend = attractor::composed(blend, blendOf(plain.words[k][m]));
+        }
         const ifs::MapId made = ifs::append(listed, map, plain.weights[k]);
         const std::size_t outermost = active.index[plain.words[k].front()];
         const ifs::MapId id = system.maps[outermost].id;
         if (isByMap || appearance.mapColours.find(id) != nullptr)
             colours[made] = attractor::mapColour(appearance, id, outermost);
+        if (hasBlends) blends[made] = blend;
         copyLabel(fractal.mapLabels, id, labels, made, CopyLock::Keep);
     }
     fractal.mapLabels = std::move(labels);
     appearance.mapColours = std::move(colours);
+    appearance.mapBlends = std::move(blends);
     system = std::move(listed);
 }
 

@@ -174,6 +174,7 @@ MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
     std::ranges::sort(gone);
     const auto isGone = [&](ifs::MapId id) { return std::ranges::binary_search(gone, id); };
     result.fractal.appearance.mapColours.eraseIf(isGone); // a later map may get the id
+    result.fractal.appearance.mapBlends.eraseIf(isGone);
     result.fractal.mapLabels.eraseIf(isGone);
     return result;
 }

@@ -30,17 +30,23 @@ template <int Dim> void expand(Shape<Dim>& shape, attractor::Appearance& appeara
     const std::size_t copies = ifs::copiesOfEachMap(shape.system);
     ifs::IteratedFunctionSystem<Dim> listed = ifs::expanded(shape.system);
     const bool isByMap = appearance.colourBy == attractor::ColourBy::Map;
+    const bool isByBlend = appearance.colourBy == attractor::ColourBy::Blend;
     attractor::MapColours colours;
+    attractor::MapBlends blends;
     MapLabels labels;
+    const std::size_t count = shape.system.maps.size();
     for (std::size_t i = 0; copies > 1 && i < listed.maps.size(); ++i) {
         const std::size_t of = i / copies;
         const ifs::MapId id = shape.system.maps[of].id;
         if (isByMap || appearance.mapColours.find(id) != nullptr)
             colours[listed.maps[i].id] = attractor::mapColour(appearance, id, of);
+        if (isByBlend || appearance.mapBlends.find(id) != nullptr)
+            blends[listed.maps[i].id] = attractor::mapBlend(appearance, id, of, count);
         copyLabel(mapLabels, id, labels, listed.maps[i].id, CopyLock::Keep);
     }
     if (copies > 1) {
         appearance.mapColours = std::move(colours);
+        appearance.mapBlends = std::move(blends);
         mapLabels = std::move(labels);
     }
     shape.system = std::move(listed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/steps/step_picture.h"
 
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal_geometry.h"
 
@@ -31,6 +32,7 @@ public:
     explicit StepPainter(const StepJob& job)
         : m_job(job),
           m_system(attractor::prepared(*system2(*job.fractal), movedBranches(*job.fractal))),
+          m_along(attractor::colourCoordinates<2>(job.fractal->appearance, *system2(*job.fractal), m_system)),
           m_placement(placement(*job.fractal)),
           m_shape(overAttractor(*job.shape, *job.fractal)) {
         m_low = m_system.centre - m_system.halfExtent;
@@ -70,8 +72,7 @@ private:
         int depth = 0;
         std::size_t firstMap = 0;
         std::size_t lastMap = 0;
-        double address = 0; // Σ σ_k N^−k
-        double step = 1;
+        attractor::PaletteInterval colours{};
     };
     struct Reach {
         bool isInView = false;
@@ -80,10 +81,8 @@ private:
     };
 
     Node child(const Node& node, std::size_t i) const {
-        const double step = node.step / double(m_system.maps.size());
-        return {node.map * m_system.maps[i],         node.depth + 1,
-                node.depth == 0 ? i : node.firstMap, i,
-                node.address + double(i) * step,     step};
+        return {node.map * m_system.maps[i], node.depth + 1, node.depth == 0 ? i : node.firstMap, i,
+                m_along.child(node.colours, i)};
     }
     bool isChild(const Node& node, std::size_t i) const {
         return m_system.links.empty() || node.depth == 0 ||
@@ -144,8 +143,8 @@ private:
         const attractor::Appearance& look = m_job.fractal->appearance;
         if (node.depth == 0) return grey;
         attractor::Rgba colour;
-        if (look.colourBy == attractor::ColourBy::Address) {
-            colour = colourAt(look.palette, node.address + node.step / 2);
+        if (look.colourBy == attractor::ColourBy::Address || look.colourBy == attractor::ColourBy::Blend) {
+            colour = colourAt(look.palette, m_along.middle(node.colours));
         } else {
             const std::size_t index = m_system.index[node.firstMap];
             colour = mapColour(look, system2(*m_job.fractal)->maps[index].id, index);
@@ -185,6 +184,7 @@ private:
 
     const StepJob& m_job;
     attractor::PreparedSystem m_system;
+    attractor::ColourCoordinates m_along; // the palette
     ifs::Placement m_placement;
     StartShape m_shape; // coordinates of the code
     ifs::Vector<2> m_low, m_high;

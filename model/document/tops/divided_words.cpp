@@ -41,6 +41,7 @@ Fractal withWordsDivided(const Fractal& fractal, std::size_t count) {
     shape->moved.clear();
     shape->animation.reset();
     divided.appearance.mapColours = {};
+    divided.appearance.mapBlends = {};
     divided.mapLabels = {}; // its maps are words of the former ones
     divided.supports = {};
     return divided;

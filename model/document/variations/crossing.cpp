@@ -171,6 +171,26 @@ void Crossing<Dim>::inherit(const Inherited& from, const MayChange& may, Fractal
     system.maps.push_back(std::move(map));
 }
 
+// Where its maps pull colours on the palette; the child has all of them.
+template <int Dim> void Crossing<Dim>::mixBlends(const std::vector<Inherited>& drawn, Fractal& child) const {
+    const auto blendOf = [](const attractor::Appearance& appearance, const auto& maps, std::size_t index) {
+        return attractor::mapBlend(appearance, maps[index].id, index, maps.size());
+    };
+    const auto& parent = shapeOf<Dim>(*m_parent).system.maps;
+    const auto& maps = shapeOf<Dim>(child).system.maps;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Inherited& map = drawn[i];
+        const attractor::MapBlend its =
+            map.its ? blendOf(m_partnerAppearance, m_partner.maps, *map.its) : attractor::MapBlend{};
+        const attractor::MapBlend mine = map.mine ? blendOf(m_parent->appearance, parent, *map.mine) : its;
+        const auto mixed = [&](double a, double b) {
+            return map.its ? (1 - map.share) * a + map.share * b : a;
+        };
+        child.appearance.mapBlends[maps[i].id] = {mixed(mine.coordinate, its.coordinate),
+                                                  mixed(mine.speed, its.speed)};
+    }
+}
+
 template <int Dim> Fractal Crossing<Dim>::child(const MayChange& may, Chance& chance) const {
     Fractal child = *m_parent;
     auto& system = std::get<Shape<Dim>>(child.shape).system;
@@ -202,6 +222,7 @@ template <int Dim> Fractal Crossing<Dim>::child(const MayChange& may, Chance& ch
             map.its ? attractor::mapColour(m_partnerAppearance, m_partner.maps[*map.its].id, *map.its) : mine;
         child.appearance.mapColours[system.maps[i].id] = mixedColour(mine, its, map.share);
     }
+    if (child.appearance.colourBy == attractor::ColourBy::Blend) mixBlends(drawn, child);
     return child;
 }
 

@@ -34,6 +34,7 @@ private:
     std::vector<Inherited> draw(Chance& chance, bool mayLose) const;
     bool canTakeSymmetry(std::size_t maps) const;
     void inherit(const Inherited& from, const MayChange& may, Fractal& child) const;
+    void mixBlends(const std::vector<Inherited>& drawn, Fractal& child) const;
 
     std::shared_ptr<const Fractal> m_parent;
     ifs::IteratedFunctionSystem<Dim> m_partner; // in coordinates of the parent's code

@@ -45,6 +45,26 @@ void varyMapColours(attractor::Appearance& appearance, const ifs::IteratedFuncti
     }
 }
 
+template <int Dim>
+void varyMapBlends(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
+                   double strength, Chance& chance) {
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const ifs::MapId id = system.maps[i].id;
+        attractor::MapBlend blend = attractor::mapBlend(appearance, id, i, system.maps.size());
+        blend.coordinate = std::clamp(blend.coordinate + 0.4 * strength * chance.normal(), 0.0, 1.0);
+        blend.speed = std::clamp(blend.speed + 0.2 * strength * chance.normal(), 0.05, 1.0);
+        appearance.mapBlends[id] = blend;
+    }
+}
+
+template <int Dim>
+void varyMaps(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
+              double degrees, double strength, Chance& chance) {
+    varyMapColours(appearance, system, degrees, strength, chance);
+    if (appearance.colourBy == attractor::ColourBy::Blend)
+        varyMapBlends(appearance, system, strength, chance);
+}
+
 } // namespace
 
 Rgba mixedColour(const Rgba& from, const Rgba& to, double share) {
@@ -66,9 +86,9 @@ void varyColours(Fractal& fractal, double strength, Chance& chance) {
     attractor::turnHue(appearance.palette, degrees);
     appearance.plain = turned(appearance.plain, degrees, 0.12 * strength, chance);
     if (const System2* system = system2(fractal))
-        varyMapColours<2>(appearance, *system, degrees, strength, chance);
+        varyMaps<2>(appearance, *system, degrees, strength, chance);
     else if (const System3* solid = system3(fractal))
-        varyMapColours<3>(appearance, *solid, degrees, strength, chance);
+        varyMaps<3>(appearance, *solid, degrees, strength, chance);
 }
 
 } // namespace document

@@ -79,6 +79,7 @@ template <int Dim> void remove(Fractal& fractal, System<Dim>& system, std::size_
     ifs::dropStaleLinks(system);
     const auto isGone = [gone](ifs::MapId id) { return id == gone; }; // a later map may get the id
     fractal.appearance.mapColours.eraseIf(isGone);
+    fractal.appearance.mapBlends.eraseIf(isGone);
     fractal.mapLabels.eraseIf(isGone);
 }
 

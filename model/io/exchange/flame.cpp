@@ -540,7 +540,7 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
         xml.writeEmptyElement(QStringLiteral("xform"));
         writeFlameName(xml, fractal, i);
         xml.writeAttribute(QStringLiteral("weight"), QString::fromLatin1(formatNumber(weights[i])));
-        xml.writeAttribute(QStringLiteral("color"), QString::fromLatin1(formatNumber(colours.positions[i])));
+        writeFlameColour(xml, colours, i);
         xml.writeAttribute(QStringLiteral("linear"), QStringLiteral("1"));
         xml.writeAttribute(QStringLiteral("coefs"),
                            coefficientText(axis == FlameAxis::Flipped ? ifs::flipped(map) : map));

@@ -28,7 +28,8 @@ struct ColourByName {
 };
 constexpr std::array colourByNames{
     ColourByName{ColourBy::Density, "density"}, ColourByName{ColourBy::Map, "map"},
-    ColourByName{ColourBy::Address, "address"}, ColourByName{ColourBy::Plain, "plain"}};
+    ColourByName{ColourBy::Address, "address"}, ColourByName{ColourBy::Plain, "plain"},
+    ColourByName{ColourBy::Blend, "blend"}};
 
 // Three numbers, of which `full` is the brightest.
 std::optional<Rgba> colourOf(QStringView text, double full) {
@@ -99,6 +100,30 @@ std::array<Rgba, flameColours> spread(const std::vector<Rgba>& colours, FlameCol
     return sampled(palette);
 }
 
+// With the blends that maps have been given. Their colours are held where they are those of their places.
+FlameColours blended(FlameColours flame, const attractor::Appearance& appearance,
+                     const document::System2& system) {
+    flame.holdsMapColours = appearance.colourBy == ColourBy::Blend;
+    for (std::size_t i = 0; i < system.maps.size(); ++i) {
+        const attractor::MapBlend* blend = appearance.mapBlends.find(system.maps[i].id);
+        if (blend != nullptr) {
+            flame.positions[i] = blend->coordinate;
+            flame.speeds[i] = blend->speed;
+        }
+        const Rgba* colour = appearance.mapColours.find(system.maps[i].id);
+        const auto place = std::size_t(std::lround(flame.positions[i] * double(last)));
+        if (colour != nullptr && (blend == nullptr || distance(flame.palette[place], *colour) > 1))
+            flame.holdsMapColours = false;
+    }
+    return flame;
+}
+
+// From 0 to 1.
+std::optional<double> share(std::optional<double> number) {
+    if (!number || std::isnan(*number)) return std::nullopt;
+    return std::clamp(*number, 0.0, 1.0);
+}
+
 } // namespace
 
 void FlameColourReader::readFlame(const QXmlStreamAttributes& attributes) {
@@ -133,24 +158,53 @@ void FlameColourReader::readXform(const QXmlStreamAttributes& attributes) {
     // Older flames have two coordinates of colour, of which the first is the one in use.
     const QStringView text = attributes.value(QLatin1String("color")).trimmed();
     const qsizetype end = text.indexOf(u' ');
-    m_positions.push_back(parseNumber(end < 0 ? text : text.first(end)));
-    m_names.push_back(document::mapNameOf(attributes.value(QLatin1String("name")).toString()));
+    const auto position = share(parseNumber(end < 0 ? text : text.first(end)));
+    auto speed = share(parseNumber(attributes.value(QLatin1String("color_speed"))));
+    const auto symmetry = parseNumber(attributes.value(QLatin1String("symmetry"))); // the older form
+    if (!speed && symmetry) speed = share((1 - *symmetry) / 2);
+    m_xforms.push_back(
+        {position, speed, document::mapNameOf(attributes.value(QLatin1String("name")).toString())});
 }
 
 void FlameColourReader::forgetXforms(const std::vector<std::size_t>& indices) {
-    for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
-        m_positions.erase(m_positions.begin() + std::ptrdiff_t(*index));
-        m_names.erase(m_names.begin() + std::ptrdiff_t(*index));
-    }
+    for (auto index = indices.rbegin(); index != indices.rend(); ++index)
+        m_xforms.erase(m_xforms.begin() + std::ptrdiff_t(*index));
 }
 
 void FlameColourReader::nameMaps(document::Fractal& fractal) const {
     const auto name = [&](const auto& maps) {
-        for (std::size_t i = 0; i < std::min(m_names.size(), maps.size()); ++i)
-            if (!m_names[i].isEmpty()) fractal.mapLabels.set(maps[i].id, {m_names[i], false});
+        for (std::size_t i = 0; i < std::min(m_xforms.size(), maps.size()); ++i)
+            if (!m_xforms[i].name.isEmpty()) fractal.mapLabels.set(maps[i].id, {m_xforms[i].name, false});
     };
     if (const document::System2* system = document::system2(fractal)) name(system->maps);
     if (const document::System3* solid = document::system3(fractal)) name(solid->maps);
+}
+
+// Barycage gives a place to every xform, and a speed to those of maps with a blend of their own.
+void FlameColourReader::blendMaps(attractor::Appearance& appearance, const document::System2& system) const {
+    if (m_colourBy == ColourBy::Map) return;
+    const std::size_t count = system.maps.size();
+    for (std::size_t i = 0; i < std::min(m_xforms.size(), count); ++i) {
+        const Xform& xform = m_xforms[i];
+        if (!xform.speed && (m_colourBy || !xform.position)) continue;
+        const attractor::MapBlend usual = attractor::usualBlend(i, count);
+        appearance.mapBlends[system.maps[i].id] = {xform.position.value_or(usual.coordinate),
+                                                   xform.speed.value_or(usual.speed)};
+    }
+}
+
+// Whether any of them has got a colour.
+bool FlameColourReader::colourMaps(attractor::Appearance& appearance, const document::System2& system) const {
+    bool isAny = false;
+    for (std::size_t i = 0; i < std::min(m_xforms.size(), system.maps.size()); ++i) {
+        const Xform& xform = m_xforms[i];
+        if (!xform.position || (m_colourBy == ColourBy::Blend && !xform.speed)) continue;
+        const double position = *xform.position * double(m_colours.size() - 1);
+        appearance.mapColours[system.maps[i].id] =
+            m_colours[std::size_t(std::lround(position))]; // as it was written, without the error of stops
+        isAny = true;
+    }
+    return isAny;
 }
 
 void writeFlameName(QXmlStreamWriter& xml, const document::Fractal& fractal, std::size_t index) {
@@ -165,21 +219,15 @@ void FlameColourReader::applyTo(document::Fractal& fractal) const {
     if (m_background) appearance.background = *m_background;
     appearance.contrast = m_contrast.value_or(appearance.contrast);
     appearance.vibrancy = m_vibrancy.value_or(appearance.vibrancy);
+    const document::System2* system = document::system2(fractal);
+    if (system != nullptr) blendMaps(appearance, *system);
     if (m_colours.empty()) return;
     appearance.palette = paletteThrough(m_colours, fractal.name);
     if (m_colourBy) appearance.colourBy = *m_colourBy;
-    const document::System2* system = document::system2(fractal);
-    // Barycage gives places in order where colours do not go by maps.
-    if (system == nullptr || (m_colourBy && *m_colourBy != ColourBy::Map)) return;
-    bool isAny = false;
-    for (std::size_t i = 0; i < std::min(m_positions.size(), system->maps.size()); ++i) {
-        if (!m_positions[i]) continue;
-        const double position = std::clamp(*m_positions[i], 0.0, 1.0) * double(m_colours.size() - 1);
-        appearance.mapColours[system->maps[i].id] =
-            m_colours[std::size_t(std::lround(position))]; // as it was written, without the error of stops
-        isAny = true;
-    }
-    if (isAny) appearance.colourBy = ColourBy::Map;
+    // Barycage gives places in order where colours go neither by maps nor by their blends.
+    const bool hasPlaces = !m_colourBy || *m_colourBy == ColourBy::Map || *m_colourBy == ColourBy::Blend;
+    if (system != nullptr && hasPlaces && colourMaps(appearance, *system) && !m_colourBy)
+        appearance.colourBy = ColourBy::Blend;
 }
 
 FlameColours flameColoursOf(const document::Fractal& fractal) {
@@ -190,8 +238,9 @@ FlameColours flameColoursOf(const document::Fractal& fractal) {
     const double steps = std::max<double>(1, double(system.maps.size()) - 1);
     for (std::size_t i = 0; i < system.maps.size(); ++i)
         flame.positions.push_back(double(i) / steps);
-    flame.holdsMapColours = appearance.colourBy == ColourBy::Map;
-    if (!flame.holdsMapColours) return flame;
+    flame.speeds.resize(system.maps.size());
+    if (appearance.colourBy != ColourBy::Map) return blended(std::move(flame), appearance, system);
+    flame.holdsMapBlends = false;
     std::vector<Rgba> colours;
     for (std::size_t i = 0; i < system.maps.size(); ++i)
         colours.push_back(attractor::mapColour(appearance, system.maps[i].id, i));
@@ -205,6 +254,14 @@ FlameColours flameColoursOf(const document::Fractal& fractal) {
     for (std::size_t i = 0; i < colours.size(); ++i)
         flame.positions[i] = double(nearest(flame.palette, colours[i])) / double(last);
     return flame;
+}
+
+void writeFlameColour(QXmlStreamWriter& xml, const FlameColours& colours, std::size_t index) {
+    const auto write = [&xml](const char* name, double value) {
+        xml.writeAttribute(QLatin1String(name), QString::fromLatin1(formatNumber(value)));
+    };
+    write("color", colours.positions[index]);
+    if (colours.speeds[index]) write("color_speed", *colours.speeds[index]);
 }
 
 void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearance) {

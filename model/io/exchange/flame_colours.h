@@ -12,8 +12,9 @@
 
 class QXmlStreamWriter;
 
-// The colours of flames: <palette> or <color> elements, `background`, `contrast` and `vibrancy`, and the
-// place of every xform in the palette; and the names of xforms. docs/formats.md, "Flame XML".
+// The colours of flames: <palette> or <color> elements, `background`, `contrast` and `vibrancy`, and where
+// and how fast every xform pulls colours on the palette; and the names of xforms. docs/formats.md, "Flame
+// XML".
 namespace io {
 
 constexpr std::size_t flameColours = 256; // in a palette
@@ -25,7 +26,7 @@ public:
     void readPalette(const QString& hex, int channels);      // the text of <palette>; 3 or 4 channels
     void readColour(const QXmlStreamAttributes& attributes); // of <color>: index, rgb
     void readColours(const QString& data);                   // of <colors>: 00RRGGBB for each
-    void readXform(const QXmlStreamAttributes& attributes);  // the next xform: color, name
+    void readXform(const QXmlStreamAttributes& attributes);  // the next xform
     // Ascending: those of xforms that turned out to be no maps.
     void forgetXforms(const std::vector<std::size_t>& indices);
 
@@ -35,11 +36,17 @@ public:
     bool namesForeignPalette() const { return m_isForeign && m_colours.empty(); }
 
 private:
+    struct Xform {
+        std::optional<double> position;
+        std::optional<double> speed;
+        QString name; // empty: none
+    };
     void nameMaps(document::Fractal& fractal) const;
+    void blendMaps(attractor::Appearance& appearance, const document::System2& system) const;
+    bool colourMaps(attractor::Appearance& appearance, const document::System2& system) const;
 
     std::vector<attractor::Rgba> m_colours;
-    std::vector<std::optional<double>> m_positions; // by xform
-    std::vector<QString> m_names;                   // likewise; empty: none
+    std::vector<Xform> m_xforms;
     std::optional<attractor::Rgba> m_background;
     std::optional<attractor::ColourBy> m_colourBy; // as Barycage writes it
     std::optional<double> m_contrast;
@@ -50,14 +57,18 @@ private:
 // How a flame shows the colours of a fractal.
 struct FlameColours {
     std::array<attractor::Rgba, flameColours> palette;
-    std::vector<double> positions; // 0 … 1, one per map
-    bool isPalette = true;         // false: made of the colours of the maps, which are not on the palette
-    bool holdsMapColours = true;   // false: more different ones than a palette holds, or not drawn
+    std::vector<double> positions;             // 0 … 1, one per map
+    std::vector<std::optional<double>> speeds; // one per map; nullopt: the usual one
+    bool isPalette = true;       // false: made of the colours of the maps, which are not on the palette
+    bool holdsMapColours = true; // false: more different ones than a palette holds, or not drawn
+    bool holdsMapBlends = true;  // false: the colours of the maps are in their place
 };
 FlameColours flameColoursOf(const document::Fractal& fractal);
 
 // The attributes of <flame> that say how it looks.
 void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearance);
+// Its place on the palette, and its speed if it has one of its own.
+void writeFlameColour(QXmlStreamWriter& xml, const FlameColours& colours, std::size_t index);
 // The name of a map of the plane as an attribute of its xform, if it has one.
 void writeFlameName(QXmlStreamWriter& xml, const document::Fractal& fractal, std::size_t index);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/point_cloud.h"
 
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/samples/prepared_space.h"
 #include "attractor/samples/prepared_system.h"
@@ -72,7 +73,8 @@ private:
             return attractor::mapColour(appearance, document::system2(m_cloud.fractal)->maps[index].id,
                                         index);
         case attractor::ColourBy::Address:
-            return attractor::colourAt(appearance.palette, point.addressCoordinate);
+        case attractor::ColourBy::Blend:
+            return attractor::colourAt(appearance.palette, point.colourCoordinate);
         case attractor::ColourBy::Plain:
             return appearance.plain;
         case attractor::ColourBy::Density: // the bright part, as in the pictures made of shapes
@@ -139,7 +141,10 @@ ExportOutcome exportPoints(const PointCloud& cloud, const QString& path, const P
     }
     Writer writer(cloud);
     outcome.note = writer.system().note;
-    attractor::Orbit orbit(writer.system(), cloud.seed);
+    const document::System2& system = *document::system2(cloud.fractal);
+    attractor::Orbit orbit(
+        writer.system(), cloud.seed, attractor::Orbit::skipped,
+        attractor::colourCoordinates<2>(cloud.fractal.appearance, system, writer.system()));
     addAll(
         cloud, [&] { writer.add(orbit.next()); }, progress, stop, outcome);
     save(writer.bytes());

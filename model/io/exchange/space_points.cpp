@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/space_points.h"
 
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/space_orbit.h"
 #include "attractor/voxels/voxel_cover.h"
 #include "document/space_geometry.h"
@@ -83,7 +84,8 @@ struct SpacePoints::State {
         : cloud(wanted),
           shape(*document::space(wanted.fractal)),
           system(attractor::preparedSpace(shape.system)),
-          orbit(system, wanted.seed),
+          orbit(system, wanted.seed,
+                attractor::colourCoordinates<3>(wanted.fractal.appearance, shape.system, system)),
           bytes(headerOf(wanted)) {
         if (shape.cage) placement = ifs::displayMap(*shape.cage);
         if (shape.cage && ifs::bends(*shape.cage)) bend.emplace(shape.cage->rest, shape.cage->current);
@@ -96,7 +98,8 @@ struct SpacePoints::State {
         case attractor::ColourBy::Map:
             return attractor::mapColour(appearance, shape.system.maps[map].id, map);
         case attractor::ColourBy::Address:
-            return attractor::colourAt(appearance.palette, point.addressCoordinate);
+        case attractor::ColourBy::Blend:
+            return attractor::colourAt(appearance.palette, point.colourCoordinate);
         case attractor::ColourBy::Plain:
             return appearance.plain;
         case attractor::ColourBy::Density: // the bright part, as in the pictures made of shapes

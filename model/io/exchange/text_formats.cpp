@@ -85,7 +85,8 @@ std::optional<QString> lossOf(TextFormat format, const document::Fractal& fracta
                 flameHoldsSymmetry(fractal),
                 true,
                 false,
-                true};
+                true,
+                colours.holdsMapBlends};
     }
     return lossBeside(kept, fractal);
 }

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <span>
 #include <utility>
 
 namespace io {
@@ -25,7 +24,6 @@ constexpr qsizetype maxLine = maxMetadataLine;
 constexpr const char* continued = " \\"; // at the end of a line: more coordinates follow
 constexpr int maxVertices = 4096;        // a hostile file must not make a cage of a million corners
 constexpr int maxStops = 4096;
-constexpr std::size_t maxLinkedMaps = 256;
 constexpr std::size_t maxBranches = 1024;
 constexpr std::size_t maxWord = 64;
 constexpr std::size_t maxPieces = 100'000; // of what is shown
@@ -139,30 +137,6 @@ QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
     return lines;
 }
 
-// The rows of the matrix that are not all 1, each behind the number of its map.
-template <int Dim> QByteArrayList linkLines(const ifs::IteratedFunctionSystem<Dim>& system) {
-    if (system.links.empty()) return {};
-    const std::size_t n = system.maps.size();
-    const std::vector<double> matrix = ifs::linkMatrix(system);
-    QByteArrayList lines;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto row = std::span(matrix).subspan(i * n, n);
-        if (std::ranges::all_of(row, [](double weight) { return weight == 1; })) continue;
-        const QByteArray number = QByteArray::number(qulonglong(i) + 1);
-        QByteArray text = number;
-        for (const double weight : row) {
-            const QByteArray value = formatNumber(weight);
-            if (line("links", text).size() + 1 + value.size() > maxLine) {
-                lines << line("links", text);
-                text = number;
-            }
-            text += ' ' + value;
-        }
-        lines << line("links", text);
-    }
-    return lines;
-}
-
 template <int Dim> ifs::Vector<Dim> vectorOf(const std::vector<double>& coordinates) {
     return Eigen::Map<const ifs::Vector<Dim>>(coordinates.data());
 }
@@ -172,20 +146,23 @@ void append(std::vector<std::size_t>& lines, const std::vector<std::size_t>& mor
 }
 
 template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal& fractal) {
-    attractor::MapColours& colours = fractal.appearance.mapColours;
-    attractor::MapColours kept;
+    attractor::Appearance& appearance = fractal.appearance;
+    attractor::MapColours colours;
+    attractor::MapBlends blends;
     document::MapLabels labels;
     std::map<ifs::MapId, ifs::MapId> ids;
     std::uint32_t number = 0;
     for (auto& map : shape.system.maps) {
         const auto id = static_cast<ifs::MapId>(++number);
-        if (const auto* colour = colours.find(map.id)) kept[id] = *colour;
+        if (const auto* colour = appearance.mapColours.find(map.id)) colours[id] = *colour;
+        if (const auto* blend = appearance.mapBlends.find(map.id)) blends[id] = *blend;
         if (!fractal.mapLabels.isEmpty()) labels.set(id, storedLabel(fractal.mapLabels.of(map.id)));
         ids[map.id] = id;
         map.id = id;
     }
     ifs::renumberLinks(shape.system, ids);
-    colours = std::move(kept);
+    appearance.mapColours = std::move(colours);
+    appearance.mapBlends = std::move(blends);
     fractal.mapLabels = std::move(labels);
     std::erase_if(shape.moved, [&](document::MovedBranch<Dim>& branch) {
         return !std::ranges::all_of(branch.word, [&](ifs::MapId& id) {
@@ -203,7 +180,7 @@ QByteArrayList metadataComments(const document::Fractal& fractal) {
     const QByteArrayList appearance = appearanceLines(fractal.appearance) + spaceComments(fractal.inSpace);
     const auto linesOf = [&](const auto& shape) {
         return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance) +
-               labelComments(fractal) + linkLines(shape.system);
+               blendComments(fractal) + labelComments(fractal) + linkComments(shape.system);
     };
     QByteArrayList lines = appearance;
     if (const auto* plane = document::plane(fractal))
@@ -242,8 +219,9 @@ bool MetadataComments::read(QByteArrayView comment) {
     QByteArrayList values = text.split(' ');
     const QByteArray key = values.takeFirst();
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
-           readPalette(key, values) || readBranch(key, values) || readLinks(key, values) ||
-           m_labels.read(key, values) || m_inSpace.read(key, values) ||
+           readPalette(key, values) || readBranch(key, values) ||
+           m_links.read(key, values, m_ownComments - 1) || m_labels.read(key, values) ||
+           m_blends.read(key, values) || m_inSpace.read(key, values) ||
            m_symmetry.read(key, values, m_ownComments - 1) ||
            m_animations.read(key, values, m_ownComments - 1);
 }
@@ -374,62 +352,6 @@ bool MetadataComments::readBranch(const QByteArray& key, const QByteArrayList& v
     std::vector<Point>& by = m_branches.back().by;
     const bool isComplete = !by.empty() && !by.back().isOpen && by.size() > by.front().coordinates.size();
     return !isComplete && readPoint(values, by);
-}
-
-// Numbers that are none are told of when the links are applied.
-bool MetadataComments::readLinks(const QByteArray& key, const QByteArrayList& values) {
-    if (key != "links" || values.size() < 2) return false;
-    const int map = values[0].toInt();
-    if (map < 1) return false;
-    std::vector<double>& row = m_links[map];
-    if (row.size() + std::size_t(values.size()) > maxLinkedMaps + 1) return false;
-    for (const QByteArray& value : values.sliced(1))
-        row.push_back(number(value).value_or(-1));
-    m_linkLines.push_back(m_ownComments - 1);
-    return true;
-}
-
-template <int Dim> void MetadataComments::applyLinks(document::Shape<Dim>& shape, Outcome& outcome) const {
-    if (m_links.empty()) return;
-    auto& system = shape.system;
-    const std::size_t n = system.maps.size();
-    if (Dim == 3) {
-        append(outcome.kept, m_linkLines);
-        outcome.sentences << QCoreApplication::translate(
-            "Text", "Maps of a system in space cannot be linked: the links are not applied, and their lines "
-                    "are kept.");
-        return;
-    }
-    if (n > maxLinkedMaps) {
-        append(outcome.kept, m_linkLines);
-        outcome.sentences << QCoreApplication::translate(
-                                 "Text", "More than %1 maps cannot be linked: the links are not "
-                                         "applied, and their lines are kept.")
-                                 .arg(maxLinkedMaps);
-        return;
-    }
-    const auto fits = [n](const auto& numbered) {
-        const auto& [map, row] = numbered;
-        return std::size_t(map) <= n && row.size() == n &&
-               std::ranges::all_of(row, [](double weight) { return weight >= 0 && std::isfinite(weight); });
-    };
-    if (const auto wrong = std::ranges::find_if_not(m_links, fits); wrong != m_links.end()) {
-        outcome.sentences << QCoreApplication::translate(
-                                 "Text",
-                                 "The links of map %1 are not valid, so no links are applied: a row of "
-                                 "links has one number for each map, 0 or larger.")
-                                 .arg(wrong->first);
-        return;
-    }
-    std::vector<double> matrix(n * n, 1);
-    for (const auto& [map, row] : m_links)
-        std::ranges::copy(row, matrix.begin() + std::ptrdiff_t((std::size_t(map) - 1) * n));
-    ifs::setLinks(system, matrix);
-    auto unlinked = system;
-    unlinked.links.clear();
-    if (ifs::countActive(system) == 0 && ifs::countActive(unlinked) > 0)
-        outcome.sentences << QCoreApplication::translate(
-            "Text", "The links let every sequence of maps come to an end, so no map is active.");
 }
 
 template <int Dim> void MetadataComments::applyCage(document::Shape<Dim>& shape, Outcome& outcome) const {
@@ -564,11 +486,14 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
                                      .arg(document::dimension(fractal));
         applyToMaps(shape.system, fractal.appearance.mapColours, outcome.sentences);
         m_labels.applyTo(fractal);
+        m_blends.applyTo(fractal);
         if (const auto flaw = m_symmetry.applyTo(shape.system)) {
             outcome.sentences << *flaw;
             append(outcome.kept, m_symmetry.lines());
         }
-        applyLinks(shape, outcome);
+        const LinkComments::Outcome links = m_links.applyTo(shape.system);
+        if (!links.sentence.isEmpty()) outcome.sentences << links.sentence;
+        if (links.kept) append(outcome.kept, m_links.lines());
         AnimationComments::Outcome animation = m_animations.applyTo(shape);
         outcome.sentences << animation.sentences;
         append(outcome.kept, animation.kept);
@@ -583,7 +508,7 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
                 append(outcome.kept, point.lines);
         append(outcome.kept, m_deformationLines);
         append(outcome.kept, m_symmetry.lines());
-        append(outcome.kept, m_linkLines);
+        append(outcome.kept, m_links.lines());
         append(outcome.kept, m_animations.lines());
         for (const Branch& branch : m_branches) {
             append(outcome.kept, branch.lines);

@@ -3,7 +3,9 @@
 
 #include "document/fractal.h"
 #include "io/fractint/animation_comments.h"
+#include "io/fractint/blend_comments.h"
 #include "io/fractint/label_comments.h"
+#include "io/fractint/link_comments.h"
 #include "io/fractint/space_comments.h"
 #include "io/fractint/symmetry_comments.h"
 
@@ -11,7 +13,6 @@
 #include <QByteArrayView>
 #include <QStringList>
 
-#include <map>
 #include <vector>
 
 // What a Fractint entry has no place for (cage, appearance, maps that are off) travels in comment lines
@@ -71,8 +72,6 @@ private:
     bool readMapSetting(const QByteArray& key, const QByteArrayList& values);
     bool readPalette(const QByteArray& key, const QByteArrayList& values);
     bool readBranch(const QByteArray& key, const QByteArrayList& values);
-    bool readLinks(const QByteArray& key, const QByteArrayList& values);
-    template <int Dim> void applyLinks(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim> void applyCage(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim> void applyBranches(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim>
@@ -88,9 +87,9 @@ private:
     std::vector<Branch> m_branches;
     SymmetryComments m_symmetry;
     LabelComments m_labels;
+    BlendComments m_blends;
     AnimationComments m_animations;
-    std::map<int, std::vector<double>> m_links; // rows by map, 1-based
-    Lines m_linkLines;
+    LinkComments m_links;
     attractor::Appearance m_appearance;
     SpaceComments m_inSpace;
     std::optional<std::string> m_paletteName;

@@ -16,7 +16,8 @@ struct ColourByName {
 };
 constexpr std::array colourByNames{
     ColourByName{attractor::ColourBy::Density, "density"}, ColourByName{attractor::ColourBy::Map, "map"},
-    ColourByName{attractor::ColourBy::Address, "address"}, ColourByName{attractor::ColourBy::Plain, "plain"}};
+    ColourByName{attractor::ColourBy::Address, "address"}, ColourByName{attractor::ColourBy::Plain, "plain"},
+    ColourByName{attractor::ColourBy::Blend, "blend"}};
 
 } // namespace
 

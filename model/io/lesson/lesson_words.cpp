@@ -17,10 +17,9 @@ constexpr LessonWord<LessonTool> tools[] = {
 };
 
 constexpr LessonWord<ColourBy> colours[] = {
-    {QLatin1String("density"), ColourBy::Density},
-    {QLatin1String("map"), ColourBy::Map},
-    {QLatin1String("address"), ColourBy::Address},
-    {QLatin1String("plain"), ColourBy::Plain},
+    {QLatin1String("density"), ColourBy::Density}, {QLatin1String("map"), ColourBy::Map},
+    {QLatin1String("address"), ColourBy::Address}, {QLatin1String("plain"), ColourBy::Plain},
+    {QLatin1String("blend"), ColourBy::Blend},
 };
 
 constexpr LessonWord<Outline> outlines[] = {

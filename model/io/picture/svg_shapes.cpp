@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/svg_shapes.h"
 
+#include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal_geometry.h"
@@ -140,6 +141,12 @@ std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, con
     if (appearance.colourBy == attractor::ColourBy::Address)
         return attractor::colourAt(appearance.palette,
                                    (double(*copy.first) + 0.5) / double(levels.index().size()));
+    if (appearance.colourBy == attractor::ColourBy::Blend) {
+        const auto& maps = document::system2(fractal)->maps;
+        const attractor::MapBlend blend = attractor::mapBlend(appearance, maps[index].id, index, maps.size());
+        const double middle = blend.speed * blend.coordinate + (1 - blend.speed) / 2; // of what lies in it
+        return attractor::colourAt(appearance.palette, middle);
+    }
     return std::nullopt;
 }
 
@@ -163,7 +170,8 @@ std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const 
     const ifs::AffineMap<2> display =
         cage ? worldToPixel(camera) * ifs::displayMap(*cage) : worldToPixel(camera);
     std::map<std::size_t, ColouredPoints> groups;
-    attractor::Orbit orbit(drawable, seed);
+    attractor::Orbit orbit(drawable, seed, attractor::Orbit::skipped,
+                           attractor::colourCoordinates<2>(appearance, system, drawable));
     for (std::uint64_t n = 0; n < points; ++n) {
         const auto point = orbit.next();
         const ifs::Vector<2> pixel = display(point.x);
@@ -173,8 +181,8 @@ std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const 
         if (appearance.colourBy == attractor::ColourBy::Map) {
             group = drawable.index[point.lastMap];
             colour = attractor::mapColour(appearance, system.maps[group].id, group);
-        } else if (appearance.colourBy == attractor::ColourBy::Address) {
-            const double shade = std::floor(point.addressCoordinate * shades);
+        } else if (attractor::coloursSamples(appearance.colourBy)) { // along the palette
+            const double shade = std::min(std::floor(point.colourCoordinate * shades), shades - 1);
             group = std::size_t(shade);
             colour = attractor::colourAt(appearance.palette, (shade + 0.5) / shades);
         }

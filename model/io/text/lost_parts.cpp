@@ -73,6 +73,7 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     rest.background = usual.background;
     if (kept.colourBy) rest.colourBy = usual.colourBy;
     if (kept.mapColours) rest.mapColours = usual.mapColours;
+    if (kept.mapBlends) rest.mapBlends = usual.mapBlends;
     if (kept.tones) {
         rest.contrast = usual.contrast;
         rest.vibrancy = usual.vibrancy;

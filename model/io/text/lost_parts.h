@@ -20,6 +20,7 @@ struct KeptParts {
     bool links = false;
     bool transformation = false; // partner, order, mode and picture
     bool mapNames = false;
+    bool mapBlends = false;
 };
 
 // What is lost, in sentences; nullopt when nothing is, or only what is as in a new entry.

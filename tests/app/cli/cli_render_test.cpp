@@ -252,7 +252,7 @@ void CliRenderTest::pictureOptionsCount() {
         for (int x = 0; x < paper.width(); ++x)
             dark += qGray(paper.pixel(x, y)) < 100;
     QVERIFY(dark > 100);
-    for (const char* colour : {"density", "map", "address", "none"})
+    for (const char* colour : {"density", "map", "address", "blend", "none"})
         QCOMPARE(draw(QByteArray("--colour ") + colour).status, 0);
     QCOMPARE(draw("--supersample 3").status, 0);
     QCOMPARE(draw("--contrast 3").status, 0);

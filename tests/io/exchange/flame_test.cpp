@@ -459,7 +459,7 @@ void FlameTest::palettesBackgroundsAndColoursAreRead() {
     QVERIFY(file.entries.first().problems.isEmpty());
     const attractor::Appearance& read = file.entries.first().fractal->appearance;
     QVERIFY((read.background == attractor::Rgba{0, 51, 255, 255}));
-    QVERIFY(read.colourBy == attractor::ColourBy::Map);
+    QVERIFY(read.colourBy == attractor::ColourBy::Blend);
     const auto* first = read.mapColours.find(ifs::MapId{1});
     const auto* second = read.mapColours.find(ifs::MapId{2});
     QVERIFY(first != nullptr && second != nullptr && !read.mapColours.find(ifs::MapId{3}));

@@ -91,7 +91,9 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
     m_colourBy = new QComboBox(this);
     m_colourBy->setAccessibleName(tr("Colour by"));
     m_colourBy->setWhatsThis(tr("What the colour of a point shows: how many points fall there, which map "
-                                "came last, or the whole address."));
+                                "came last, the whole address, or the blend of the colours of all maps on "
+                                "the way, as in flames. The Maps panel has the place of each map on the "
+                                "palette, and its speed."));
     const auto add = [this](const QString& name, const QString& tip, ColourBy value) {
         m_colourBy->addItem(name, static_cast<int>(value));
         m_colourBy->setItemData(m_colourBy->count() - 1, tip, Qt::ToolTipRole);
@@ -99,6 +101,8 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
     add(tr("Density"), tr("Colour by the density of points"), ColourBy::Density);
     add(tr("Map"), tr("Colour by the last map applied"), ColourBy::Map);
     add(tr("Address"), tr("Colour by the address of each point"), ColourBy::Address);
+    add(tr("Blend of maps"), tr("As in flames: each map draws colours to its place on the palette"),
+        ColourBy::Blend);
     add(tr("Plain"), tr("One colour, with the density as its opacity"), ColourBy::Plain);
     connect(m_colourBy, &QComboBox::activated, this, [this] {
         const auto value = static_cast<ColourBy>(m_colourBy->currentData().toInt());
@@ -118,7 +122,8 @@ void AppearancePanel::makeGradientRows(QFormLayout* form) {
     m_gradient = new GradientChooser(this);
     m_gradient->setAccessibleName(tr("Palette"));
     m_gradient->setWhatsThis(
-        tr("The colours from the thinnest parts to the densest, or along the addresses."));
+        tr("The colours from the thinnest parts to the densest, along the addresses, or along the places "
+           "between which maps blend."));
     m_gradientLabel = new QLabel(tr("Palette"), this);
     connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
         edit(tr("Palette: %1").arg(m_gradient->currentText()), [&](Appearance& a) { a.palette = palette; });
@@ -328,8 +333,8 @@ AppearancePanel::Uses AppearancePanel::uses() const {
     const attractor::LookInSpace look = fractal.inSpace.look;
     Uses uses;
     if (!document::space(fractal) || look == attractor::LookInSpace::Cloud) {
-        uses = {true, colourBy == ColourBy::Density || colourBy == ColourBy::Address,
-                colourBy == ColourBy::Plain, colourBy == ColourBy::Map, true};
+        uses = {true, colourBy != ColourBy::Map && colourBy != ColourBy::Plain, colourBy == ColourBy::Plain,
+                colourBy == ColourBy::Map, true};
     } else if (look == attractor::LookInSpace::XRay) {
         uses.palette = uses.tone = true;
     } else if (look == attractor::LookInSpace::Stone || look == attractor::LookInSpace::Ink) {

@@ -3,6 +3,7 @@
 
 #include "document/edits/map_locks.h"
 #include "document/map_names.h"
+#include "panels/maps/map_blend_row.h"
 #include "widgets/number_field.h"
 #include "widgets/tooltip_text.h"
 
@@ -43,6 +44,8 @@ MapShapeEditor::MapShapeEditor(document::Document* document, QWidget* parent)
     layout->addWidget(m_title);
     makePlaneForm();
     makeSpaceForm();
+    m_blend = new MapBlendRow(document, this);
+    layout->addWidget(m_blend);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         if (change.parts & (document::Change::Current | document::Change::File)) {
             shapes<2>().known.clear();
@@ -131,6 +134,7 @@ void MapShapeEditor::setMap(ifs::MapId id) {
     if (id == m_id) return;
     m_edit.commit();
     m_id = id;
+    m_blend->setMap(id);
     follow();
 }
 

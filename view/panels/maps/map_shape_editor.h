@@ -15,11 +15,13 @@ class QLabel;
 
 namespace view {
 
+class MapBlendRow;
 class NumberField;
 
 // One map as rotation, scale, shear and translation (shear acts first, translation last): the same map as its
-// row in the table, in other words. Angles in degrees, counter-clockwise with y up; in space,
-// counter-clockwise as seen from the tip of the axis. Each field edit is live and one undo step.
+// row in the table, in other words; and below, where it draws colours. Angles in degrees, counter-clockwise
+// with y up; in space, counter-clockwise as seen from the tip of the axis. Each field edit is live and one
+// undo step.
 class MapShapeEditor : public QWidget {
     Q_OBJECT
 
@@ -81,6 +83,7 @@ private:
     document::LiveEdit m_edit;
     ifs::MapId m_id = ifs::MapId::None;
     QLabel* m_title;
+    MapBlendRow* m_blend;
     std::array<Form, 2> m_forms{}; // of the plane, of space
     std::tuple<Shapes<2>, Shapes<3>> m_shapes;
 };

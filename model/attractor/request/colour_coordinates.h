@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/appearance.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace attractor {
+
+// The part of the palette that the points of a word lie in: c(w_σ(x)) = start + width·c(x).
+struct PaletteInterval {
+    double start = 0;
+    double width = 1;
+};
+
+// How the maps that take part lead points along the palette: c(w_i(x)) from c(x). docs/mathematics.md,
+// "Density to colour".
+class ColourCoordinates {
+public:
+    ColourCoordinates() = default; // of no maps
+    // Along the address: (i + c)/N.
+    explicit ColourCoordinates(std::size_t maps) : m_maps(maps) {}
+    // (1 − s_i)·c + s_i·c_i, with one blend and one probability for each map.
+    ColourCoordinates(std::vector<MapBlend> blends, std::span<const double> probabilities);
+
+    bool empty() const { return m_maps == 0; }
+    double beginning() const { return m_blends.empty() ? 0 : m_mean; } // of an orbit
+
+    double next(std::size_t map, double c) const {
+        if (m_blends.empty()) return (static_cast<double>(map) + c) / static_cast<double>(m_maps);
+        return (1 - m_blends[map].speed) * c + m_blends[map].speed * m_blends[map].coordinate;
+    }
+    // Of the word with this map as its new innermost one.
+    PaletteInterval child(const PaletteInterval& word, std::size_t map) const {
+        if (m_blends.empty()) {
+            const double width = word.width / static_cast<double>(m_maps);
+            return {word.start + static_cast<double>(map) * width, width};
+        }
+        const MapBlend& blend = m_blends[map];
+        return {word.start + word.width * blend.speed * blend.coordinate, word.width * (1 - blend.speed)};
+    }
+    // What serves for all points of a word: the middle of the interval, or where maps blend the mean over
+    // the points.
+    double middle(const PaletteInterval& word) const { return word.start + word.width * m_mean; }
+
+    // Whether a word is to be divided because its points differ in colour; never along the address, where
+    // the least length of words sees to that.
+    bool isMixed(const PaletteInterval& word) const { return word.width * m_range > maxRange; }
+    // Of the measure in view, what a word needs to be divided for that.
+    double leastShare() const { return static_cast<double>(m_maps) / words; }
+
+private:
+    static constexpr double maxRange = 1.0 / 64;
+    static constexpr double words = 1U << 15; // what their colours may cost
+
+    std::size_t m_maps = 0;
+    std::vector<MapBlend> m_blends; // empty: along the address
+    double m_mean = 0.5;            // of c over the measure
+    double m_range = 0;             // between any two points of the attractor
+};
+
+// As the appearance has it; along the address where it has something else. `active` is of the system.
+template <int Dim>
+ColourCoordinates colourCoordinates(const Appearance& appearance,
+                                    const ifs::IteratedFunctionSystem<Dim>& system,
+                                    const ifs::ActiveMaps<Dim>& active);
+
+} // namespace attractor

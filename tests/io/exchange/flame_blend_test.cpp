@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "document/fractal_geometry.h"
+#include "io/exchange/flame.h"
+#include "io/exchange/text_formats.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+using attractor::ColourBy;
+using attractor::MapBlend;
+using document::Fractal;
+
+namespace {
+
+QByteArray palette() {
+    QByteArray hex;
+    for (int i = 0; i < 256; ++i)
+        hex += QByteArray::number(i, 16).rightJustified(2, '0') + "3020";
+    return "<palette count=\"256\" format=\"RGB\">" + hex + "</palette>";
+}
+
+QByteArray xform(const QByteArray& attributes) {
+    return "<xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 1 0\" " + attributes + "/>";
+}
+
+Fractal read(const QByteArray& flame) {
+    const document::FractalFile file = io::readFlame(flame);
+    return file.entries.isEmpty() ? Fractal() : *file.entries.first().fractal;
+}
+
+QByteArray written(const Fractal& fractal) {
+    return io::writeFlame({std::make_shared<const Fractal>(fractal)});
+}
+
+std::optional<MapBlend> blendAt(const Fractal& fractal, std::size_t index) {
+    const MapBlend* blend = fractal.appearance.mapBlends.find(document::system2(fractal)->maps[index].id);
+    return blend ? std::optional(*blend) : std::nullopt;
+}
+
+Fractal threeMaps() {
+    document::System2 system;
+    for (int i = 0; i < 3; ++i)
+        ifs::append(system, ifs::affineMap(0.5, 0, 0, 0.5, i, 0), 1.0);
+    Fractal fractal;
+    fractal.name = QStringLiteral("three");
+    fractal.shape = document::Shape<2>{std::move(system)};
+    return fractal;
+}
+
+} // namespace
+
+class FlameBlendTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void placesAndSpeedsAreRead() {
+        const Fractal fractal =
+            read("<flame name=\"a\">" + xform("color=\"0.25\" color_speed=\"0.75\"") +
+                 xform("color=\"0.1 0\" symmetry=\"0.5\"") + xform("color=\"1\"") + xform("symmetry=\"-1\"") +
+                 xform("") + xform("color=\"7\" color_speed=\"2\"") +
+                 xform("color=\"nan\" color_speed=\"0.5\" symmetry=\"-1\"") + palette() + "</flame>");
+        QVERIFY(fractal.appearance.colourBy == ColourBy::Blend);
+        QVERIFY((blendAt(fractal, 0) == MapBlend{0.25, 0.75}));
+        QVERIFY((blendAt(fractal, 1) == MapBlend{0.1, 0.25}));
+        QVERIFY((blendAt(fractal, 2) == MapBlend{1, 0.5}));
+        QVERIFY((blendAt(fractal, 3) == MapBlend{0.5, 1})); // as it is placed without a colour
+        QVERIFY(!blendAt(fractal, 4));
+        QVERIFY((blendAt(fractal, 5) == MapBlend{1, 1}));
+        QVERIFY((blendAt(fractal, 6) == MapBlend{1, 0.5}));
+    }
+
+    // Without colours in the file, nothing is coloured by them.
+    void aPaletteIsNeeded() {
+        const Fractal fractal = read("<flame name=\"a\">" + xform("color=\"0.25\"") + "</flame>");
+        QVERIFY(fractal.appearance.colourBy == ColourBy::Density);
+        const Fractal plain = read("<flame name=\"a\">" + xform("") + palette() + "</flame>");
+        QVERIFY(plain.appearance.colourBy == ColourBy::Density && plain.appearance.mapBlends.empty());
+    }
+
+    void blendsComeBackExactly() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> number(0, 1);
+        for (const ColourBy colourBy :
+             {ColourBy::Blend, ColourBy::Density, ColourBy::Address, ColourBy::Plain}) {
+            for (int round = 0; round < 50; ++round) {
+                Fractal fractal = threeMaps();
+                fractal.appearance.colourBy = colourBy;
+                for (const auto& map : document::system2(fractal)->maps)
+                    if (number(random) < 0.7)
+                        fractal.appearance.mapBlends[map.id] = {number(random), number(random)};
+                const Fractal back = read(written(fractal));
+                QVERIFY(back.appearance.colourBy == colourBy);
+                QVERIFY(back.appearance.mapBlends == fractal.appearance.mapBlends);
+                QVERIFY(!io::lossOf(io::TextFormat::Flame, fractal));
+            }
+        }
+    }
+
+    // A flame of another program is read and written with the numbers it had, and nothing is lost.
+    void flamesOfOthersKeepTheirNumbers() {
+        const Fractal fractal = read("<flame name=\"a\">" + xform("color=\"0.3\" color_speed=\"0.1\"") +
+                                     xform("color=\"0.6\" symmetry=\"0\"") + palette() + "</flame>");
+        const QByteArray text = written(fractal);
+        QVERIFY2(text.contains("color=\"0.3\" color_speed=\"0.1\"") &&
+                     text.contains("color=\"0.6\" color_speed=\"0.5\""),
+                 text.constData());
+        QVERIFY(!io::lossOf(io::TextFormat::Flame, fractal));
+        const Fractal back = read(text);
+        QVERIFY(back.appearance.mapBlends == fractal.appearance.mapBlends);
+        QVERIFY(back.appearance.mapColours == fractal.appearance.mapColours);
+        QVERIFY(back.appearance.colourBy == ColourBy::Blend);
+    }
+
+    // Where the places are those of the colours of the maps, blends have none, and it is said.
+    void coloursByMapTakeTheirPlace() {
+        Fractal fractal = threeMaps();
+        fractal.appearance.colourBy = ColourBy::Map;
+        const QByteArray before = written(fractal);
+        QVERIFY(!before.contains("color_speed"));
+        QVERIFY(!io::lossOf(io::TextFormat::Flame, fractal));
+        fractal.appearance.mapBlends[document::system2(fractal)->maps[0].id] = {0.3, 0.3};
+        QCOMPARE(written(fractal), before);
+        QVERIFY(io::lossOf(io::TextFormat::Flame, fractal));
+        QVERIFY(read(before).appearance.mapBlends.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(FlameBlendTest)
+#include "flame_blend_test.moc"
