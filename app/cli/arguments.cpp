@@ -256,6 +256,14 @@ animation::FrameRate rateArgument(const std::string& option, const std::string& 
     return {int(rate->numerator), int(rate->denominator)};
 }
 
+double rotationArgument(const std::string& option, const std::string& text) {
+    constexpr double most = 360;
+    const auto degrees = io::parseNumber(QString::fromStdString(text));
+    if (!degrees || !(std::abs(*degrees) <= most))
+        refuse(option, text, tr("it must be an angle from -360 to 360 degrees."));
+    return attractor::rotationOf(*degrees);
+}
+
 attractor::View viewArgument(const std::string& option, const std::string& text) {
     const auto values = numbers(QString::fromStdString(text));
     if (values.size() != 3 || !(values[2] > 0))

@@ -50,6 +50,7 @@ document::ShutterAngle shutterArgument(const std::string& option,
                                        const std::string& text); // degrees, to a thousandth
 animation::FrameRate rateArgument(const std::string& option, const std::string& text); // "24", "30000/1001"
 
+double rotationArgument(const std::string& option, const std::string& text);      // of a view, from degrees
 attractor::View viewArgument(const std::string& option, const std::string& text); // "cx,cy,height"
 
 } // namespace cli

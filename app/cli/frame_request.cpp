@@ -56,6 +56,7 @@ QByteArray requestHash(const document::Fractal& entry, int frame, const RenderAr
     if (is16Bit(options)) request.add("bits", "16");
     request.addNumbers("dpi", options.dpi);
     request.addNumbers("view", options.view);
+    request.addNumbers("view-rotation", options.viewRotation);
     request.addNumbers("margin", options.margin);
     if (options.yDown) request.add("y-down", "");
     request.addNumbers("orbit", options.orbit);

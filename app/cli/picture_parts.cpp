@@ -99,6 +99,7 @@ void refuseWhatIsDecided(const RenderArguments& arguments) {
         {&arguments.supersample, "--supersample"},
         {&arguments.bits, "--bits"},
         {&arguments.dpi, "--dpi"},
+        {&arguments.viewRotation, "--view-rotation"},
         {&arguments.orbit, "--orbit"},
         {&arguments.perspective, "--perspective"},
         {&arguments.look, "--look"},

@@ -268,6 +268,7 @@ Format checked(RenderArguments& arguments) {
         refuseIf(arguments.margin.has_value(), "--margin", tr("--view already defines the view."));
         refuseIf(isOpen, "--size with one side", tr("--view has no proportions; give both sides."));
     }
+    if (arguments.viewRotation) rotationArgument("--view-rotation", *arguments.viewRotation);
     if (arguments.margin) marginArgument("--margin", *arguments.margin);
     if (arguments.threads) integerArgument("--threads", *arguments.threads, 1, 1024);
     if (arguments.points && !isShapes) countArgument("--points", *arguments.points, 1, maxPoints);
@@ -394,6 +395,8 @@ void addViewOptions(CLI::App& command, RenderArguments& arguments) {
     group.add("--margin", "PERCENT", arguments.margin, "Margin around the picture, 0 to less than 50", "5");
     group.add("--view", "CX,CY,HEIGHT", arguments.view,
               "Centre and height of the view; in space \"tx,ty,tz,height\"", "all of the fractal");
+    group.add("--view-rotation", "DEGREES", arguments.viewRotation,
+              "Turn the view of the plane counter-clockwise", "0, or as the keys of an animation have it");
     command.add_flag("--y-down", arguments.yDown, "The y axis points down")->group("View and cage");
 }
 

@@ -67,7 +67,7 @@ struct RenderArguments : AppearanceOptions, SpaceOptions, FrameOptions, PartOpti
     std::string seed = "1";
     std::string algorithm = "density";
     OptionText points, iterations, supersample;
-    OptionText view, margin, cage, restCage;
+    OptionText view, viewRotation, margin, cage, restCage;
     OptionText depth, bits, quality, dpi;
     OptionText svg, overlay;
     bool yDown = false;

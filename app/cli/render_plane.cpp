@@ -115,11 +115,15 @@ ViewBox withOverlay(ViewBox box, const document::Fractal& fractal, const io::Pic
     return box;
 }
 
+ifs::Vector<2> seenExtent(const ViewBox& box, double rotation) {
+    const ifs::Vector<2> extent = box.max - box.min;
+    return rotation == 0 ? extent : ifs::Vector<2>(attractor::screenTurn(rotation).cwiseAbs() * extent);
+}
+
 // A side that was left open gets the proportions of the box, but never more than a hundred times the other.
-QSize completed(QSize size, const ViewBox& box) {
+QSize completed(QSize size, const ifs::Vector<2>& extent) {
     constexpr double maxRatio = 100;
     if (!size.isEmpty()) return size;
-    const ifs::Vector<2> extent = box.max - box.min;
     const double longest = std::max(extent.x(), extent.y());
     const double ratio =
         longest > 0 ? std::max(extent.x(), longest / maxRatio) / std::max(extent.y(), longest / maxRatio) : 1;
@@ -134,15 +138,21 @@ QSize completed(QSize size, const ViewBox& box) {
 attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments, const QString& fileName) {
     const QSize size = pictureSizeArgument("--size", arguments.size);
     const auto yAxis = arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up;
+    const auto rotation = arguments.viewRotation
+                              ? std::optional(rotationArgument("--view-rotation", *arguments.viewRotation))
+                              : std::nullopt;
     if (arguments.view) {
         attractor::View view = viewArgument("--view", *arguments.view);
         view.yAxis = yAxis;
+        view.rotation = rotation.value_or(0);
         return attractor::cameraOf(view, {size.width(), size.height()});
     }
     if (shown.view) {
         refuseIf(size.isEmpty(), "--size with one side",
                  tr("the camera of the animation has no proportions; give both sides."));
-        return attractor::cameraOf(*shown.view, {size.width(), size.height()});
+        attractor::View view = *shown.view;
+        view.rotation = rotation.value_or(view.rotation);
+        return attractor::cameraOf(view, {size.width(), size.height()});
     }
     const bool isIterate = algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic;
     const ViewBox plain = shown.box && !isIterate ? *shown.box : boxOf(shown.fractal, arguments);
@@ -150,8 +160,9 @@ attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments,
     if (!box.certified)
         reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
                                    "the points drawn. Set it with --view."));
-    const QSize whole = completed(size, box);
     attractor::Camera camera;
+    camera.rotation = rotation.value_or(0);
+    const QSize whole = completed(size, seenExtent(box, camera.rotation));
     camera.width = whole.width();
     camera.height = whole.height();
     camera.yAxis = yAxis;

@@ -92,6 +92,7 @@ void refuseNumbers(const RenderArguments& options) {
 void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     const QString plane = tr("it applies only to entries in the plane.");
     refuseIf(options.yDown, "--y-down", plane);
+    refuseIf(options.viewRotation.has_value(), "--view-rotation", plane);
     refuseIf(options.algorithm != "density", "--algorithm", plane);
     refuseIf(options.iterations.has_value(), "--iterations", plane);
     refuseIf(options.svg.has_value(), "--svg", plane);

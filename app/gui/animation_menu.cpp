@@ -30,7 +30,7 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
     panel->timeline().setViewSource([context]() -> std::optional<attractor::View> {
         const attractor::Camera& camera = context.canvas->camera();
         if (context.stage->showsSpace() || camera.height <= 0) return std::nullopt;
-        return attractor::View{camera.centre, camera.height / camera.pixelsPerUnit, camera.yAxis};
+        return attractor::viewOf(camera);
     });
     connect(panel, &view::TimelinePanel::message, context.messages, &WindowMessages::say);
 }

@@ -142,7 +142,7 @@ void FileMenu::exportAnimation() {
     const attractor::Camera& canvas = context().canvas->camera();
     const bool isSpace = context().stage->showsSpace();
     view::AnimationExportDialog::Camera camera = context().stage->space()->navigation().camera();
-    if (!isSpace) camera = attractor::View{canvas.centre, canvas.height / canvas.pixelsPerUnit, canvas.yAxis};
+    if (!isSpace) camera = attractor::viewOf(canvas);
     auto* dialog = new view::AnimationExportDialog(context().document, camera, context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!isSpace && context().canvas->navigation().isFitted())

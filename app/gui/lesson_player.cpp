@@ -143,7 +143,8 @@ bool LessonPlayer::isViewKept() const {
                now.orientation.coeffs() == m_orbit.orientation.coeffs();
     }
     const attractor::Camera& now = m_parts.stage->plane()->camera();
-    return now.centre == m_camera.centre && now.pixelsPerUnit == m_camera.pixelsPerUnit;
+    return now.centre == m_camera.centre && now.pixelsPerUnit == m_camera.pixelsPerUnit &&
+           now.rotation == m_camera.rotation;
 }
 
 // The area of a step fills the canvas, also when that gets its size later: once its own handlers are done.

@@ -113,6 +113,11 @@ MainWindow::MainWindow(QWidget* parent)
     m_status->addPermanentWidget(zoom);
     m_viewMenu->savedViews()->serve(zoom);
     connect(m_stage, &Stage::switched, zoom, [this, zoom] { zoom->setVisible(!m_stage->showsSpace()); });
+    const auto showRotation = [this] {
+        m_status->showRotation(m_stage->showsSpace() ? 0 : m_canvas->navigation().rotation());
+    };
+    connect(&m_canvas->navigation(), &view::CanvasNavigation::cameraChanged, m_status, showRotation);
+    connect(m_stage, &Stage::switched, m_status, showRotation);
     connectDocument();
     view::explainByTips(this);
     view::makeNamesDraggable(this);

@@ -74,8 +74,7 @@ QImage Stage::picture() const {
 
 document::SavedView::Camera Stage::camera() const {
     if (showsSpace()) return m_space->main()->navigation().camera();
-    const attractor::Camera& plane = m_plane->camera();
-    return attractor::View{plane.centre, plane.height / plane.pixelsPerUnit, plane.yAxis};
+    return attractor::viewOf(m_plane->camera());
 }
 
 void Stage::lookAt(const document::SavedView::Camera& camera) {

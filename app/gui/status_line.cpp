@@ -85,6 +85,10 @@ StatusLine::StatusLine(QWidget* parent)
           tr("latest changes not yet kept for recovery"),
           tr("A crash would lose your latest changes: keeping them takes longer than two seconds, because "
              "the disk is slow or full or the file is very large. Save what you do not want to lose."))),
+      m_rotation(
+          explained(new QLabel, tr("Rotation of the view"),
+                    tr("How far the view is turned, counter-clockwise; choose View, Rotate View, Reset "
+                       "Rotation to turn it upright again"))),
       m_verdict(explained(selectable(new QLabel), tr("Existence of an attractor"),
                           tr("Whether the system has an attractor, and its contraction factor"))),
       m_frame(explained(selectable(new QLabel), tr("Picture"),
@@ -99,6 +103,8 @@ StatusLine::StatusLine(QWidget* parent)
     addWidget(m_pointer, 1);
     m_recovery->hide();
     addPermanentWidget(m_recovery);
+    m_rotation->hide();
+    addPermanentWidget(m_rotation);
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
     connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
@@ -172,6 +178,11 @@ void StatusLine::showFrame(const attractor::Frame& frame) {
     const QString time = tr("%1 ms").arg(frame.milliseconds, 0, 'f', 1);
     m_frame->setText(frame.samples > 0 ? tr("%1 · %2").arg(count(frame.samples), time) : time);
     m_frame->setMinimumWidth(std::max(m_frame->minimumWidth(), m_frame->sizeHint().width()));
+}
+
+void StatusLine::showRotation(double degrees) {
+    m_rotation->setText(tr("rotated %1°").arg(view::shortNumber(std::round(degrees * 10) / 10)));
+    m_rotation->setVisible(degrees != 0);
 }
 
 void StatusLine::showRecovery(bool isLate) {

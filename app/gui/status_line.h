@@ -25,11 +25,13 @@ public:
     void showVerdict(const document::Fractal& fractal);
     void showTime(double milliseconds); // of a picture without points
     void showFrame(const attractor::Frame& frame);
-    void showRecovery(bool isLate); // nothing while it is in time
+    void showRotation(double degrees); // of the view in the plane; nothing for 0
+    void showRecovery(bool isLate);    // nothing while it is in time
 
 private:
     QLabel* m_pointer;
     QLabel* m_recovery;
+    QLabel* m_rotation;
     QLabel* m_verdict;
     QLabel* m_frame;
     QDeadlineTimer m_toRead; // what was said last

@@ -11,12 +11,14 @@
 namespace {
 
 constexpr double zoomStep = 1.25;
+constexpr double rotationStep = 15; // degrees
 
 } // namespace
 
 ViewMenu::ViewMenu(const MenuContext& context, const std::function<void(bool)>& present)
     : ActionMenu(context, tr("&View")) {
     addZoom();
+    addRotation();
     addCamera();
     addSeparator();
     addOverlays();
@@ -40,6 +42,22 @@ void ViewMenu::addZoom() {
     m_savedViews = new SavedViewsMenu(context());
     addMenu(m_savedViews);
     addToolBarGroup({fit, in, out});
+}
+
+void ViewMenu::addRotation() {
+    auto* menu = new ActionMenu(context(), tr("Rotat&e View"));
+    addMenu(menu);
+    view::CanvasNavigation& navigation = context().canvas->navigation();
+    QAction* left = menu->add({nullptr, tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
+                               tr("Turn what the canvas shows counter-clockwise by 15°")},
+                              [&navigation] { navigation.rotateBy(rotationStep); });
+    QAction* right = menu->add({nullptr, tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
+                                tr("Turn what the canvas shows clockwise by 15°")},
+                               [&navigation] { navigation.rotateBy(-rotationStep); });
+    QAction* reset = menu->add({nullptr, tr("Re&set Rotation"), {}, tr("Turn the view upright again")},
+                               [&navigation] { navigation.resetRotation(); });
+    for (QAction* ofThePlane : {left, right, reset})
+        disableWhen(ofThePlane, &document::planeObstacle);
 }
 
 void ViewMenu::addCamera() {

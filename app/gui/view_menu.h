@@ -21,6 +21,7 @@ public:
 
 private:
     void addZoom();
+    void addRotation();
     void addCamera();
     void addStereo(ActionMenu& menu);
     void addOverlays();

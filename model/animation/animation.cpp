@@ -125,7 +125,7 @@ bool isPositive(double number) {
 }
 
 bool isValid(const attractor::View& view) {
-    return view.centre.allFinite() && isPositive(view.height);
+    return view.centre.allFinite() && isPositive(view.height) && std::isfinite(view.rotation);
 }
 bool isValid(const attractor::OrbitCamera& camera) {
     return camera.target.allFinite() && isPositive(camera.height) && camera.fieldOfView > 0 &&

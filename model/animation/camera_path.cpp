@@ -4,6 +4,7 @@
 #include "attractor/arithmetic/arithmetic.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace animation {
 
@@ -28,6 +29,10 @@ Zoom zoom(double from, double to, double u) {
 
 } // namespace
 
+double turnBetween(double from, double to) {
+    return std::remainder(to - from, 2 * std::numbers::pi);
+}
+
 attractor::View between(const attractor::View& from, const attractor::View& to, double share) {
     if (share <= 0) return from;
     if (share >= 1) return to;
@@ -35,6 +40,7 @@ attractor::View between(const attractor::View& from, const attractor::View& to, 
     attractor::View view = from;
     view.height = now.height;
     view.centre = from.centre + now.share * (to.centre - from.centre);
+    if (from.rotation != to.rotation) view.rotation += share * turnBetween(from.rotation, to.rotation);
     return view;
 }
 

@@ -153,6 +153,11 @@ attractor::View along(const Segment<attractor::View>& way) {
     if (!isUsable(now)) return view;
     view.height = now.height;
     view.centre = now.centre;
+    auto rotations = keysAround(way).of([](const attractor::View& key) { return key.rotation; });
+    rotations.to = rotations.from + turnBetween(rotations.from, rotations.to);
+    if (rotations.before) rotations.before = rotations.from + turnBetween(rotations.from, *rotations.before);
+    if (rotations.after) rotations.after = rotations.to + turnBetween(rotations.to, *rotations.after);
+    view.rotation = smoothNumber(rotations, way.share);
     return view;
 }
 

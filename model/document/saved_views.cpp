@@ -15,9 +15,9 @@ namespace {
 
 const QString nameKey = QStringLiteral("barycage: view ");
 const QString cameraKey = QStringLiteral("barycage: view-camera ");
-constexpr qsizetype maxLine = 69; // bytes
-constexpr qsizetype maxName = 48; // bytes
-constexpr std::size_t planeNumbers = 4;
+constexpr qsizetype maxLine = 69;       // bytes
+constexpr qsizetype maxName = 48;       // bytes
+constexpr std::size_t planeNumbers = 4; // and the rotation, where there is one
 constexpr std::size_t spaceNumbers = 10;
 constexpr double farthest = 1e30; // of positions and heights, as far as the canvas zooms
 
@@ -54,8 +54,13 @@ std::vector<Block> blocksIn(const QStringList& comments) {
 }
 
 std::optional<attractor::View> planeView(const std::vector<double>& n) {
-    if (n.size() != planeNumbers || !(n[2] >= 1 / farthest) || std::abs(n[3]) != 1) return std::nullopt;
-    return attractor::View{{n[0], n[1]}, n[2], n[3] > 0 ? attractor::YAxis::Up : attractor::YAxis::Down};
+    const bool isTurned = n.size() == planeNumbers + 1;
+    if ((n.size() != planeNumbers && !isTurned) || !(n[2] >= 1 / farthest) || std::abs(n[3]) != 1)
+        return std::nullopt;
+    return attractor::View{{n[0], n[1]},
+                           n[2],
+                           n[3] > 0 ? attractor::YAxis::Up : attractor::YAxis::Down,
+                           isTurned ? attractor::rotationOf(n[4]) : 0};
 }
 
 std::optional<attractor::OrbitCamera> spaceView(const std::vector<double>& n) {
@@ -89,9 +94,12 @@ int dimensionOf(const SavedView::Camera& camera) {
 }
 
 std::vector<double> numbersOf(const SavedView::Camera& camera) {
-    if (const auto* view = std::get_if<attractor::View>(&camera))
-        return {view->centre.x(), view->centre.y(), view->height,
-                view->yAxis == attractor::YAxis::Up ? 1.0 : -1.0};
+    if (const auto* view = std::get_if<attractor::View>(&camera)) {
+        std::vector<double> numbers{view->centre.x(), view->centre.y(), view->height,
+                                    view->yAxis == attractor::YAxis::Up ? 1.0 : -1.0};
+        if (view->rotation != 0) numbers.push_back(attractor::degreesOf(view->rotation));
+        return numbers;
+    }
     const auto& orbit = std::get<attractor::OrbitCamera>(camera);
     const attractor::Orientation& q = orbit.orientation;
     const bool isPerspective = orbit.projection == attractor::OrbitCamera::Projection::Perspective;

@@ -119,12 +119,12 @@ _barycage_cli_options() {
   local options=
   case ${line[1]} in
     info) options="--entry --frame --json --list --names --hull-tolerance --budget --no-dimension --progress --quiet --help" ;;
-    render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --orbit --perspective --look --light --fog --slice --stereo --y-down --palette --list-palettes --colour --color
+    render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down --palette --list-palettes --colour --color
       --gamma --brightness --contrast --vibrancy --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
       --to --progress --quiet --help" ;;
     convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --symmetry --expand --y-as-written
       --progress --quiet --help" ;;
-    animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --orbit --perspective --look --light --fog --slice --stereo --y-down
+    animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down
       --palette --colour --color --gamma --brightness --contrast --vibrancy --background --supersample --threads --bits --dpi --simd
       --progress --quiet --help" ;;
     encode) options="--output --fps --progress --quiet --help" ;;
@@ -185,7 +185,7 @@ _barycage_cli_value() {
     --symmetry) _barycage_cli_offer none mirror c{2..24} d{2..24} tetrahedral octahedral icosahedral ;;
     --budget) _barycage_cli_offer "$2"{1,10,none} ;;
     --mode) _barycage_cli_offer steal transform grid reduce posterise ;;
-    --size | --points | --seed | --margin | --cage | --view | --orbit | --perspective | --light | --fog | --slice | --gamma | --brightness | --contrast | --vibrancy | --iterations | --part | --band | --threads | -j | \
+    --size | --points | --seed | --margin | --cage | --view | --view-rotation | --orbit | --perspective | --light | --fog | --slice | --gamma | --brightness | --contrast | --vibrancy | --iterations | --part | --band | --threads | -j | \
       --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \
       --threshold | --maps | --seconds | --starts | --picture-view | --order | --map | --tear | \
       --time-limit | --memory-limit) ;;

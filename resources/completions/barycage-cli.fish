@@ -143,10 +143,10 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l supe
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l simd -x -a "scalar sse4 avx2 avx512 neon" -d "Instruction set"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from render animate" -l y-down -d "The y axis points down"
-for option in size points seed margin cage view orbit perspective light fog slice gamma brightness contrast vibrancy iterations depth dpi
+for option in size points seed margin cage view view-rotation orbit perspective light fog slice gamma brightness contrast vibrancy iterations depth dpi
   complete -c barycage-cli -n $render -l $option -x
 end
-for option in size points seed margin view orbit perspective light fog slice gamma brightness contrast vibrancy dpi
+for option in size points seed margin view view-rotation orbit perspective light fog slice gamma brightness contrast vibrancy dpi
   complete -c barycage-cli -n $animate -l $option -x
 end
 complete -c barycage-cli -n $render -l quality -x -d "Quality of JPEG and WebP"

@@ -397,6 +397,26 @@ private slots:
         }
     }
 
+    // The shorter way, through half a turn where it leads there; in the keys to the bit.
+    void viewsTurnTheShorterWay() {
+        using attractor::rotationOf;
+        const auto at = [](double degrees) {
+            return attractor::View{{0, 0}, 1, attractor::YAxis::Up, rotationOf(degrees)};
+        };
+        const attractor::View views[] = {at(140), at(170), at(-160), at(-130)};
+        for (int n = 0; n <= 10; ++n) {
+            const Segment<attractor::View> straight{views[1], views[2], n / 10.0, false, {}, {}};
+            const Segment<attractor::View> curved{views[1], views[2],        n / 10.0,
+                                                  true,     {&views[0], -1}, {&views[3], 2}};
+            for (const auto& way : {straight, curved}) { // all are 30 degrees apart
+                const double turned = turnBetween(rotationOf(170), along(way).rotation);
+                QVERIFY(std::abs(turned - rotationOf(3.0 * n)) < 1e-12);
+            }
+        }
+        const attractor::View upright = between(at(0), at(0), 0.3);
+        QCOMPARE(upright.rotation, 0.0);
+    }
+
     // A stranger's numbers: what overflows goes the straight way.
     void hugeNumbersStayNumbers() {
         const double most = std::numeric_limits<double>::max();

@@ -83,6 +83,23 @@ private slots:
         QVERIFY(document::withoutSavedView(kept, detail) == fractal);
     }
 
+    // A view that is not turned is written as before there were rotations.
+    void aRotationComesBackToTheBit() {
+        for (const double degrees : {30.0, -0.000001, 180.0, -123.456789}) {
+            const View view{{.5, -1.25}, 3.5, attractor::YAxis::Down, attractor::rotationOf(degrees)};
+            const Fractal kept = document::withSavedView(document::sierpinskiTriangle(), {detail, view});
+            QVERIFY(document::savedView(throughAFile(kept), detail) == (SavedView{detail, view}));
+        }
+        const View upright{{.5, -1.25}, 3.5};
+        View turned = upright;
+        turned.rotation = attractor::rotationOf(30);
+        const auto lineOf = [](const View& view) {
+            return document::withSavedView(document::sierpinskiTriangle(), {detail, view}).comments.last();
+        };
+        QCOMPARE(lineOf(upright), QStringLiteral("barycage: view-camera 0.5 -1.25 3.5 1"));
+        QCOMPARE(lineOf(turned), QStringLiteral("barycage: view-camera 0.5 -1.25 3.5 1 30"));
+    }
+
     void aCameraInSpaceComesBackToTheBit() {
         const Fractal kept = document::withSavedView(inSpace(), {detail, orbitCamera()});
         for (const QString& comment : kept.comments)

@@ -18,16 +18,26 @@ namespace view {
 namespace {
 
 constexpr double keyZoom = 1.25;
-constexpr double keyPan = 40; // pixels
-constexpr int notch = 120;    // of a wheel, in eighths of a degree
+constexpr double keyPan = 40;     // pixels
+constexpr int notch = 120;        // of a wheel, in eighths of a degree
+constexpr double notchTurn = 5;   // degrees
+constexpr double twistSlack = 10; // degrees that fingers turn without meaning to
+constexpr Qt::KeyboardModifiers turning = Qt::ControlModifier | Qt::ShiftModifier;
+
+// With Alt or Shift held some platforms turn the wheel sideways.
+int wheelAngle(const QWheelEvent& event) {
+    return event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
+}
 
 double wheelFactor(const QWheelEvent& event) {
     // A touchpad reports pixels, a wheel eighths of a degree: one notch is 120 of them, fine wheels send
     // parts of it.
     if (!event.pixelDelta().isNull()) return std::exp2(event.pixelDelta().y() / 240.0);
-    // With Alt held some platforms turn the wheel sideways.
-    const int angle = event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
-    return std::exp2(angle / 480.0);
+    return std::exp2(wheelAngle(event) / 480.0);
+}
+
+double beyondSlack(double twist) {
+    return std::copysign(std::max(0.0, std::abs(twist) - twistSlack), twist);
 }
 
 Qt::KeyboardModifier modifierOf(int key) {
@@ -53,11 +63,23 @@ bool CanvasInput::needsKey(const QKeyEvent& event) const {
 bool CanvasInput::gesture(const QNativeGestureEvent& event) {
     if (event.gestureType() == Qt::ZoomNativeGesture)
         m_navigation.zoomAt(event.position(), std::max(0.1, 1 + event.value()));
+    else if (event.gestureType() == Qt::RotateNativeGesture)
+        twist(event);
     else if (event.gestureType() == Qt::SmartZoomNativeGesture)
         m_navigation.fit();
-    else
+    else {
+        m_twisted = 0; // a gesture begins or ends
         return false;
+    }
     return true;
+}
+
+// Fingers that zoom turn a little as well: only what goes beyond that turns the view.
+void CanvasInput::twist(const QNativeGestureEvent& event) {
+    const double before = beyondSlack(m_twisted);
+    m_twisted += event.value();
+    if (const double turned = beyondSlack(m_twisted) - before; turned != 0)
+        m_navigation.rotateAt(event.position(), -turned);
 }
 
 // One finger does what the left button does, two hold the plane. A touchpad is left to the mouse it moves.
@@ -97,6 +119,10 @@ bool CanvasInput::touch(const QTouchEvent& event) {
 }
 
 void CanvasInput::turnWheel(const QWheelEvent& event) {
+    if ((event.modifiers() & turning) == turning) {
+        m_navigation.rotateAt(event.position(), notchTurn * wheelAngle(event) / notch);
+        return;
+    }
     if (m_tools.tool() == Toolbox::Tool::Branch && event.modifiers().testFlag(Qt::ShiftModifier)) {
         m_wheelTurned += event.angleDelta().y() + event.angleDelta().x();
         BranchTool& tool = m_tools.branchTool();

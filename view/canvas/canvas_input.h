@@ -53,6 +53,7 @@ private:
     enum class Holding { Nothing, Tool, Plane };
 
     bool canvasKey(const QKeyEvent& event);
+    void twist(const QNativeGestureEvent& event);
     void updateModifiers(Qt::KeyboardModifiers modifiers);
 
     CanvasScene& m_scene;
@@ -66,6 +67,7 @@ private:
     std::optional<QPointF> m_reported; // nullopt when the pointer has left
     bool m_spaceHeld = false;
     int m_wheelTurned = 0; // of a notch that is not complete
+    double m_twisted = 0;  // degrees, by the fingers on a touchpad, clockwise
 };
 
 } // namespace view

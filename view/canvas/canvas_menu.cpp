@@ -197,6 +197,9 @@ void addCanvasActions(QMenu& menu, const MenuContext& context) {
               navigation.yAxis() == attractor::YAxis::Down, [&navigation](bool on) {
                   navigation.setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
               });
+    if (navigation.rotation() != 0)
+        add(menu, Menu::tr("&Reset Rotation"), Menu::tr("Turns the view upright again"),
+            [&navigation] { navigation.resetRotation(); });
     addToggle(menu, Menu::tr("&Only the Picture\tH"), Menu::tr("Hides the cage, the grid and the axes"),
               !options.overlaysVisible(), [&options](bool on) { options.setOverlaysVisible(!on); });
     menu.addSeparator();

@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include <chrono>
+#include <numbers>
 
 namespace view {
 
@@ -87,7 +88,11 @@ void CanvasNavigation::zoomAt(const QPointF& position, double factor) {
 }
 
 void CanvasNavigation::zoomBy(double factor) {
-    zoomAt(QPointF(m_viewport.width() / 2.0, m_viewport.height() / 2.0), factor);
+    zoomAt(middle(), factor);
+}
+
+QPointF CanvasNavigation::middle() const {
+    return {m_viewport.width() / 2.0, m_viewport.height() / 2.0};
 }
 
 double CanvasNavigation::zoom() const {
@@ -112,6 +117,24 @@ void CanvasNavigation::setYAxis(attractor::YAxis yAxis) {
     attractor::Camera turned = camera();
     turned.yAxis = yAxis;
     setCamera(turned);
+}
+
+void CanvasNavigation::rotateAt(const QPointF& position, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    moveTo(attractor::rotatedAt(camera(), toVector(position), angle));
+    emit zoomed(position);
+}
+
+void CanvasNavigation::rotateBy(double degrees) {
+    rotateAt(middle(), degrees);
+}
+
+double CanvasNavigation::rotation() const {
+    return attractor::degreesOf(camera().rotation);
+}
+
+void CanvasNavigation::resetRotation() {
+    rotateBy(-rotation());
 }
 
 } // namespace view

@@ -38,12 +38,18 @@ public:
     void pan(const QPointF& pixels);
     void setYAxis(attractor::YAxis yAxis);
     attractor::YAxis yAxis() const { return camera().yAxis; }
+    // The view turns, counter-clockwise on the screen, in degrees: about the middle, or about a position.
+    void rotateBy(double degrees);
+    void rotateAt(const QPointF& position, double degrees);
+    double rotation() const; // in (−180, 180]
+    void resetRotation();
 
 signals:
     void cameraChanged();
-    void zoomed(const QPointF& position); // about it, in pixels
+    void zoomed(const QPointF& position); // or turned, about it, in pixels
 
 private:
+    QPointF middle() const;
     void fitTo(const std::optional<document::Box>& attractor);
 
     CanvasScene& m_scene;

@@ -61,6 +61,7 @@ void addGestures(QTreeWidget* tree) {
         {ShortcutsDialog::tr("Nudge the handle"), ShortcutsDialog::tr("arrow keys; Shift ×10, Alt ×0.1")},
         {ShortcutsDialog::tr("Next or previous part of the window"), ShortcutsDialog::tr("F6, Shift+F6")},
         {ShortcutsDialog::tr("Zoom at the pointer"), ShortcutsDialog::tr("wheel")},
+        {ShortcutsDialog::tr("Rotate the view"), ShortcutsDialog::tr("Ctrl + Shift + wheel")},
         {ShortcutsDialog::tr("Pan"), ShortcutsDialog::tr("middle drag, or Space + drag")},
         {ShortcutsDialog::tr("Play or stop the animation"), ShortcutsDialog::tr("Space")},
     };

@@ -73,8 +73,9 @@ public:
             return Real(cage.linear(row, 0)) * x + Real(cage.linear(row, 1)) * y +
                    (Real(cage.translation[row]) - Real(m_projection.centre[row]));
         };
-        node.x = Real(m_projection.scale(0, 0)) * shown(0) + Real(m_projection.grid.width / 2.0);
-        node.y = Real(m_projection.scale(1, 1)) * shown(1) + Real(m_projection.grid.height / 2.0);
+        const Real right = shown(0), up = shown(1);
+        node.x = m_projection.scaled(0, right, up) + Real(m_projection.grid.width / 2.0);
+        node.y = m_projection.scaled(1, right, up) + Real(m_projection.grid.height / 2.0);
         return node;
     }
 
@@ -105,12 +106,9 @@ public:
     static constexpr std::size_t maxWords = 1U << 17;
 
     BentView(const PreparedSystem& system, const Projection& projection, BendTable& table)
-        : m_system(system),
-          m_projection(projection),
-          m_scale(std::abs(projection.scale(0, 0))),
-          m_table(table) {
+        : m_system(system), m_projection(projection), m_table(table) {
         m_table.follow(*projection.cage.bend(), system.centre, reach(system),
-                       maxBendError / 2 * projection.cellsPerPixel / m_scale);
+                       maxBendError / 2 * projection.cellsPerPixel / projection.cellsPerUnit());
     }
 
     Node<double> root(const ifs::AffineMap<2>& change) const {
@@ -131,12 +129,12 @@ public:
         const ifs::Vector<2> cell = m_projection.cell(piece.middle());
         const ifs::Matrix<2> linear = m_projection.scale * piece.linear;
         const ifs::Vector<2> half = linear.cwiseAbs().rowwise().sum();
-        const ifs::Vector<2> miss = m_scale * piece.miss;
+        const ifs::Vector<2> miss = m_projection.boxAround(piece.miss);
         const ifs::Vector<2> middle = m_projection.cell(piece.value);
         const auto cells = [this](const ifs::Vector<2>& v, int row) {
-            return static_cast<float>(m_projection.scale(row, row) * v[row]);
+            return static_cast<float>(m_projection.scaled(row, v.x(), v.y()));
         };
-        const ifs::Vector<2> affineMiss = m_scale * piece.curvature() + miss;
+        const ifs::Vector<2> affineMiss = m_projection.boxAround(piece.curvature()) + miss;
         return {linear(0, 0),
                 linear(0, 1),
                 linear(1, 0),
@@ -180,7 +178,6 @@ private:
 
     const PreparedSystem& m_system;
     const Projection& m_projection;
-    double m_scale;
     BendTable& m_table;
 };
 

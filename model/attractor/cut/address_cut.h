@@ -8,6 +8,7 @@
 #include "attractor/samples/prepared_system.h"
 #include "ifs/cage/control_cage.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory_resource>
 #include <stop_token>
@@ -24,15 +25,35 @@ struct GridSize {
 // camera · cage: world coordinates of the code → cells. Kept in parts, because far inside the attractor the
 // offset from the camera's centre has to be formed before it is scaled.
 struct Projection {
-    ifs::Matrix<2> scale = ifs::Matrix<2>::Identity(); // world units → cells, with the y direction
+    ifs::Matrix<2> scale = ifs::Matrix<2>::Identity(); // world units → cells, with y direction and rotation
     ifs::Placement cage;
     ifs::Vector<2> centre = ifs::Vector<2>::Zero(); // world point shown in the middle
     GridSize grid;
     int cellsPerPixel = 1;
 
+    double cellsPerUnit() const { return std::hypot(scale(0, 0), scale(1, 0)); }
+    // A coordinate of a world offset in cells. What does not count is left out, since it may be infinite.
+    template <class Real> Real scaled(int row, const Real& x, const Real& y) const {
+        return combined(scale(row, 0), scale(row, 1), x, y);
+    }
     ifs::Vector<2> cell(const ifs::Vector<2>& displayed) const {
         const ifs::Vector<2> offset = displayed - centre;
-        return {scale(0, 0) * offset.x() + grid.width / 2.0, scale(1, 1) * offset.y() + grid.height / 2.0};
+        return {scaled(0, offset.x(), offset.y()) + grid.width / 2.0,
+                scaled(1, offset.x(), offset.y()) + grid.height / 2.0};
+    }
+    // Half the size in cells of the box around a box that has half this size in world units.
+    ifs::Vector<2> boxAround(const ifs::Vector<2>& half) const {
+        const auto row = [&](int i) {
+            return combined(std::abs(scale(i, 0)), std::abs(scale(i, 1)), half.x(), half.y());
+        };
+        return {row(0), row(1)};
+    }
+
+private:
+    template <class Real> static Real combined(double a, double b, const Real& x, const Real& y) {
+        if (b == 0) return Real(a) * x;
+        if (a == 0) return Real(b) * y;
+        return Real(a) * x + Real(b) * y;
     }
 };
 Projection projection(const Camera& camera, const ifs::Placement& cage, int cellsPerPixel);

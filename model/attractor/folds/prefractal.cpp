@@ -31,8 +31,7 @@ public:
         m_outlined = std::pow(static_cast<double>(job.system.maps.size()), job.iterations) <= maxOutlined;
         if (const ifs::PolygonDeformation* bend = projection.cage.bend())
             m_bend.emplace().follow(*bend, (m_low + m_high) / 2, reach(),
-                                    maxBendError * projection.cellsPerPixel /
-                                        std::abs(projection.scale(0, 0)));
+                                    maxBendError * projection.cellsPerPixel / projection.cellsPerUnit());
     }
 
     bool paint(const std::stop_token& stop) {
@@ -125,7 +124,7 @@ private:
             shown = piece.middle();
             half = piece.linear.cwiseAbs().rowwise().sum() + piece.curvature() + piece.miss;
         }
-        half *= std::abs(m_projection.scale(0, 0));
+        half = m_projection.boxAround(half);
         const ifs::Vector<2> middle = m_projection.cell(shown);
         const CellWindow& window = m_sums.window();
         return {middle.x() + half.x() >= 0 && middle.x() - half.x() <= window.width &&

@@ -37,7 +37,7 @@ ifs::Placement PreparedRequest::placement() {
 bool PreparedRequest::isDrawable() const {
     const Camera& camera = m_request.camera;
     return !m_system.maps.empty() && camera.width > 0 && camera.height > 0 && camera.pixelsPerUnit > 0 &&
-           std::isfinite(camera.pixelsPerUnit) && camera.centre.allFinite();
+           std::isfinite(camera.pixelsPerUnit) && std::isfinite(camera.rotation) && camera.centre.allFinite();
 }
 
 RenderNote PreparedRequest::viewNote() const {

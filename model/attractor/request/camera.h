@@ -12,6 +12,7 @@ struct View {
     ifs::Vector<2> centre = ifs::Vector<2>::Zero(); // world point in the middle
     double height = 1;                              // > 0, world units from the lower edge to the upper one
     YAxis yAxis = YAxis::Up;                        // Up: mathematics and Fractint; Down: window coordinates
+    double rotation = 0; // radians in (−π, π], by which the picture is turned counter-clockwise on the screen
 
     friend bool operator==(const View&, const View&) = default;
 };
@@ -31,24 +32,38 @@ struct Camera {
     int width = 0;                                  // pixels
     int height = 0;
     YAxis yAxis = YAxis::Up;
+    double rotation = 0; // as of a view
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-// The view at the scale at which its height fills the raster.
+// The view at the scale at which its height fills the raster, and back. A camera needs a height for that.
 Camera cameraOf(const View& view, RasterSize size);
+View viewOf(const Camera& camera);
+
+// Between a rotation and its degrees, which are what people and files say: rounded to a millionth, and in
+// (−180, 180]. What one function returns, the other gives back exactly.
+double rotationOf(double degrees);
+double degreesOf(double rotation);
+
+// What the rotation does on the screen: to offsets in pixels, with y down. The identity where it is 0, and
+// exact for quarter turns.
+ifs::Matrix<2> screenTurn(double rotation);
 
 // World → pixel coordinates, and back.
 ifs::AffineMap<2> worldToPixel(const Camera& camera);
 ifs::Vector<2> toPixel(const Camera& camera, const ifs::Vector<2>& world);
 ifs::Vector<2> toWorld(const Camera& camera, const ifs::Vector<2>& pixel);
 
-// The camera of the same size and direction that shows the box [min, max] with a margin of `margin` times the
-// picture on each side. A box without extent is shown at a scale of its own.
+// The camera of the same size, direction and rotation that shows the box [min, max] with a margin of `margin`
+// times the picture on each side. A box without extent is shown at a scale of its own.
 Camera fitted(Camera camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max, double margin = 0.05);
 
 // Zoomed by `factor`, the world point under `pixel` staying where it is.
 Camera zoomedAt(Camera camera, const ifs::Vector<2>& pixel, double factor);
+
+// Turned by `angle`, counter-clockwise on the screen, the world point under `pixel` staying where it is.
+Camera rotatedAt(Camera camera, const ifs::Vector<2>& pixel, double angle);
 
 // Moved so that what was seen at `pixel` is seen at `pixel + delta`.
 Camera panned(Camera camera, const ifs::Vector<2>& delta);

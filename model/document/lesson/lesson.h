@@ -36,6 +36,7 @@ struct LessonArea {
     double width = 1; // > 0
     double height = 1;
     attractor::YAxis yAxis = attractor::YAxis::Up;
+    double rotation = 0; // as of an attractor::View; the rectangle turns with it
 
     friend bool operator==(const LessonArea&, const LessonArea&) = default;
 };

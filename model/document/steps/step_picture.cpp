@@ -129,6 +129,8 @@ private:
         ifs::Matrix<2> spread = m_placement.affine().linear * map.linear;
         spread.col(0) *= halfBox.x();
         spread.col(1) *= halfBox.y();
+        if (const attractor::Camera& camera = m_job.camera; camera.rotation != 0)
+            spread = (worldToPixel(camera).linear / camera.pixelsPerUnit * spread).eval();
         const ifs::Vector<2> half = spread.cwiseAbs().rowwise().sum() * m_job.camera.pixelsPerUnit;
         const QPointF middle = shown(map((m_low + m_high) / 2));
         // A bend may carry parts farther than its affine fit does.

@@ -23,7 +23,8 @@ bool isWithin(double value, double least, double most) {
 
 bool isUsable(const attractor::Camera& camera) {
     return isWithin(camera.width, 1, maxSide) && isWithin(camera.height, 1, maxSide) &&
-           std::isfinite(camera.pixelsPerUnit) && camera.pixelsPerUnit > 0 && camera.centre.allFinite();
+           std::isfinite(camera.pixelsPerUnit) && camera.pixelsPerUnit > 0 &&
+           std::isfinite(camera.rotation) && camera.centre.allFinite();
 }
 
 bool isUsable(const PixelRecipe& recipe) {

@@ -95,11 +95,13 @@ private:
 };
 
 QJsonObject cameraJson(const attractor::Camera& camera) {
-    return {{QStringLiteral("centre"), QJsonArray{camera.centre.x(), camera.centre.y()}},
-            {QStringLiteral("pixelsPerUnit"), camera.pixelsPerUnit},
-            {QStringLiteral("width"), camera.width},
-            {QStringLiteral("height"), camera.height},
-            {QStringLiteral("yAxis"), nameOf(axes, camera.yAxis)}};
+    QJsonObject json{{QStringLiteral("centre"), QJsonArray{camera.centre.x(), camera.centre.y()}},
+                     {QStringLiteral("pixelsPerUnit"), camera.pixelsPerUnit},
+                     {QStringLiteral("width"), camera.width},
+                     {QStringLiteral("height"), camera.height},
+                     {QStringLiteral("yAxis"), nameOf(axes, camera.yAxis)}};
+    if (camera.rotation != 0) json.insert(QStringLiteral("rotation"), attractor::degreesOf(camera.rotation));
+    return json;
 }
 
 bool read(const QJsonObject& json, attractor::Camera& camera) {
@@ -109,6 +111,11 @@ bool read(const QJsonObject& json, attractor::Camera& camera) {
     fields.read("width", camera.width);
     fields.read("height", camera.height);
     fields.read("yAxis", camera.yAxis, axes);
+    if (json.contains(QLatin1String("rotation"))) {
+        double degrees = 0;
+        fields.read("rotation", degrees);
+        camera.rotation = attractor::rotationOf(degrees);
+    }
     return fields.areRight();
 }
 

@@ -57,7 +57,9 @@ template <int Dim> QByteArrayList numbersOf(const CagePose<Dim>& vertices) {
 QByteArrayList numbersOf(const attractor::View& view) {
     QByteArrayList numbers;
     append<2>(numbers, view.centre);
-    return numbers << formatNumber(view.height) << (view.yAxis == attractor::YAxis::Up ? "1" : "-1");
+    numbers << formatNumber(view.height) << (view.yAxis == attractor::YAxis::Up ? "1" : "-1");
+    if (view.rotation != 0) numbers << formatNumber(attractor::degreesOf(view.rotation));
+    return numbers;
 }
 
 QByteArrayList numbersOf(const attractor::OrbitCamera& camera) {
@@ -272,8 +274,12 @@ private:
     CameraPose<Dim> camera(const Stored::Key& key) {
         const std::vector<double>& n = key.values;
         if constexpr (Dim == 2) {
-            if (!fits(n.size() == 4 && (n[3] == 1 || n[3] == -1))) return {};
-            return {{n[0], n[1]}, n[2], n[3] == 1 ? attractor::YAxis::Up : attractor::YAxis::Down};
+            const bool isTurned = n.size() == 5; // else there is no rotation
+            if (!fits((n.size() == 4 || isTurned) && (n[3] == 1 || n[3] == -1))) return {};
+            return {{n[0], n[1]},
+                    n[2],
+                    n[3] == 1 ? attractor::YAxis::Up : attractor::YAxis::Down,
+                    isTurned ? attractor::rotationOf(n[4]) : 0};
         } else {
             attractor::OrbitCamera camera;
             if (!fits(n.size() == 10 && (n[9] == 0 || n[9] == 1))) return camera;

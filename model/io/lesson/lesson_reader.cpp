@@ -70,14 +70,20 @@ bool isViewSize(double size) {
 }
 
 bool readArea(const QStringList& texts, LessonState& state) {
-    const bool isDown = texts.size() == 5 && texts.back() == QLatin1String("down");
-    const auto values = numbersIn(isDown ? texts.first(4) : texts);
-    if (!values || values->size() != 4 || !isViewSize((*values)[2]) || !isViewSize((*values)[3]))
+    QStringList numbers = texts;
+    const bool isDown = numbers.size() > 4 && numbers[4] == QLatin1String("down");
+    if (isDown) numbers.removeAt(4);
+    const bool isTurned = numbers.size() == 6 && numbers[4] == QLatin1String("rotation");
+    if (isTurned) numbers.removeAt(4);
+    const auto values = numbersIn(numbers);
+    if (!values || values->size() != (isTurned ? 5 : 4) || !isViewSize((*values)[2]) ||
+        !isViewSize((*values)[3]))
         return false;
     state.view = LessonArea{{(*values)[0], (*values)[1]},
                             (*values)[2],
                             (*values)[3],
-                            isDown ? attractor::YAxis::Down : attractor::YAxis::Up};
+                            isDown ? attractor::YAxis::Down : attractor::YAxis::Up,
+                            isTurned ? attractor::rotationOf((*values)[4]) : 0};
     return true;
 }
 

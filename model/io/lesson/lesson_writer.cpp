@@ -50,6 +50,7 @@ QByteArray viewOf(const LessonState& state) {
     if (const auto* area = std::get_if<LessonArea>(&state.view)) {
         QByteArray text = "area " + numbers({area->centre.x(), area->centre.y(), area->width, area->height});
         if (area->yAxis == attractor::YAxis::Down) text += " down";
+        if (area->rotation != 0) text += " rotation " + numbers({attractor::degreesOf(area->rotation)});
         return text;
     }
     if (const auto* orbit = std::get_if<LessonOrbit>(&state.view)) {

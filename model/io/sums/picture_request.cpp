@@ -59,6 +59,7 @@ std::optional<attractor::Camera> cameraOf(const RequestLines& lines) {
     if (!x || !y || !scale || !(*scale > 0) || !width || !height) return std::nullopt;
     attractor::Camera camera{{*x, *y}, *scale, *width, *height, attractor::YAxis::Up};
     if (lines.word("y") == "down") camera.yAxis = attractor::YAxis::Down;
+    if (const auto degrees = lines.number("rotation")) camera.rotation = attractor::rotationOf(*degrees);
     return camera;
 }
 
@@ -71,6 +72,7 @@ QByteArray pictureRequest(const PngExport& picture) {
     text += line("scale", {formatNumber(camera.pixelsPerUnit)});
     text += line("size", {QByteArray::number(camera.width), QByteArray::number(camera.height)});
     text += line("y", {camera.yAxis == attractor::YAxis::Down ? "down" : "up"});
+    if (camera.rotation != 0) text += line("rotation", {formatNumber(attractor::degreesOf(camera.rotation))});
     text += line("seed", {QByteArray::number(qulonglong(picture.request.seed))});
     text += line("bits", {picture.depth == PngFormat::Depth::Bits16 ? "16" : "8"});
     if (picture.dotsPerInch) text += line("dpi", {formatNumber(*picture.dotsPerInch)});

@@ -29,6 +29,7 @@ private slots:
     void instructionSetsGiveTheSameBytes_data();
     void instructionSetsGiveTheSameBytes();
     void pictureOptionsCount();
+    void theViewIsTurned();
 };
 
 // One map has one point: it is the middle of the picture, whatever rounding makes of its box.
@@ -105,6 +106,25 @@ void CliRenderTest::viewShowsTheWholeAttractor() {
     QVERIFY(std::abs(lit.top() - 10) <= 2);
     QVERIFY(std::abs(picture.height() - 1 - lit.bottom() - 10) <= 2);
     QVERIFY(std::abs(lit.left() + lit.right() - picture.width()) <= 4);
+}
+
+// The picture turned by a quarter, whose open side is found from what is seen.
+void CliRenderTest::theViewIsTurned() {
+    const QByteArray look = " --colour none --background transparent --margin 0 -o ";
+    QCOMPARE(run("render systems.ifs --size 200x" + look + "upright.png").status, 0);
+    QCOMPARE(run("render systems.ifs --size x200 --view-rotation 90" + look + "turned.png").status, 0);
+    const QImage upright(path("upright.png")), turned(path("turned.png"));
+    QCOMPARE(turned.size(), upright.size().transposed());
+    int differing = 0;
+    for (int y = 0; y < upright.height(); ++y)
+        for (int x = 0; x < upright.width(); ++x)
+            differing += (qAlpha(upright.pixel(x, y)) > 127) !=
+                         (qAlpha(turned.pixel(y, turned.height() - 1 - x)) > 127);
+    QVERIFY2(differing < 200, qPrintable(QString::number(differing)));
+    QCOMPARE(run("render systems.ifs --view 0,0,1 --view-rotation -30 -o a.png --size 40x30").status, 0);
+    QCOMPARE(run("render systems.ifs --view-rotation 15 -o a.svg --size 40x30").status, 0);
+    for (const char* wrong : {"x", "361", "nan"})
+        QCOMPARE(run(QByteArray("render systems.ifs -o a.png --view-rotation ") + wrong).status, 2);
 }
 
 void CliRenderTest::cageMovesThePicture() {

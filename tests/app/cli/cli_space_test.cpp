@@ -278,6 +278,7 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
                             << QByteArray("--margin");
     QTest::newRow("angle") << QByteArray("cube.ifs -o a.png --perspective 180") << QByteArray("below 180");
     QTest::newRow("y") << QByteArray("cube.ifs -o a.png --y-down") << QByteArray("plane");
+    QTest::newRow("rotation") << QByteArray("cube.ifs -o a.png --view-rotation 9") << QByteArray("plane");
     QTest::newRow("algorithm") << QByteArray("cube.ifs -o a.png --algorithm chaos-game")
                                << QByteArray("plane");
     QTest::newRow("svg") << QByteArray("cube.ifs -o a.svg") << QByteArray("only as .png");

@@ -22,10 +22,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -47,6 +49,7 @@ private slots:
     void theHintGoesWithAnotherTool();
     void aKeyLeadsFromThePanelsToTheCanvasAndBack();
     void mapsInSpaceStaySelected();
+    void theViewIsRotated();
     void aWindowMayGoInMidDrag_data();
     void aWindowMayGoInMidDrag();
     void flamesAreReadEitherWayUp();
@@ -302,6 +305,41 @@ void MainWindowTest::mapsInSpaceStaySelected() {
         QCOMPARE(maps->selectedMaps(), std::vector{map.id});
     }
     document.undoStack()->setClean();
+}
+
+// By the menu; the status bar says how far, and only of the plane.
+void MainWindowTest::theViewIsRotated() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    const auto choose = [&](const QString& keysOrName) {
+        for (QAction* action : window->actions())
+            if (action->shortcut().toString() == keysOrName || action->text().remove(u'&') == keysOrName)
+                return action->trigger();
+        QFAIL(qPrintable(keysOrName));
+    };
+    const auto said = [&]() -> QString {
+        for (const QLabel* label : window->statusBar()->findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("Rotation of the view"))
+                return label->isVisible() ? label->text() : QString();
+        return QStringLiteral("no label");
+    };
+    QVERIFY(said().isEmpty());
+    choose(QStringLiteral("Ctrl+["));
+    choose(QStringLiteral("Ctrl+["));
+    QCOMPARE(canvas->navigation().rotation(), 30.0);
+    QCOMPARE(said(), QStringLiteral("rotated 30°"));
+    canvas->fit();
+    choose(QStringLiteral("Ctrl+]"));
+    QCOMPARE(said(), QStringLiteral("rotated 15°"));
+    const document::SavedView::Camera kept = window->findChild<Stage*>()->camera();
+    choose(QStringLiteral("Reset Rotation"));
+    QCOMPARE(canvas->navigation().rotation(), 0.0);
+    QVERIFY(said().isEmpty());
+    window->findChild<Stage*>()->lookAt(kept);
+    QCOMPARE(canvas->navigation().rotation(), 15.0);
+    window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    QVERIFY(said().isEmpty());
+    window->document().undoStack()->setClean();
 }
 
 void MainWindowTest::aWindowMayGoInMidDrag_data() {

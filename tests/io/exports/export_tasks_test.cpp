@@ -97,6 +97,7 @@ void ExportTasksTest::comesBack() {
                          77,
                          k % 2 ? attractor::YAxis::Up : attractor::YAxis::Down};
         pixels.file = PictureFile::Tiff;
+        pixels.camera.rotation = k % 2 ? attractor::rotationOf(10 * k) : 0;
         pixels.depth = PngFormat::Depth::Bits16;
         pixels.samplesPerPixel = 1 + k;
         pixels.supersample = 1 + k % 4;

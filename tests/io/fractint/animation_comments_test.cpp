@@ -202,6 +202,24 @@ private slots:
                  *file.entries.first().fractal);
     }
 
+    // The last number, where there is one; what is not turned is written as before.
+    void aTurnedCamera() {
+        for (const QByteArray& value : {"value 0.5 -1 2 1", "value 0.5 -1 2 -1 30"}) {
+            const QByteArray text = "plane {\n; barycage: version 1\n; barycage: animation 10 24/1 cycle\n"
+                                    "; barycage: track camera\n; barycage: key 0 linear\n; barycage: " +
+                                    value + "\n.5 0 0 .5 0 0 1\n}\n";
+            const FractalFile file = fileOf(text);
+            QVERIFY(file.entries.first().problems.isEmpty());
+            const auto& animation = document::plane(*file.entries.first().fractal)->animation;
+            QVERIFY(animation.has_value());
+            QCOMPARE(attractor::degreesOf(animation->camera[0].value.rotation),
+                     value.endsWith(" 30") ? 30.0 : 0.0);
+            QCOMPARE(*fileOf(io::writeEntry(*file.entries.first().fractal, "\n")).entries.first().fractal,
+                     *file.entries.first().fractal);
+            QVERIFY(io::writeEntry(*file.entries.first().fractal, "\n").contains(value));
+        }
+    }
+
     // One line of an animation that is not understood, or does not fit: all of it is kept as it is, with one
     // warning, and the rest of the entry is read.
     void hostileLinesAreKept_data() {

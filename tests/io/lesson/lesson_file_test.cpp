@@ -110,6 +110,11 @@ void LessonFileTest::settingsAreReadLeniently_data() {
     };
     row("view: fit", true);
     row("view:   area  0 0 1 1 ", true);
+    row("view: area 0 0 1 1 rotation 30", true);
+    row("view: area 0 0 1 1 down rotation -12.5", true);
+    row("view: area 0 0 1 1 rotation");
+    row("view: area 0 0 1 1 rotation x");
+    row("view: area 0 0 1 1 30");
     row("view: area 0 0 1 0");
     row("view: area 0 0 -1 1");
     row("view: area 0 0 1 nan");
@@ -235,12 +240,13 @@ void LessonFileTest::textsArePlain() {
 }
 
 void LessonFileTest::areasFitWindowsOfAnyShape() {
-    const document::LessonArea area{{3, -2}, 4, 2, attractor::YAxis::Up};
+    const document::LessonArea area{{3, -2}, 4, 2, attractor::YAxis::Up, attractor::rotationOf(20)};
     for (const attractor::RasterSize size :
          {attractor::RasterSize{800, 400}, {400, 800}, {1000, 100}, {1, 1}}) {
         const attractor::Camera camera = document::cameraOf(area, size);
         const document::LessonArea seen = document::areaOf(camera);
         QCOMPARE(seen.centre, area.centre);
+        QCOMPARE(seen.rotation, area.rotation);
         QVERIFY(seen.width >= area.width * (1 - 1e-12) && seen.height >= area.height * (1 - 1e-12));
         QVERIFY(std::min(seen.width / area.width, seen.height / area.height) < 1 + 1e-12);
     }

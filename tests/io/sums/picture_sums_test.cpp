@@ -98,6 +98,10 @@ void PictureSumsTest::theRequestSaysAll() {
     QCOMPARE(pictureRequest(what), text);
     what.request.seed = 8;
     QVERIFY(pictureRequest(what) != text);
+    QVERIFY(!text.contains("rotation"));
+    what.request.camera.rotation = attractor::rotationOf(-12.5);
+    const auto turned = pictureOf(pictureRequest(what));
+    QVERIFY(turned && turned->request.camera == what.request.camera);
     QVERIFY(!pictureOf("entry\n"));
     QVERIFY(!pictureOf(""));
 }

@@ -49,14 +49,27 @@ private slots:
             const auto axis = [&] {
                 return random.bounded(2) == 0 ? attractor::YAxis::Up : attractor::YAxis::Down;
             };
-            const attractor::Camera from = camera(std::exp(any() * 3), {any(), any()}, axis());
-            const attractor::Camera to = camera(std::exp(any() * 3), {any(), any()}, axis());
+            attractor::Camera from = camera(std::exp(any() * 3), {any(), any()}, axis());
+            attractor::Camera to = camera(std::exp(any() * 3), {any(), any()}, axis());
+            if (i % 2 == 1) from.rotation = any();
+            if (i % 3 == 1) to.rotation = any();
             const Vector<2> world(any(), any());
             const QPointF direct = pixelOf(to, world);
             const QPointF mapped = pixelTransform(from, to).map(pixelOf(from, world));
             QVERIFY(std::hypot(direct.x() - mapped.x(), direct.y() - mapped.y()) <
                     1e-9 * to.pixelsPerUnit + 1e-9);
         }
+    }
+
+    void aTurnedBoxIsSurrounded() {
+        attractor::Camera turned = camera(100);
+        turned.rotation = attractor::rotationOf(45);
+        const QRectF seen = pixelsOf(turned, {-1, -1}, {1, 1});
+        QVERIFY(std::abs(seen.width() - 200 * std::numbers::sqrt2) < 1e-9);
+        QVERIFY(QLineF(seen.center(), QPointF(320, 240)).length() < 1e-9);
+        const Vector<2> moved = worldAt(turned, {110, 80}) - worldAt(turned, {100, 100});
+        QVERIFY(near<2>(worldOffset(turned, {10, -20}), moved, 1e-12));
+        QVERIFY(worldOffset(turned, {0, 0}).isZero(0));
     }
 
     void depthKeepsItsDigits() {

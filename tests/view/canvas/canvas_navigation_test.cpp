@@ -5,6 +5,7 @@
 #include "view/canvas/canvas_fixture.h"
 
 #include <QLineEdit>
+#include <QNativeGestureEvent>
 #include <QPointingDevice>
 #include <QSet>
 #include <QWheelEvent>
@@ -131,6 +132,68 @@ private slots:
         for (int i = 0; i < 50; ++i)
             m_canvas->navigation().zoomBy(2);
         QVERIFY(m_canvas->camera().pixelsPerUnit > 1e12);
+    }
+
+    void wheelWithCtrlAndShiftTurnsAboutThePointer() {
+        const QPointF p(123, 321);
+        const auto turnWheel = [&](const QPoint& angle) {
+            QWheelEvent wheel(p, m_canvas->viewport()->mapToGlobal(p), QPoint(), angle, Qt::NoButton,
+                              Qt::ControlModifier | Qt::ShiftModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
+        };
+        const attractor::Camera before = m_canvas->camera();
+        const Vector<2> world = view::worldAt(before, p);
+        turnWheel({0, 360});
+        QCOMPARE(m_canvas->navigation().rotation(), 15.0);
+        turnWheel({-240, 0}); // as some platforms report it with Shift
+        QCOMPARE(m_canvas->navigation().rotation(), 5.0);
+        QCOMPARE(m_canvas->camera().pixelsPerUnit, before.pixelsPerUnit);
+        QVERIFY(QLineF(view::pixelOf(m_canvas->camera(), world), p).length() < 1e-6);
+        m_canvas->navigation().resetRotation();
+        QCOMPARE(m_canvas->camera().rotation, 0.0);
+    }
+
+    // Small twists belong to the pinch that zooms.
+    void twistingFingersTurnTheView() {
+        const auto gesture = [this](Qt::NativeGestureType type, double value) {
+            const QPointF p(300, 200);
+            QNativeGestureEvent event(type, QPointingDevice::primaryPointingDevice(), 2, p, p,
+                                      m_canvas->viewport()->mapToGlobal(p), value, QPointF());
+            QCoreApplication::sendEvent(m_canvas->viewport(), &event);
+        };
+        gesture(Qt::BeginNativeGesture, 0);
+        gesture(Qt::RotateNativeGesture, 9);
+        QCOMPARE(m_canvas->camera().rotation, 0.0);
+        gesture(Qt::RotateNativeGesture, 21); // clockwise
+        QCOMPARE(m_canvas->navigation().rotation(), -20.0);
+        gesture(Qt::EndNativeGesture, 0);
+        gesture(Qt::BeginNativeGesture, 0);
+        gesture(Qt::RotateNativeGesture, -10);
+        QCOMPARE(m_canvas->navigation().rotation(), -20.0);
+    }
+
+    void aTurnedViewIsWorkedInAsUsual() {
+        const Vector<2> middle = view::worldAt(m_canvas->camera(), {320, 240});
+        m_canvas->navigation().rotateBy(40);
+        QVERIFY((view::worldAt(m_canvas->camera(), {320, 240}) - middle).norm() < 1e-12);
+        m_canvas->fit();
+        QCOMPARE(m_canvas->navigation().rotation(), 40.0);
+        const auto box = *document::displayedBox(m_document->fractal());
+        const QRectF shown = view::pixelsOf(m_canvas->camera(), box.min, box.max);
+        QVERIFY(QRectF(m_canvas->viewport()->rect()).contains(shown));
+        const QPointF before = at({Kind::Vertex, 0});
+        drag(before.toPoint(), {25, -10});
+        QVERIFY(QLineF(at({Kind::Vertex, 0}), before + QPointF(25, -10)).length() < 1e-6);
+        QCOMPARE(steps(), 1);
+        key(Qt::Key_Tab);
+        const CanvasPart part = scene().selection().focused();
+        const QPointF start = at(part);
+        key(Qt::Key_Right); // on the screen, as before
+        QVERIFY(QLineF(at(part), start + QPointF(1, 0)).length() < 1e-6);
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_bridge->frame()->camera.rotation, m_canvas->camera().rotation);
+        m_canvas->navigation().resetRotation();
+        QCOMPARE(m_canvas->camera().rotation, 0.0);
     }
 
     void middleButtonAndSpacePan() {

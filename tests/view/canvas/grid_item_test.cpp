@@ -83,6 +83,29 @@ private slots:
         QVERIFY(std::abs(level.front() + level.size() / 2.0 - 101.63 * ratio) <= 1);
     }
 
+    void theGridTurnsWithTheView() {
+        attractor::Camera camera{{2.7 / 103, 1.63 / 103},  103, width, height, attractor::YAxis::Up,
+                                 attractor::rotationOf(30)};
+        m_grid.setView(camera);
+        m_grid.setGridVisible(false);
+        m_grid.setAxesVisible(true);
+        const QImage axes = painted(m_grid, 1);
+        const auto isLit = [&](const QImage& image, const ifs::Vector<2>& world) {
+            const ifs::Vector<2> pixel = toPixel(camera, world);
+            return image.pixel(int(pixel.x()), int(pixel.y())) != qRgb(0, 0, 0);
+        };
+        for (const double way : {-0.7, -0.35, 0.35, 0.7}) {
+            QVERIFY(isLit(axes, {way, 0}));
+            QVERIFY(isLit(axes, {0, way}));
+            QVERIFY(!isLit(axes, {way, 0.5}));
+        }
+        m_grid.setGridVisible(true);
+        const QImage grid = painted(m_grid, 1);
+        QVERIFY(isLit(grid, {0.4, 0.37}));
+        QVERIFY(isLit(grid, {0.5, -0.2}));
+        QVERIFY(!isLit(grid, {0.5, -0.3}));
+    }
+
     // Far from the origin doubles have no room for lines between their neighbours.
     void nothingIsDrawnWhereNumbersAreTooCoarse() {
         m_grid.setView({{1e17, 0}, 103, width, height, attractor::YAxis::Up});

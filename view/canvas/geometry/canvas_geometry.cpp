@@ -58,7 +58,8 @@ QPolygonF pixelsOf(const attractor::Camera& camera, const std::vector<ifs::Vecto
 }
 
 QRectF pixelsOf(const attractor::Camera& camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max) {
-    return QRectF(pixelOf(camera, min), pixelOf(camera, max)).normalized();
+    if (camera.rotation == 0) return QRectF(pixelOf(camera, min), pixelOf(camera, max)).normalized();
+    return pixelsOf(camera, {min, {max.x(), min.y()}, max, {min.x(), max.y()}}).boundingRect();
 }
 
 ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel) {
@@ -67,10 +68,39 @@ ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel) {
 
 ifs::Vector<2> worldOffset(const attractor::Camera& camera, const QPointF& pixels) {
     const double up = camera.yAxis == attractor::YAxis::Up ? -1 : 1;
-    return {pixels.x() / camera.pixelsPerUnit, up * pixels.y() / camera.pixelsPerUnit};
+    ifs::Vector<2> offset = toVector(pixels);
+    if (camera.rotation != 0) offset = (attractor::screenTurn(-camera.rotation) * offset).eval();
+    return {offset.x() / camera.pixelsPerUnit, up * offset.y() / camera.pixelsPerUnit};
 }
 
+namespace {
+
+// As pixelTransform(), of cameras that are turned.
+QTransform turnedTransform(const attractor::Camera& from, const attractor::Camera& to) {
+    const double scale = to.pixelsPerUnit / from.pixelsPerUnit;
+    const double down = to.yAxis == attractor::YAxis::Up ? -1 : 1;
+    ifs::Matrix<2> linear = attractor::screenTurn(to.rotation - from.rotation);
+    if (from.yAxis != to.yAxis) { // turning, then mirroring, is mirroring, then turning the other way
+        linear = attractor::screenTurn(to.rotation + from.rotation);
+        linear.col(1) *= -1;
+    }
+    linear *= scale;
+    const ifs::Vector<2> away = (from.centre - to.centre) * to.pixelsPerUnit;
+    const ifs::Vector<2> shift =
+        attractor::screenTurn(to.rotation) * ifs::Vector<2>(away.x(), down * away.y()) -
+        linear * ifs::Vector<2>(from.width / 2.0, from.height / 2.0);
+    return {linear(0, 0),
+            linear(1, 0),
+            linear(0, 1),
+            linear(1, 1),
+            shift.x() + to.width / 2.0,
+            shift.y() + to.height / 2.0};
+}
+
+} // namespace
+
 QTransform pixelTransform(const attractor::Camera& from, const attractor::Camera& to) {
+    if (from.rotation != 0 || to.rotation != 0) return turnedTransform(from, to);
     const double scale = to.pixelsPerUnit / from.pixelsPerUnit;
     const double flip = from.yAxis == to.yAxis ? scale : -scale;
     const double down = to.yAxis == attractor::YAxis::Up ? -1 : 1;

@@ -24,6 +24,7 @@ double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b);
 
 QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world);
 QPolygonF pixelsOf(const attractor::Camera& camera, const std::vector<ifs::Vector<2>>& points);
+// Around the box, which may be turned.
 QRectF pixelsOf(const attractor::Camera& camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max);
 ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel);
 // What a motion by `pixels` is in the plane; exactly zero for no motion.

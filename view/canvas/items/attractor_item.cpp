@@ -20,6 +20,7 @@ constexpr double maxZoom = 256; // beyond this an old picture is only a few blur
 bool isAligned(const QTransform& toDevice) {
     constexpr double tolerance = 1e-6;
     return std::abs(toDevice.m11() - 1) < tolerance && std::abs(toDevice.m22() - 1) < tolerance &&
+           std::abs(toDevice.m12()) < tolerance &&
            std::abs(toDevice.dx() - std::round(toDevice.dx())) < tolerance * 1000 &&
            std::abs(toDevice.dy() - std::round(toDevice.dy())) < tolerance * 1000;
 }
@@ -67,7 +68,8 @@ void AttractorItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
     if (m_frame) {
         const QTransform shift = pixelTransform(m_frame->camera, deviceCamera(m_camera, m_ratio)) *
                                  QTransform::fromScale(1 / m_ratio, 1 / m_ratio);
-        if (std::abs(shift.m11()) < maxZoom && std::abs(shift.m11()) > 1 / maxZoom) {
+        const double zoom = std::hypot(shift.m11(), shift.m12());
+        if (zoom < maxZoom && zoom > 1 / maxZoom) {
             painter->setTransform(shift, true);
             painter->setRenderHint(QPainter::SmoothPixmapTransform, !isAligned(painter->deviceTransform()));
             painter->drawImage(QPointF(0, 0), imageOf(*m_frame));

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace view {
 
@@ -26,6 +27,24 @@ Multiples multiplesBetween(double a, double b, double step) {
     const double high = std::max(a, b) / step;
     if (std::max(std::abs(low), std::abs(high)) > 4e15) return {};
     return {std::ceil(low), std::floor(high)};
+}
+
+// nullopt where the line does not meet the rectangle.
+std::optional<QLineF> partWithin(const QRectF& area, const QLineF& line) {
+    double from = 0, to = 1; // of the way along the line
+    const auto clip = [&](double start, double change, double low, double high) {
+        if (change == 0) {
+            if (start < low || start > high) to = -1;
+            return;
+        }
+        const double a = (low - start) / change, b = (high - start) / change;
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    };
+    clip(line.x1(), line.dx(), area.left(), area.right());
+    clip(line.y1(), line.dy(), area.top(), area.bottom());
+    if (!(from < to)) return std::nullopt;
+    return QLineF(line.pointAt(from), line.pointAt(to));
 }
 
 QFont labelFont(const QPainter& painter) {
@@ -130,18 +149,97 @@ void GridItem::paintLabels(QPainter& painter) const {
         const double x = std::clamp(origin.x() + 4, 4.0, std::max(4.0, m_camera.width - width - 4));
         painter.drawText(QPointF(x, pixelOf(m_camera, {0, k * spacing.major}).y() - 3), text);
     }
-    if (!abscissae.base().isEmpty()) { // what the labels are to be added to
-        const QString text = QStringLiteral("x = %1   y = %2").arg(abscissae.base(), ordinates.base());
-        painter.drawText(QPointF(m_camera.width - metrics.horizontalAdvance(text) - 8, 2 * metrics.height()),
-                         text);
+    paintBase(painter);
+}
+
+// What the labels are to be added to, where they are too long.
+void GridItem::paintBase(QPainter& painter) const {
+    const CoordinateText abscissae(m_camera, 0), ordinates(m_camera, 1);
+    if (abscissae.base().isEmpty()) return;
+    const QFontMetricsF metrics(painter.font());
+    const QString text = QStringLiteral("x = %1   y = %2").arg(abscissae.base(), ordinates.base());
+    painter.drawText(QPointF(m_camera.width - metrics.horizontalAdvance(text) - 8, 2 * metrics.height()),
+                     text);
+}
+
+// Where a coordinate is a multiple of the step: the lines in a view that is turned, each in the order of the
+// other coordinate.
+std::vector<GridItem::TurnedLine> GridItem::turnedLines(int axis, double step) const {
+    const QRectF area = boundingRect();
+    ifs::Vector<2> low = worldAt(m_camera, area.topLeft()), high = low;
+    for (const QPointF& corner : {area.topRight(), area.bottomLeft(), area.bottomRight()}) {
+        low = low.cwiseMin(worldAt(m_camera, corner));
+        high = high.cwiseMax(worldAt(m_camera, corner));
     }
+    std::vector<TurnedLine> lines;
+    const Multiples seen = multiplesBetween(low[axis], high[axis], step);
+    for (double k = seen.first; k <= seen.last; ++k) {
+        low[axis] = high[axis] = k * step;
+        if (const auto line = partWithin(area, {pixelOf(m_camera, low), pixelOf(m_camera, high)}))
+            lines.push_back({k, *line});
+    }
+    return lines;
+}
+
+void GridItem::paintTurnedLines(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    const GridSpacing spacing = gridSpacing(m_camera.pixelsPerUnit);
+    for (const int axis : {0, 1})
+        for (const auto& [index, line] : turnedLines(axis, spacing.minor)) {
+            const bool isAxis = index == 0 && m_axes;
+            if (!m_grid && !isAxis) continue;
+            const bool isMajor = std::fmod(index, spacing.subdivisions) == 0;
+            constexpr double hairline = 0; // one pixel of the device
+            painter.setPen(isAxis ? QPen(m_style.axis, 1)
+                                  : QPen(isMajor ? m_style.gridMajor : m_style.gridMinor, hairline));
+            painter.drawLine(line);
+        }
+}
+
+// The numbers stand by the axes; where an axis is out of sight, at an end of each line, with the name of the
+// coordinate, since lines of both may end at one edge.
+void GridItem::paintTurnedLabels(QPainter& painter) const {
+    painter.setFont(labelFont(painter));
+    painter.setPen(m_style.label);
+    const QFontMetricsF metrics(painter.font());
+    const double step = gridSpacing(m_camera.pixelsPerUnit).major;
+    const QRectF area = boundingRect();
+    const QRectF room = area.adjusted(4, metrics.ascent() + 3, -4, -metrics.descent() - 3);
+    for (const int axis : {0, 1}) {
+        const CoordinateText numbers(m_camera, axis);
+        const bool isAxisSeen = std::ranges::any_of( // that on which this coordinate runs
+            turnedLines(1 - axis, step), [](const TurnedLine& other) { return other.index == 0; });
+        for (const auto& [index, line] : turnedLines(axis, step)) {
+            ifs::Vector<2> onAxis = ifs::Vector<2>::Zero();
+            onAxis[axis] = index * step;
+            const QPointF by = pixelOf(m_camera, onAxis);
+            const QString number = numbers.label(index * step);
+            if (isAxisSeen && (index == 0 || !area.contains(by))) continue;
+            const QPointF lowest = line.y1() > line.y2() ? line.p1() : line.p2();
+            const QPointF leftmost = line.x1() < line.x2() ? line.p1() : line.p2();
+            const QString text = isAxisSeen  ? number
+                                 : axis == 0 ? QStringLiteral("x ") + number
+                                             : QStringLiteral("y ") + number;
+            const QPointF at = (isAxisSeen ? by : axis == 0 ? lowest : leftmost) + QPointF(4, -3);
+            const double right = std::max(room.left(), room.right() - metrics.horizontalAdvance(text));
+            painter.drawText(QPointF(std::clamp(at.x(), room.left(), right),
+                                     std::clamp(at.y(), room.top(), std::max(room.top(), room.bottom()))),
+                             text);
+        }
+    }
+    paintBase(painter);
 }
 
 void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    const bool isTurned = m_camera.rotation != 0;
     painter->save();
-    paintLines(*painter);
+    if (isTurned)
+        paintTurnedLines(*painter);
+    else
+        paintLines(*painter);
     painter->restore();
-    if (m_axes) paintLabels(*painter);
+    if (m_axes && isTurned) paintTurnedLabels(*painter);
+    if (m_axes && !isTurned) paintLabels(*painter);
 }
 
 } // namespace view

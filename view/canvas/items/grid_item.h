@@ -4,6 +4,8 @@
 #include "attractor/request/camera.h"
 #include "canvas/items/overlay_item.h"
 
+#include <QLineF>
+
 #include <vector>
 
 namespace view {
@@ -26,9 +28,17 @@ private:
         int thickness;
         QColor colour;
     };
+    struct TurnedLine {
+        double index; // of the multiple of the step
+        QLineF line;  // the part in view
+    };
     std::vector<Line> linesAlong(int axis, double ratio) const;
     void paintLines(QPainter& painter) const;
     void paintLabels(QPainter& painter) const;
+    void paintTurnedLines(QPainter& painter) const;
+    void paintTurnedLabels(QPainter& painter) const;
+    void paintBase(QPainter& painter) const;
+    std::vector<TurnedLine> turnedLines(int axis, double step) const;
 
     attractor::Camera m_camera;
     bool m_grid = true;

@@ -32,6 +32,7 @@ std::vector<OverlayItem*> TransientMarks::itemsAboveHandles() const {
 void TransientMarks::setView(const attractor::Camera& camera) {
     m_camera = camera;
     m_analysisItem->setView(camera);
+    m_snapMark->setRotation(-attractor::degreesOf(camera.rotation)); // its guides follow the grid
     m_readoutItem->setView(QRectF(0, 0, camera.width, camera.height));
     showSnap(m_snap);
     showRubber(m_clicked, m_rubberEnd);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/print_fractal.h"
 
+#include "canvas/geometry/canvas_geometry.h"
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
 #include "document/user_comments.h"
@@ -29,10 +30,27 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
+// As withoutMargins(), of a view that is turned: there the box around the box counts.
+attractor::Camera withoutTurnedMargins(const document::Box& box, attractor::Camera camera) {
+    constexpr double margin = 0.01;   // of the canvas
+    constexpr double narrowest = 0.1; // of the canvas
+    const QRectF room(0, 0, camera.width, camera.height);
+    const QRectF shown = pixelsOf(camera, box.min, box.max)
+                             .adjusted(-margin * camera.width, -margin * camera.height, margin * camera.width,
+                                       margin * camera.height);
+    const QRectF kept = shown.intersected(room);
+    if (kept.isEmpty()) return camera; // nothing is in view
+    camera.centre = worldAt(camera, kept.center());
+    camera.width = std::max(1, int(std::lround(std::max(kept.width(), narrowest * room.width()))));
+    camera.height = std::max(1, int(std::lround(std::max(kept.height(), narrowest * room.height()))));
+    return camera;
+}
+
 // What the canvas shows without its empty sides, which are the cage's.
 attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Camera camera) {
     const auto box = document::displayedBox(fractal);
     if (!box || camera.width < 1 || camera.height < 1) return camera;
+    if (camera.rotation != 0) return withoutTurnedMargins(*box, camera);
     const ifs::Vector<2> half = ifs::Vector<2>(camera.width, camera.height) / (2 * camera.pixelsPerUnit);
     constexpr double margin = 0.02;
     constexpr double narrowest = 0.1; // of the canvas: a line has no width

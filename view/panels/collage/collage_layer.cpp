@@ -98,6 +98,19 @@ QTransform CollageLayer::toPixels() const {
     return transformOf(attractor::worldToPixel(m_canvas->camera()));
 }
 
+bool CollageLayer::isTurned() const {
+    return m_canvas->camera().rotation != 0;
+}
+
+// A picture whose rows run downwards, over a rectangle of the plane with y up.
+void CollageLayer::paintTurned(QPainter& painter, const QImage& picture, const QRectF& there) const {
+    painter.save();
+    painter.setTransform(QTransform::fromScale(1, -1) * toPixels(), true);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(there.x(), -there.bottom(), there.width(), there.height()), picture);
+    painter.restore();
+}
+
 QRectF CollageLayer::boundingRect() const {
     return m_area;
 }
@@ -123,7 +136,9 @@ void CollageLayer::prepareTarget() {
 void CollageLayer::paintTarget(QPainter& painter) {
     if (m_target.isNull() || m_targetOnDark != isOnDark()) prepareTarget();
     const double width = double(m_target.width()) / m_target.height();
-    const QRectF there = toPixels().mapRect(QRectF(-width / 2, -0.5, width, 1));
+    const QRectF inPlane(-width / 2, -0.5, width, 1);
+    if (isTurned()) return paintTurned(painter, m_target, inPlane);
+    const QRectF there = toPixels().mapRect(inPlane);
     const bool isUpright = m_canvas->camera().yAxis == attractor::YAxis::Up;
     const double ratio = m_canvas->devicePixelRatioF();
     const QSize size = (there.size() * ratio).toSize();
@@ -143,8 +158,9 @@ void CollageLayer::paintTarget(QPainter& painter) {
 void CollageLayer::paintAgreement(QPainter& painter) const {
     if (!m_showsAgreement || !m_measured) return;
     const QRectF& area = m_measured->area;
-    const QRectF there =
-        toPixels().mapRect(QRectF(area.x(), area.y() - area.height(), area.width(), area.height()));
+    const QRectF inPlane(area.x(), area.y() - area.height(), area.width(), area.height());
+    if (isTurned()) return paintTurned(painter, m_measured->picture, inPlane);
+    const QRectF there = toPixels().mapRect(inPlane);
     const bool isUpright = m_canvas->camera().yAxis == attractor::YAxis::Up;
     painter.drawImage(there, isUpright ? m_measured->picture : m_measured->picture.mirrored());
 }

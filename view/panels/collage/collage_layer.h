@@ -50,6 +50,8 @@ private:
     bool isOnDark() const;
     bool isOnMark(const QPointF& position) const;
     QTransform toPixels() const; // from the plane
+    bool isTurned() const;       // the view
+    void paintTurned(QPainter& painter, const QImage& picture, const QRectF& there) const;
     void prepareTarget();
 
     document::Document* m_document;
