@@ -22,6 +22,7 @@ private:
     void addOverlays();
     void addSnapping();
     void addTransformation();
+    void addCompare();
     void addScreens(const std::function<void(bool)>& present);
 
     QMenu* m_panels = nullptr;
