@@ -3,13 +3,20 @@
 
 Stage::Stage(document::Document* document, view::RenderBridge* render, view::SolidBridge* solid,
              QWidget* parent)
-    : QStackedWidget(parent),
+    : QSplitter(Qt::Horizontal, parent),
       m_extentFinder(document),
+      m_views(new QStackedWidget(this)),
       m_plane(new view::CanvasView(document, render, this)),
       m_transformation(new view::TransformationView(document, render, m_plane, this)),
-      m_space(new view::FourViews(document, solid, this)) {
-    addWidget(m_transformation);
-    addWidget(m_space);
+      m_space(new view::FourViews(document, solid, this)),
+      m_compare(new view::ComparePane(document, render, m_plane, m_space->main(), this)) {
+    m_views->addWidget(m_transformation);
+    m_views->addWidget(m_space);
+    setChildrenCollapsible(false);
+    addWidget(m_views);
+    addWidget(m_compare);
+    for (int part = 0; part < count(); ++part)
+        setStretchFactor(part, 1); // each gets its share
     connect(document, &document::Document::changed, this, [this, document](const document::Change& change) {
         using document::Change;
         if (change.parts & (Change::System | Change::Current | Change::File)) follow(*document);
@@ -31,12 +38,17 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
 void Stage::follow(const document::Document& document) {
     QWidget* wanted = m_transformation;
     if (document::space(document.fractal())) wanted = m_space;
-    if (wanted == currentWidget()) return;
+    if (wanted == m_views->currentWidget()) return;
     const bool hadFocus = (showsSpace() ? static_cast<QWidget*>(m_space) : m_plane)->hasFocus();
-    setCurrentWidget(wanted);
+    m_views->setCurrentWidget(wanted);
     setFocusProxy(wanted);
     if (hadFocus) wanted->setFocus();
     emit switched();
+}
+
+void Stage::setCompared(bool compared) {
+    m_compare->setCompared(compared);
+    if (compared) setSizes({width() / 2, width() / 2});
 }
 
 void Stage::fit() {
@@ -91,10 +103,11 @@ void Stage::lookAt(const document::SavedView::Camera& camera) {
 }
 
 bool Stage::cancelGesture() {
+    if (m_compare->cancelGesture()) return true;
     if (showsSpace()) return m_space->cancelGesture();
     return m_plane->cancelGesture() || m_transformation->cancelGesture();
 }
 
 void Stage::takeFocus(Qt::FocusReason reason) {
-    currentWidget()->setFocus(reason);
+    m_views->currentWidget()->setFocus(reason);
 }

@@ -3,14 +3,17 @@
 
 #include "bridges/extent_finder.h"
 #include "canvas/canvas_view.h"
+#include "compare/compare_pane.h"
 #include "document/saved_views.h"
 #include "space/four_views.h"
 #include "transformation/transformation_view.h"
 
+#include <QSplitter>
 #include <QStackedWidget>
 
-// The middle of the window: the canvas of the plane, or the window into space for an entry in space.
-class Stage : public QStackedWidget {
+// The middle of the window: the canvas of the plane, or the window into space for an entry in space; and
+// perhaps another entry beside it.
+class Stage : public QSplitter {
     Q_OBJECT
 
 public:
@@ -20,8 +23,11 @@ public:
     view::CanvasView* plane() { return m_plane; }
     view::TransformationView* transformation() { return m_transformation; } // around the canvas
     view::FourViews* views() { return m_space; }
+    view::ComparePane* compare() { return m_compare; }   // to its right
     view::SpaceView* space() { return m_space->main(); } // the view that orbits
-    bool showsSpace() const { return currentWidget() == m_space; }
+    bool showsSpace() const { return m_views->currentWidget() == m_space; }
+
+    void setCompared(bool compared); // with another entry, to its right
 
     // Of the one that is shown:
     void fit();
@@ -41,7 +47,9 @@ private:
     void follow(const document::Document& document);
 
     view::ExtentFinder m_extentFinder;
+    QStackedWidget* m_views;
     view::CanvasView* m_plane;
     view::TransformationView* m_transformation;
     view::FourViews* m_space;
+    view::ComparePane* m_compare;
 };

@@ -24,6 +24,7 @@ ViewMenu::ViewMenu(const MenuContext& context, const std::function<void(bool)>& 
     addOverlays();
     addSnapping();
     addTransformation();
+    addCompare();
     addSeparator();
     m_panels = addMenu(tr("&Panels"));
     addScreens(present);
@@ -197,6 +198,16 @@ void ViewMenu::addTransformation() {
                   [transformation](bool on) { transformation->setTransformationShown(on); });
     disableWhen(m_transformation, &document::planeObstacle);
     connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
+}
+
+void ViewMenu::addCompare() {
+    Stage* stage = context().stage;
+    const view::ComparePane* pane = stage->compare();
+    QAction* compare = addToggle({nullptr, tr("Side &by Side"), QKeySequence(tr("Ctrl+Shift+B")),
+                                  tr("Show another entry beside this one, to compare and to edit both")},
+                                 [stage](bool on) { stage->setCompared(on); });
+    connect(pane, &view::ComparePane::closeRequested, compare, [compare] { compare->setChecked(false); });
+    connect(pane, &view::ComparePane::message, context().messages, &WindowMessages::say);
 }
 
 void ViewMenu::addScreens(const std::function<void(bool)>& present) {

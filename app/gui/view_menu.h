@@ -27,6 +27,7 @@ private:
     void addOverlays();
     void addSnapping();
     void addTransformation();
+    void addCompare();
     void addScreens(const std::function<void(bool)>& present);
 
     SavedViewsMenu* m_savedViews = nullptr;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "app/gui/window_fixture.h"
+#include "canvas/canvas_view.h"
+#include "compare/compare_pane.h"
+#include "document/fractal_geometry.h"
+#include "space/space_view.h"
+#include "stage.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace Qt::StringLiterals;
+
+// Another entry of the file beside the current one: both are edited in one history, and look at the same
+// place on request.
+class CompareTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void showsAndHides();
+    void bothAreDraggedInOneHistory();
+    void viewsAreLinkedOnRequest();
+    void entriesChangePlaces();
+    void entriesComeAndGo();
+    void solidsAreCompared();
+
+private:
+    document::Document& document() { return m_window->document(); }
+    view::CanvasView* canvas() const { return m_window->findChild<Stage*>()->plane(); }
+    view::ComparePane* pane() const { return m_window->findChild<view::ComparePane*>(); }
+    QComboBox* entries() const { return pane()->findChild<QComboBox*>(); }
+    QToolButton* button(const QString& name) const {
+        for (auto* found : pane()->findChildren<QToolButton*>())
+            if (found->accessibleName() == name) return found;
+        return nullptr;
+    }
+    void toggle() { QTest::keyClick(canvas(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier); }
+    document::EntryId idOf(const QString& name) {
+        for (const auto& entry : document().file().entries)
+            if (entry.fractal->name == name) return entry.id;
+        return document::EntryId::None;
+    }
+    QString shown() { // beside
+        const qsizetype index = document::indexOf(document().file(), pane()->entry());
+        return index < 0 ? QString() : document().file().entries[index].fractal->name;
+    }
+    void open(const QByteArray& bytes) {
+        const QString path = m_folder.filePath(u"a.ifs"_s);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        QVERIFY(m_window->openPath(path));
+    }
+
+    QTemporaryDir m_folder;
+};
+
+void CompareTest::showsAndHides() {
+    const int width = canvas()->width();
+    QVERIFY(!pane()->isVisible());
+    toggle();
+    QTRY_VERIFY(pane()->isVisible() && pane()->plane()->isVisible());
+    QCOMPARE(shown(), u"flower"_s);
+    QCOMPARE(entries()->count(), 1);
+    QTRY_VERIFY(std::abs(canvas()->width() - pane()->width()) < 20);
+    QTRY_VERIFY(!pane()->plane()->picture().isNull());
+    QVERIFY(pane()->plane()->picture() != canvas()->picture());
+    button(u"Close"_s)->click();
+    QTRY_COMPARE(canvas()->width(), width);
+    toggle(); // the button has told the menu
+    QTRY_VERIFY(pane()->isVisible());
+    QCOMPARE(shown(), u"flower"_s);
+}
+
+void CompareTest::bothAreDraggedInOneHistory() {
+    toggle();
+    QTRY_VERIFY(pane()->plane()->isVisible());
+    const document::FractalFile before = document().file();
+    view::CanvasView* other = pane()->plane();
+    const auto drag = [this](view::CanvasView* on) {
+        const auto& cage = on->canvas().handles().cage();
+        const QPoint corner = on->canvas().positionOf({view::CanvasPart::Kind::Vertex, 0}).toPoint();
+        QVERIFY(cage);
+        QTest::mousePress(on->viewport(), Qt::LeftButton, {}, corner);
+        QTest::mouseMove(on->viewport(), corner + QPoint(10, 5));
+        QTest::mouseMove(on->viewport(), corner + QPoint(25, 15));
+        QTest::mouseRelease(on->viewport(), Qt::LeftButton, {}, corner + QPoint(25, 15));
+    };
+    drag(canvas());
+    QCOMPARE(document().undoStack()->count(), 1);
+    drag(other);
+    QCOMPARE(document().undoStack()->count(), 2);
+    QCOMPARE(document().fractal().name, u"maple"_s);
+    for (const char* name : {"maple", "flower"})
+        QVERIFY(!(*document()
+                       .file()
+                       .entries[document::indexOf(document().file(), idOf(QLatin1String(name)))]
+                       .fractal ==
+                  *before.entries[document::indexOf(before, idOf(QLatin1String(name)))].fractal));
+    document().undoStack()->undo();
+    document().undoStack()->undo();
+    QVERIFY(document().file() == before);
+    QCOMPARE(other->canvas().handles().cage()->current, other->canvas().handles().cage()->rest);
+    // The tools of the window serve both.
+    canvas()->setTool(view::CanvasView::Tool::Maps);
+    QCOMPARE(other->tool(), view::CanvasView::Tool::Maps);
+    canvas()->options().setOverlaysVisible(false);
+    QVERIFY(!other->options().overlaysVisible());
+    canvas()->options().setOverlaysVisible(true);
+    document().undoStack()->setClean();
+}
+
+void CompareTest::viewsAreLinkedOnRequest() {
+    toggle();
+    QTRY_VERIFY(pane()->plane()->isVisible());
+    view::CanvasView* other = pane()->plane();
+    const auto areAlike = [&] {
+        return canvas()->camera().centre == other->camera().centre &&
+               canvas()->camera().pixelsPerUnit == other->camera().pixelsPerUnit;
+    };
+    canvas()->navigation().zoomBy(2);
+    QVERIFY(!areAlike());
+    const attractor::Camera before = canvas()->camera();
+    pane()->setViewsLinked(true);
+    QVERIFY(areAlike());
+    QCOMPARE(canvas()->camera(), before); // the other one comes to it
+    canvas()->navigation().zoomAt({10, 20}, 3);
+    QVERIFY(areAlike());
+    other->navigation().pan({40, -30});
+    QVERIFY(areAlike());
+    canvas()->navigation().setYAxis(attractor::YAxis::Down);
+    QCOMPARE(other->camera().yAxis, attractor::YAxis::Down);
+    canvas()->navigation().setYAxis(attractor::YAxis::Up);
+    canvas()->fit();
+    QTRY_VERIFY(areAlike());
+    pane()->setViewsLinked(false);
+    other->navigation().zoomBy(2);
+    QVERIFY(!areAlike());
+}
+
+void CompareTest::entriesChangePlaces() {
+    open("a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\nb {\n .4 0 0 .4 0 0 1\n .4 0 0 .4 9 0 1\n}\n"
+         "c {\n .3 0 0 .3 0 0 1\n .3 0 0 .3 0 7 1\n}\n");
+    toggle();
+    QTRY_VERIFY(pane()->isVisible());
+    QCOMPARE(shown(), u"b"_s);
+    document().setCurrent(idOf(u"b"_s));
+    QCOMPARE(shown(), u"a"_s);
+    document().setCurrent(idOf(u"c"_s));
+    QCOMPARE(shown(), u"a"_s);
+    // Linked, another entry comes to the view of the window and not the other way round.
+    pane()->setViewsLinked(true);
+    canvas()->navigation().zoomBy(2);
+    const attractor::Camera camera = canvas()->camera();
+    entries()->setCurrentIndex(entries()->findText(u"b"_s));
+    emit entries()->activated(entries()->currentIndex());
+    QCOMPARE(shown(), u"b"_s);
+    QTest::qWait(50);
+    QCOMPARE(canvas()->camera(), camera);
+    QCOMPARE(pane()->plane()->camera().centre, camera.centre);
+}
+
+void CompareTest::entriesComeAndGo() {
+    open("a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n");
+    toggle();
+    QTRY_VERIFY(pane()->isVisible());
+    QCOMPARE(pane()->entry(), document::EntryId::None);
+    const auto* views = pane()->findChild<QStackedWidget*>();
+    QVERIFY(qobject_cast<QLabel*>(views->currentWidget())); // which says so
+    QVERIFY(!entries()->isEnabled() && !button(u"Link Views"_s)->isEnabled());
+    document::FractalFile file = document().file();
+    document::Entry copy = file.entries.first();
+    document::Fractal renamed = *copy.fractal;
+    renamed.name = u"a2"_s;
+    copy.id = document::freshId(file);
+    copy.fractal = std::make_shared<const document::Fractal>(renamed);
+    file.entries << copy;
+    document().editFile(u"Add"_s, file, file.entries.first().id);
+    QCOMPARE(shown(), u"a2"_s);
+    QVERIFY(button(u"Link Views"_s)->isEnabled());
+    document().undoStack()->undo();
+    QCOMPARE(pane()->entry(), document::EntryId::None);
+    QVERIFY(qobject_cast<QLabel*>(views->currentWidget()));
+    document().undoStack()->setClean();
+    // One that cannot be read is shown as such.
+    open("a {\n .5 0 0 .5 0 0 1\n}\nbroken {\n 1 2\n}\n");
+    QTRY_COMPARE(shown(), u"broken"_s);
+    QVERIFY(!button(u"Link Views"_s)->isEnabled());
+    QVERIFY(!pane()->plane()->note().isEmpty());
+}
+
+void CompareTest::solidsAreCompared() {
+    open("a (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 .5 .5 .5 1\n}\n"
+         "b (3D) {\n .4 0 0 0 .4 0 0 0 .4 0 0 0 1\n .4 0 0 0 .4 0 0 0 .4 .6 0 .6 1\n}\n"
+         "flat {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n");
+    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(pane()->isVisible() && pane()->space()->isVisible());
+    QCOMPARE(shown(), u"b"_s);
+    view::SpaceNavigation& own = m_window->findChild<Stage*>()->space()->navigation();
+    view::SpaceNavigation& other = pane()->space()->navigation();
+    own.zoomAt(own.middle(), 2);
+    pane()->setViewsLinked(true);
+    const auto areAlike = [&] {
+        return own.camera().target == other.camera().target &&
+               own.camera().orientation.coeffs() == other.camera().orientation.coeffs() &&
+               std::abs(attractor::pixelsPerUnit(own.camera()) / attractor::pixelsPerUnit(other.camera()) -
+                        1) < 1e-9;
+    };
+    QVERIFY(areAlike());
+    other.orbit(other.camera(), other.camera().target, 30, 10);
+    QVERIFY(areAlike());
+    // A solid and a fractal of the plane have no view in common.
+    pane()->setEntry(idOf(u"flat"_s));
+    QVERIFY(pane()->plane()->isVisible() && !button(u"Link Views"_s)->isEnabled());
+    const attractor::OrbitCamera before = own.camera();
+    pane()->plane()->navigation().zoomBy(2);
+    QVERIFY(own.camera() == before);
+    document().setCurrent(idOf(u"flat"_s));
+    QTRY_VERIFY(pane()->space()->isVisible());
+}
+
+QTEST_MAIN(CompareTest)
+#include "compare_test.moc"

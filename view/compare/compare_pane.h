@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/tops/partner_document.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace view {
+
+class CanvasView;
+class RenderBridge;
+class SolidBridge;
+class SpaceView;
+
+// Another entry of the file in a canvas of its own, beside that of the window: what is dragged there is a
+// step of the same history. On request both look at the same place at the same scale.
+class ComparePane : public QWidget {
+    Q_OBJECT
+
+public:
+    // `plane` and `space`: those of the window.
+    ComparePane(document::Document* document, const RenderBridge* render, CanvasView* plane, SpaceView* space,
+                QWidget* parent = nullptr);
+    ~ComparePane() override;
+
+    void setCompared(bool compared); // shows or hides it
+    bool isCompared() const { return m_isCompared; }
+    document::EntryId entry() const; // None: there is no other
+    void setEntry(document::EntryId entry);
+    bool areViewsLinked() const;
+    void setViewsLinked(bool linked);
+    bool cancelGesture(); // false when none was under way
+
+    // nullptr before it was shown for the first time:
+    CanvasView* plane() const { return m_otherPlane; }
+    SpaceView* space() const { return m_otherSpace; }
+
+signals:
+    void message(const QString& sentence);
+    void closeRequested();
+
+private:
+    void create();
+    void createHeader();
+    void followTools();
+    void followViews();
+    void refresh();
+    void changeTo(document::EntryId entry);
+    void showEntry();
+    document::EntryId likelyEntry() const;
+    bool canLink() const; // both are of the same dimension
+    // So that the one at `to` looks where the other does.
+    void linkPlanes(CanvasView* from, CanvasView* to);
+    void linkSpaces(SpaceView* from, SpaceView* to);
+
+    document::Document* m_document;
+    const RenderBridge* m_render;
+    CanvasView* m_plane;
+    SpaceView* m_space;
+    bool m_isCompared = false;
+    bool m_isLinking = false;
+    document::EntryId m_lastCurrent = document::EntryId::None;
+
+    // Made when they are shown for the first time:
+    std::unique_ptr<document::PartnerDocument> m_partner;
+    RenderBridge* m_otherRender = nullptr;
+    SolidBridge* m_otherSolid = nullptr;
+    CanvasView* m_otherPlane = nullptr;
+    SpaceView* m_otherSpace = nullptr;
+    QComboBox* m_entries = nullptr;
+    QToolButton* m_link = nullptr;
+    QLabel* m_nothing = nullptr;
+    QStackedWidget* m_views = nullptr;
+};
+
+} // namespace view
