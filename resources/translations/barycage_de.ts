@@ -2415,6 +2415,54 @@
         <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
         <translation>Spielt diese Lektion auf dem ganzen Bildschirm ab: Ihr Text steht neben dem Bild, und Bild ab und Bild auf führen von Schritt zu Schritt. Esc beendet sie.</translation>
     </message>
+    <message>
+        <source>Rotat&amp;e View</source>
+        <translation>Ansicht &amp;drehen</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Left</source>
+        <translation>Ansicht nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+[</source>
+        <translation>Ctrl+[</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <translation>Den Inhalt der Zeichenfläche um 15° gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Right</source>
+        <translation>Ansicht nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+]</source>
+        <translation>Ctrl+]</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows clockwise by 15°</source>
+        <translation>Den Inhalt der Zeichenfläche um 15° im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Re&amp;set Rotation</source>
+        <translation>Drehung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Turn the view upright again</source>
+        <translation>Die Ansicht wieder aufrichten</translation>
+    </message>
+    <message>
+        <source>Side &amp;by Side</source>
+        <translation>Ne&amp;beneinander</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, to compare and to edit both</source>
+        <translation>Einen anderen Eintrag daneben zeigen, um beide zu vergleichen und zu bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3045,6 +3093,18 @@
     <message>
         <source>  azimuth %1°  elevation %2°</source>
         <translation>  Azimut %1°  Höhe %2°</translation>
+    </message>
+    <message>
+        <source>Rotation of the view</source>
+        <translation>Drehung der Ansicht</translation>
+    </message>
+    <message>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <translation>Wie weit die Ansicht gegen den Uhrzeigersinn gedreht ist; Ansicht, Ansicht drehen, Drehung zurücksetzen richtet sie wieder auf</translation>
+    </message>
+    <message>
+        <source>rotated %1°</source>
+        <translation>gedreht um %1°</translation>
     </message>
 </context>
 <context>
@@ -5543,14 +5603,6 @@
         <translation>Farbe der Abbildung %1</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
-        <translation>Was die Farbe eines Punktes sagt: wie viele Punkte dorthin fallen, welche Abbildung zuletzt kam, oder die ganze Adresse.</translation>
-    </message>
-    <message>
-        <source>The colours from the thinnest parts to the densest, or along the addresses.</source>
-        <translation>Die Farben von den dünnsten zu den dichtesten Teilen oder die Adressen entlang.</translation>
-    </message>
-    <message>
         <source>Makes the background of exported pictures transparent.</source>
         <translation>Lässt den Hintergrund aus exportierten Bildern weg.</translation>
     </message>
@@ -5605,6 +5657,22 @@
     <message>
         <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
         <translation>Bei 1 bestimmt das Gamma nur, wie stark eine Farbe erscheint, und die Farbe behält ihren Farbton. Bei 0 wirkt das Gamma auch auf Rot, Grün und Blau, und die Farben sind blasser. Flames haben dieselbe Einstellung.</translation>
+    </message>
+    <message>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <translation>Was die Farbe eines Punktes sagt: wie viele Punkte dorthin fallen, welche Abbildung zuletzt kam, die ganze Adresse oder die Mischung der Farben aller Abbildungen auf dem Weg, wie bei Flames. Das Bedienfeld „Abbildungen“ hat den Platz jeder Abbildung auf der Palette und ihr Tempo.</translation>
+    </message>
+    <message>
+        <source>Blend of maps</source>
+        <translation>Mischung der Abbildungen</translation>
+    </message>
+    <message>
+        <source>As in flames: each map draws colours to its place on the palette</source>
+        <translation>Wie bei Flames: jede Abbildung zieht Farben zu ihrem Platz auf der Palette</translation>
+    </message>
+    <message>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <translation>Die Farben von den dünnsten zu den dichtesten Teilen, die Adressen entlang oder entlang der Plätze, zwischen denen die Abbildungen mischen.</translation>
     </message>
 </context>
 <context>
@@ -6508,6 +6576,14 @@
         <source>Protects this map against edits</source>
         <translation>Schützt diese Abbildung vor Änderungen</translation>
     </message>
+    <message>
+        <source>&amp;Reset Rotation</source>
+        <translation>D&amp;rehung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Turns the view upright again</source>
+        <translation>Richtet die Ansicht wieder auf</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -7061,6 +7137,45 @@
     <message>
         <source>No matching commands</source>
         <translation>Keine passenden Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>view::ComparePane</name>
+    <message>
+        <source>Entry to compare with</source>
+        <translation>Eintrag zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Canvas of the entry to compare with</source>
+        <translation>Zeichenfläche des Eintrags zum Vergleich</translation>
+    </message>
+    <message>
+        <source>There is no other entry in this file. Add or duplicate one to compare it.</source>
+        <translation>Diese Datei hat keinen anderen Eintrag. Fügen Sie zum Vergleich einen hinzu, oder verdoppeln Sie diesen.</translation>
+    </message>
+    <message>
+        <source>The entry that is shown beside the current one</source>
+        <translation>Der Eintrag, der neben dem jetzigen steht</translation>
+    </message>
+    <message>
+        <source>Link Views</source>
+        <translation>Ansichten koppeln</translation>
+    </message>
+    <message>
+        <source>Move and zoom both together, at the same place and the same scale</source>
+        <translation>Beide zusammen verschieben und zoomen, an derselben Stelle und im selben Maßstab</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Show the current entry alone</source>
+        <translation>Nur den jetzigen Eintrag zeigen</translation>
+    </message>
+    <message>
+        <source>An entry of the plane and one in space have no view in common</source>
+        <translation>Ein Eintrag der Ebene und einer des Raums haben keine gemeinsame Ansicht</translation>
     </message>
 </context>
 <context>
@@ -9235,6 +9350,41 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::MapBlendRow</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <translation>Wohin auf der Palette diese Abbildung Farben zieht: von 0, ihrem Anfang, bis 1</translation>
+    </message>
+    <message>
+        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <translation>Immer wenn eine Abbildung angewandt wird, rückt die Farbe eines Punktes zum Platz dieser Abbildung auf der Palette: 0 ist der Anfang der Palette, 1 ihr Ende. Bei Flames heißt das die Farbkoordinate.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <translation>Wie weit diese Abbildung Farben jedes Mal zieht: von 0, gar nicht, bis 1, den ganzen Weg</translation>
+    </message>
+    <message>
+        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <translation>Welchen Teil des Weges zu ihrem Platz auf der Palette die Abbildung Farben jedes Mal mitnimmt: bei 1 hat ihr Teil eine einzige Farbe, bei 0 lässt sie alle Farben, wie sie sind. Bei Flames heißt das die Farbgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+</context>
+<context>
     <name>view::MapOrder</name>
     <message>
         <source>Order of the maps</source>
@@ -11265,6 +11415,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Alt + click on its eye</source>
         <translation>Alt + Klick auf ihr Auge</translation>
+    </message>
+    <message>
+        <source>Rotate the view</source>
+        <translation>Die Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + wheel</source>
+        <translation>Strg + Umschalt + Mausrad</translation>
     </message>
 </context>
 <context>

@@ -2415,6 +2415,54 @@
         <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
         <translation>Reproduce esta lección en toda la pantalla: su texto aparece junto a la imagen, y Av Pág y Re Pág llevan de un paso a otro. Esc la termina.</translation>
     </message>
+    <message>
+        <source>Rotat&amp;e View</source>
+        <translation>&amp;Girar la vista</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Left</source>
+        <translation>Girar la vista a la &amp;izquierda</translation>
+    </message>
+    <message>
+        <source>Ctrl+[</source>
+        <translation>Ctrl+[</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <translation>Gira 15° en sentido antihorario lo que muestra el lienzo</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Right</source>
+        <translation>Girar la vista a la &amp;derecha</translation>
+    </message>
+    <message>
+        <source>Ctrl+]</source>
+        <translation>Ctrl+]</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows clockwise by 15°</source>
+        <translation>Gira 15° en sentido horario lo que muestra el lienzo</translation>
+    </message>
+    <message>
+        <source>Re&amp;set Rotation</source>
+        <translation>&amp;Restablecer el giro</translation>
+    </message>
+    <message>
+        <source>Turn the view upright again</source>
+        <translation>Vuelve a enderezar la vista</translation>
+    </message>
+    <message>
+        <source>Side &amp;by Side</source>
+        <translation>Lado a &amp;lado</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, to compare and to edit both</source>
+        <translation>Mostrar otra entrada junto a esta para comparar y editar ambas</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3045,6 +3093,18 @@
     <message>
         <source>  azimuth %1°  elevation %2°</source>
         <translation>  acimut %1°  elevación %2°</translation>
+    </message>
+    <message>
+        <source>Rotation of the view</source>
+        <translation>Giro de la vista</translation>
+    </message>
+    <message>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <translation>Cuánto está girada la vista en sentido antihorario; elija Ver, Girar la vista, Restablecer el giro para volver a enderezarla</translation>
+    </message>
+    <message>
+        <source>rotated %1°</source>
+        <translation>girada %1°</translation>
     </message>
 </context>
 <context>
@@ -5543,14 +5603,6 @@
         <translation>Color de la aplicación %1</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
-        <translation>Lo que dice el color de un punto: cuántos puntos caen allí, qué aplicación fue la última o la dirección entera.</translation>
-    </message>
-    <message>
-        <source>The colours from the thinnest parts to the densest, or along the addresses.</source>
-        <translation>Los colores, de las partes más tenues a las más densas, o a lo largo de las direcciones.</translation>
-    </message>
-    <message>
         <source>Makes the background of exported pictures transparent.</source>
         <translation>Prescinde del fondo en las imágenes exportadas.</translation>
     </message>
@@ -5605,6 +5657,22 @@
     <message>
         <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
         <translation>Con 1, el gamma solo decide con qué intensidad se ve un color, y el color conserva su matiz. Con 0, el gamma actúa también sobre el rojo, el verde y el azul, y los colores son más pálidos. Las flames tienen el mismo ajuste.</translation>
+    </message>
+    <message>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <translation>Lo que dice el color de un punto: cuántos puntos caen allí, qué aplicación fue la última, la dirección entera o la mezcla de los colores de todas las aplicaciones del camino, como en los flames. El panel Aplicaciones tiene el lugar de cada aplicación en la paleta y su velocidad.</translation>
+    </message>
+    <message>
+        <source>Blend of maps</source>
+        <translation>Mezcla de aplicaciones</translation>
+    </message>
+    <message>
+        <source>As in flames: each map draws colours to its place on the palette</source>
+        <translation>Como en los flames: cada aplicación atrae los colores hacia su lugar en la paleta</translation>
+    </message>
+    <message>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <translation>Los colores, de las partes más tenues a las más densas, a lo largo de las direcciones o de los lugares entre los que mezclan las aplicaciones.</translation>
     </message>
 </context>
 <context>
@@ -6508,6 +6576,14 @@
         <source>Protects this map against edits</source>
         <translation>Protege esta aplicación de cambios</translation>
     </message>
+    <message>
+        <source>&amp;Reset Rotation</source>
+        <translation>Resta&amp;blecer el giro</translation>
+    </message>
+    <message>
+        <source>Turns the view upright again</source>
+        <translation>Vuelve a enderezar la vista</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -7061,6 +7137,45 @@
     <message>
         <source>No matching commands</source>
         <translation>Ninguna orden coincide</translation>
+    </message>
+</context>
+<context>
+    <name>view::ComparePane</name>
+    <message>
+        <source>Entry to compare with</source>
+        <translation>Entrada para comparar</translation>
+    </message>
+    <message>
+        <source>Canvas of the entry to compare with</source>
+        <translation>Lienzo de la entrada para comparar</translation>
+    </message>
+    <message>
+        <source>There is no other entry in this file. Add or duplicate one to compare it.</source>
+        <translation>Este archivo no tiene otra entrada. Añada o duplique una para compararla.</translation>
+    </message>
+    <message>
+        <source>The entry that is shown beside the current one</source>
+        <translation>La entrada que se muestra junto a la actual</translation>
+    </message>
+    <message>
+        <source>Link Views</source>
+        <translation>Enlazar las vistas</translation>
+    </message>
+    <message>
+        <source>Move and zoom both together, at the same place and the same scale</source>
+        <translation>Mover y ampliar ambas a la vez, en el mismo lugar y a la misma escala</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Show the current entry alone</source>
+        <translation>Mostrar solo la entrada actual</translation>
+    </message>
+    <message>
+        <source>An entry of the plane and one in space have no view in common</source>
+        <translation>Una entrada del plano y una del espacio no tienen ninguna vista en común</translation>
     </message>
 </context>
 <context>
@@ -9235,6 +9350,41 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::MapBlendRow</name>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <translation>Hacia qué lugar de la paleta atrae los colores esta aplicación: de 0, su comienzo, a 1</translation>
+    </message>
+    <message>
+        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <translation>Cada vez que se aplica una aplicación, el color de un punto se acerca al lugar de esa aplicación en la paleta: 0 es el comienzo de la paleta y 1 su final. En los flames se llama coordenada de color.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <translation>Cuánto atrae los colores esta aplicación cada vez: de 0, nada, a 1, todo el camino</translation>
+    </message>
+    <message>
+        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <translation>Qué parte del camino hacia su lugar en la paleta lleva la aplicación los colores cada vez: con 1 su pieza tiene un solo color, con 0 deja todos los colores como están. En los flames se llama velocidad de color.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
+    </message>
+</context>
+<context>
     <name>view::MapOrder</name>
     <message>
         <source>Order of the maps</source>
@@ -11265,6 +11415,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Alt + click on its eye</source>
         <translation>Alt + clic en su ojo</translation>
+    </message>
+    <message>
+        <source>Rotate the view</source>
+        <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + wheel</source>
+        <translation>Ctrl + Mayús + rueda</translation>
     </message>
 </context>
 <context>

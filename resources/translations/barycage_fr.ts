@@ -2415,6 +2415,54 @@
         <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
         <translation>Joue cette leçon en plein écran : son texte est à côté de l’image, et Page suivante et Page précédente mènent d’une étape à l’autre. Échap la quitte.</translation>
     </message>
+    <message>
+        <source>Rotat&amp;e View</source>
+        <translation>&amp;Faire pivoter la vue</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Left</source>
+        <translation>Faire pivoter la vue à &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Ctrl+[</source>
+        <translation>Ctrl+[</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <translation>Tourner de 15° dans le sens inverse des aiguilles d’une montre ce que montre la zone de dessin</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Right</source>
+        <translation>Faire pivoter la vue à &amp;droite</translation>
+    </message>
+    <message>
+        <source>Ctrl+]</source>
+        <translation>Ctrl+]</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows clockwise by 15°</source>
+        <translation>Tourner de 15° dans le sens des aiguilles d’une montre ce que montre la zone de dessin</translation>
+    </message>
+    <message>
+        <source>Re&amp;set Rotation</source>
+        <translation>&amp;Annuler la rotation</translation>
+    </message>
+    <message>
+        <source>Turn the view upright again</source>
+        <translation>Redresser la vue</translation>
+    </message>
+    <message>
+        <source>Side &amp;by Side</source>
+        <translation>&amp;Côte à côte</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, to compare and to edit both</source>
+        <translation>Afficher une autre entrée à côté de celle-ci, pour comparer et modifier les deux</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3045,6 +3093,18 @@
     <message>
         <source>  azimuth %1°  elevation %2°</source>
         <translation>  azimut %1°  élévation %2°</translation>
+    </message>
+    <message>
+        <source>Rotation of the view</source>
+        <translation>Rotation de la vue</translation>
+    </message>
+    <message>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <translation>De combien la vue est tournée dans le sens inverse des aiguilles d’une montre ; choisissez Affichage, Faire pivoter la vue, Annuler la rotation pour la redresser</translation>
+    </message>
+    <message>
+        <source>rotated %1°</source>
+        <translation>pivotée de %1°</translation>
     </message>
 </context>
 <context>
@@ -5543,14 +5603,6 @@
         <translation>Couleur de l’application %1</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
-        <translation>Ce que dit la couleur d’un point&#x202f;: combien de points tombent là, quelle application a agi en dernier, ou l’adresse entière.</translation>
-    </message>
-    <message>
-        <source>The colours from the thinnest parts to the densest, or along the addresses.</source>
-        <translation>Les couleurs, des parties les plus ténues aux plus denses, ou le long des adresses.</translation>
-    </message>
-    <message>
         <source>Makes the background of exported pictures transparent.</source>
         <translation>Omet le fond dans les images exportées.</translation>
     </message>
@@ -5605,6 +5657,22 @@
     <message>
         <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
         <translation>À 1, le gamma décide seulement de la force avec laquelle une couleur apparaît, et la couleur garde sa teinte. À 0, le gamma agit aussi sur le rouge, le vert et le bleu, et les couleurs sont plus pâles. Les flammes ont le même réglage.</translation>
+    </message>
+    <message>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <translation>Ce que dit la couleur d’un point : combien de points tombent là, quelle application a agi en dernier, l’adresse entière, ou le mélange des couleurs de toutes les applications du chemin, comme dans les flames. Le panneau Applications a la place de chaque application sur la palette, et sa vitesse.</translation>
+    </message>
+    <message>
+        <source>Blend of maps</source>
+        <translation>Mélange des applications</translation>
+    </message>
+    <message>
+        <source>As in flames: each map draws colours to its place on the palette</source>
+        <translation>Comme dans les flames : chaque application attire les couleurs vers sa place sur la palette</translation>
+    </message>
+    <message>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <translation>Les couleurs, des parties les plus ténues aux plus denses, le long des adresses, ou le long des places entre lesquelles les applications mélangent.</translation>
     </message>
 </context>
 <context>
@@ -6508,6 +6576,14 @@
         <source>Protects this map against edits</source>
         <translation>Protège cette application des modifications</translation>
     </message>
+    <message>
+        <source>&amp;Reset Rotation</source>
+        <translation>Annuler la r&amp;otation</translation>
+    </message>
+    <message>
+        <source>Turns the view upright again</source>
+        <translation>Redresse la vue</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -7061,6 +7137,45 @@
     <message>
         <source>No matching commands</source>
         <translation>Aucune commande correspondante</translation>
+    </message>
+</context>
+<context>
+    <name>view::ComparePane</name>
+    <message>
+        <source>Entry to compare with</source>
+        <translation>Entrée à comparer</translation>
+    </message>
+    <message>
+        <source>Canvas of the entry to compare with</source>
+        <translation>Canevas de l’entrée à comparer</translation>
+    </message>
+    <message>
+        <source>There is no other entry in this file. Add or duplicate one to compare it.</source>
+        <translation>Ce fichier n’a pas d’autre entrée. Ajoutez-en ou dupliquez-en une pour la comparer.</translation>
+    </message>
+    <message>
+        <source>The entry that is shown beside the current one</source>
+        <translation>L’entrée affichée à côté de l’entrée actuelle</translation>
+    </message>
+    <message>
+        <source>Link Views</source>
+        <translation>Lier les vues</translation>
+    </message>
+    <message>
+        <source>Move and zoom both together, at the same place and the same scale</source>
+        <translation>Déplacer et zoomer les deux ensemble, au même endroit et à la même échelle</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Show the current entry alone</source>
+        <translation>Afficher seulement l’entrée actuelle</translation>
+    </message>
+    <message>
+        <source>An entry of the plane and one in space have no view in common</source>
+        <translation>Une entrée du plan et une de l’espace n’ont pas de vue commune</translation>
     </message>
 </context>
 <context>
@@ -9235,6 +9350,41 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::MapBlendRow</name>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <translation>Vers où sur la palette cette application attire les couleurs : de 0, son début, à 1</translation>
+    </message>
+    <message>
+        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <translation>Chaque fois qu’une application agit, la couleur d’un point se rapproche de la place de cette application sur la palette : 0 est le début de la palette, 1 sa fin. Les flames l’appellent la coordonnée de couleur.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <translation>Jusqu’où cette application attire les couleurs chaque fois : de 0, pas du tout, à 1, tout le chemin</translation>
+    </message>
+    <message>
+        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <translation>Quelle part du chemin vers sa place sur la palette l’application fait parcourir aux couleurs chaque fois : avec 1, sa pièce a une seule couleur, avec 0, elle laisse toutes les couleurs telles quelles. Les flames l’appellent la vitesse de couleur.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1 : %2 %3</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
+    </message>
+</context>
+<context>
     <name>view::MapOrder</name>
     <message>
         <source>Order of the maps</source>
@@ -11265,6 +11415,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Alt + click on its eye</source>
         <translation>Alt + clic sur son œil</translation>
+    </message>
+    <message>
+        <source>Rotate the view</source>
+        <translation>Faire pivoter la vue</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + wheel</source>
+        <translation>Ctrl + Maj + molette</translation>
     </message>
 </context>
 <context>

@@ -2422,6 +2422,54 @@
         <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
         <translation>Ја пушта лекцијата на цел екран: текстот стои покрај сликата, а Page Down и Page Up водат од чекор до чекор. Esc ја завршува.</translation>
     </message>
+    <message>
+        <source>Rotat&amp;e View</source>
+        <translation>Св&amp;рти го погледот</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Left</source>
+        <translation>Сврти го погледот на&amp;лево</translation>
+    </message>
+    <message>
+        <source>Ctrl+[</source>
+        <translation>Ctrl+[</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <translation>Сврти го прикажаното за 15° спротивно од стрелките на часовникот</translation>
+    </message>
+    <message>
+        <source>Rotate View &amp;Right</source>
+        <translation>Сврти го погледот на&amp;десно</translation>
+    </message>
+    <message>
+        <source>Ctrl+]</source>
+        <translation>Ctrl+]</translation>
+    </message>
+    <message>
+        <source>Turn what the canvas shows clockwise by 15°</source>
+        <translation>Сврти го прикажаното за 15° во насока на стрелките на часовникот</translation>
+    </message>
+    <message>
+        <source>Re&amp;set Rotation</source>
+        <translation>Поништи го &amp;вртењето</translation>
+    </message>
+    <message>
+        <source>Turn the view upright again</source>
+        <translation>Исправи го погледот</translation>
+    </message>
+    <message>
+        <source>Side &amp;by Side</source>
+        <translation>Еден до дру&amp;г</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>Show another entry beside this one, to compare and to edit both</source>
+        <translation>Прикажи друг запис до овој за споредба и уредување на двата</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3052,6 +3100,18 @@
     <message>
         <source>  azimuth %1°  elevation %2°</source>
         <translation>  азимут %1°  елевација %2°</translation>
+    </message>
+    <message>
+        <source>Rotation of the view</source>
+        <translation>Вртење на погледот</translation>
+    </message>
+    <message>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <translation>Колку е свртен погледот спротивно од стрелките на часовникот; Приказ, Сврти го погледот, Поништи го вртењето повторно го исправа</translation>
+    </message>
+    <message>
+        <source>rotated %1°</source>
+        <translation>свртено за %1°</translation>
     </message>
 </context>
 <context>
@@ -5555,14 +5615,6 @@
         <translation>Боја на пресликувањето %1</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, or the whole address.</source>
-        <translation>Што кажува бојата на една точка: колку точки паѓаат таму, кое пресликување било последно или целата адреса.</translation>
-    </message>
-    <message>
-        <source>The colours from the thinnest parts to the densest, or along the addresses.</source>
-        <translation>Боите од најретките делови до најгустите, или по адресите.</translation>
-    </message>
-    <message>
         <source>Makes the background of exported pictures transparent.</source>
         <translation>Ја изоставува позадината од извезените слики.</translation>
     </message>
@@ -5617,6 +5669,22 @@
     <message>
         <source>At 1, the gamma decides only how strongly a colour shows, and the colour keeps its hue. At 0, the gamma acts on red, green and blue as well, and colours are paler. Flames have the same setting.</source>
         <translation>Со 1, гамата одлучува само колку силно се гледа бојата, а бојата ја задржува својата нијанса. Со 0, гамата дејствува и на црвеното, зеленото и синото, и боите се побледи. Пламените го имаат истото поставување.</translation>
+    </message>
+    <message>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <translation>Што кажува бојата на една точка: колку точки паѓаат таму, кое пресликување било последно, целата адреса или мешавината на боите на сите пресликувања по патот, како кај пламените. Во панелот „Пресликувања“ се местото на секое пресликување на палетата и неговата брзина.</translation>
+    </message>
+    <message>
+        <source>Blend of maps</source>
+        <translation>Мешање на пресликувањата</translation>
+    </message>
+    <message>
+        <source>As in flames: each map draws colours to its place on the palette</source>
+        <translation>Како кај пламените: секое пресликување ги влече боите кон своето место на палетата</translation>
+    </message>
+    <message>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <translation>Боите од најретките делови до најгустите, по адресите, или по местата меѓу кои мешаат пресликувањата.</translation>
     </message>
 </context>
 <context>
@@ -6521,6 +6589,14 @@
         <source>Protects this map against edits</source>
         <translation>Го заштитува ова пресликување од измени</translation>
     </message>
+    <message>
+        <source>&amp;Reset Rotation</source>
+        <translation>Поништи го &amp;вртењето</translation>
+    </message>
+    <message>
+        <source>Turns the view upright again</source>
+        <translation>Го исправа погледот</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasScene</name>
@@ -7075,6 +7151,45 @@
     <message>
         <source>No matching commands</source>
         <translation>Нема соодветни команди</translation>
+    </message>
+</context>
+<context>
+    <name>view::ComparePane</name>
+    <message>
+        <source>Entry to compare with</source>
+        <translation>Запис за споредба</translation>
+    </message>
+    <message>
+        <source>Canvas of the entry to compare with</source>
+        <translation>Платно на записот за споредба</translation>
+    </message>
+    <message>
+        <source>There is no other entry in this file. Add or duplicate one to compare it.</source>
+        <translation>Оваа датотека нема друг запис. Додајте или удвојте еден за споредба.</translation>
+    </message>
+    <message>
+        <source>The entry that is shown beside the current one</source>
+        <translation>Записот што се прикажува до тековниот</translation>
+    </message>
+    <message>
+        <source>Link Views</source>
+        <translation>Поврзи ги погледите</translation>
+    </message>
+    <message>
+        <source>Move and zoom both together, at the same place and the same scale</source>
+        <translation>Помести и зголеми ги двете заедно, на исто место и во иста размера</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>Show the current entry alone</source>
+        <translation>Прикажи го само тековниот запис</translation>
+    </message>
+    <message>
+        <source>An entry of the plane and one in space have no view in common</source>
+        <translation>Запис од рамнината и запис од просторот немаат заеднички поглед</translation>
     </message>
 </context>
 <context>
@@ -9260,6 +9375,41 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::MapBlendRow</name>
+    <message>
+        <source>Colour</source>
+        <translation>Боја</translation>
+    </message>
+    <message>
+        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <translation>Кон кое место на палетата ги влече боите ова пресликување: од 0, нејзиниот почеток, до 1</translation>
+    </message>
+    <message>
+        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <translation>Секогаш кога се применува едно пресликување, бојата на точката се поместува кон местото на тоа пресликување на палетата: 0 е почетокот на палетата, 1 нејзиниот крај. Кај пламените тоа се вика координата на боја.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Брзина</translation>
+    </message>
+    <message>
+        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <translation>Колку ги влече боите ова пресликување секој пат: од 0, воопшто не, до 1, целиот пат</translation>
+    </message>
+    <message>
+        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <translation>Колкав дел од патот до своето место на палетата пресликувањето ги носи боите секој пат: со 1 неговиот дел има една боја, со 0 сите бои ги остава како што се. Кај пламените тоа се вика брзина на боја.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
+    </message>
+</context>
+<context>
     <name>view::MapOrder</name>
     <message>
         <source>Order of the maps</source>
@@ -11291,6 +11441,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Alt + click on its eye</source>
         <translation>Alt + клик на неговото око</translation>
+    </message>
+    <message>
+        <source>Rotate the view</source>
+        <translation>Вртење на погледот</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + wheel</source>
+        <translation>Ctrl + Shift + тркалце</translation>
     </message>
 </context>
 <context>

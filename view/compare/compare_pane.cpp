@@ -178,12 +178,11 @@ void ComparePane::linkPlanes(CanvasView* from, CanvasView* to) {
     const QScopedValueRollback<bool> linking(m_isLinking, true);
     attractor::Camera camera = to->camera();
     const attractor::Camera& other = from->camera();
-    if (camera.centre == other.centre && camera.pixelsPerUnit == other.pixelsPerUnit &&
-        camera.yAxis == other.yAxis)
-        return;
-    camera.centre = other.centre;
-    camera.pixelsPerUnit = other.pixelsPerUnit;
-    camera.yAxis = other.yAxis;
+    const attractor::RasterSize own{camera.width, camera.height};
+    camera = other;
+    camera.width = own.width;
+    camera.height = own.height;
+    if (camera == to->camera()) return;
     to->navigation().moveTo(camera);
 }
 
