@@ -84,7 +84,7 @@ struct LessonState {
     bool showsAxes = true;
     bool showsCage = true; // and the other marks on the canvas
     bool showsMapNumbers = false;
-    QStringList panels;    // that are shown besides the canvas, by their ids
+    QStringList panels; // that are shown besides the canvas, by their ids
 
     friend bool operator==(const LessonState&, const LessonState&) = default;
 };
