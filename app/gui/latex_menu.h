@@ -2,6 +2,10 @@
 #pragma once
 
 #include "action_menu.h"
+#include "document/fractal.h"
+
+#include <functional>
+#include <memory>
 
 // Copies the entry in hand for a paper or a task sheet.
 class LatexMenu : public ActionMenu {
@@ -11,5 +15,7 @@ public:
     explicit LatexMenu(const MenuContext& context);
 
 private:
-    void copy(const QByteArray& text);
+    using Write = std::function<QByteArray(const document::Fractal&)>;
+    // `package`: what a document needs to typeset it, empty for nothing.
+    void copy(Write write, std::shared_ptr<const document::Fractal> fractal, const QString& package);
 };
