@@ -138,20 +138,19 @@ QSize completed(QSize size, const ifs::Vector<2>& extent) {
 attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments, const QString& fileName) {
     const QSize size = pictureSizeArgument("--size", arguments.size);
     const auto yAxis = arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up;
-    const auto rotation = arguments.viewRotation
-                              ? std::optional(rotationArgument("--view-rotation", *arguments.viewRotation))
-                              : std::nullopt;
+    const double rotation =
+        arguments.viewRotation ? rotationArgument("--view-rotation", *arguments.viewRotation) : 0;
     if (arguments.view) {
         attractor::View view = viewArgument("--view", *arguments.view);
         view.yAxis = yAxis;
-        view.rotation = rotation.value_or(0);
+        view.rotation = rotation;
         return attractor::cameraOf(view, {size.width(), size.height()});
     }
     if (shown.view) {
         refuseIf(size.isEmpty(), "--size with one side",
                  tr("the camera of the animation has no proportions; give both sides."));
         attractor::View view = *shown.view;
-        view.rotation = rotation.value_or(view.rotation);
+        if (arguments.viewRotation) view.rotation = rotation;
         return attractor::cameraOf(view, {size.width(), size.height()});
     }
     const bool isIterate = algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic;
@@ -161,7 +160,7 @@ attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments,
         reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
                                    "the points drawn. Set it with --view."));
     attractor::Camera camera;
-    camera.rotation = rotation.value_or(0);
+    camera.rotation = rotation;
     const QSize whole = completed(size, seenExtent(box, camera.rotation));
     camera.width = whole.width();
     camera.height = whole.height();

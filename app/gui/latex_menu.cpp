@@ -16,11 +16,12 @@ LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy 
     QAction* matrices =
         add({nullptr, tr("&Formulas with Matrices"), {}, tr("Copy each map as a matrix and a vector")},
             [this, fractal] { copy(&io::latexMatrices, fractal(), QStringLiteral("amsmath")); });
-    QAction* form = add({nullptr,
-                         tr("&Affine Invariant Form"),
-                         {},
-                         tr("Copy one matrix per map, in barycentric coordinates of the triangle")},
-                        [this, fractal] { copy(&io::latexInvariantForm, fractal(), QStringLiteral("amsmath")); });
+    QAction* form =
+        add({nullptr,
+             tr("&Affine Invariant Form"),
+             {},
+             tr("Copy one matrix per map, in barycentric coordinates of the triangle")},
+            [this, fractal] { copy(&io::latexInvariantForm, fractal(), QStringLiteral("amsmath")); });
     QAction* figure =
         add({nullptr,
              tr("Fi&gure (TikZ)"),
@@ -46,9 +47,9 @@ void LatexMenu::copy(Write write, std::shared_ptr<const document::Fractal> fract
         promise.addResult(QString::fromUtf8(write(*fractal)));
     }).then(context().window, [messages = context().messages, package](const QString& text) {
         QGuiApplication::clipboard()->setText(text);
-        messages->say(package.isEmpty()
-                          ? tr("Copied.")
-                          : tr("Copied. The document needs %1.")
-                                .arg(QStringLiteral("\\usepackage{%1}").arg(package)));
+        messages->say(
+            package.isEmpty()
+                ? tr("Copied.")
+                : tr("Copied. The document needs %1.").arg(QStringLiteral("\\usepackage{%1}").arg(package)));
     });
 }

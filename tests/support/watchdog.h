@@ -27,8 +27,8 @@ private:
 
 // The application of the program, which also measures what each event costs the thread of the window, in
 // processor time. An event that the window waits for too long is late: over 16 ms while a button is held,
-// over 100 ms otherwise, or as many times more as the machine is slow at that moment. Work that an event gives
-// to other threads does not count. Nothing is late in a build that is not optimised or is instrumented.
+// over 100 ms otherwise, or as many times more as the machine is slow at that moment. Work that an event
+// gives to other threads does not count. Nothing is late in a build that is not optimised or is instrumented.
 class WatchedApplication : public Application {
 public:
     using Application::Application;

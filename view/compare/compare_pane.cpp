@@ -176,12 +176,9 @@ void ComparePane::linkPlanes(CanvasView* from, CanvasView* to) {
         !document::plane(m_document->fractal()) || !from->isVisible() || !to->isVisible())
         return;
     const QScopedValueRollback<bool> linking(m_isLinking, true);
-    attractor::Camera camera = to->camera();
-    const attractor::Camera& other = from->camera();
-    const attractor::RasterSize own{camera.width, camera.height};
-    camera = other;
-    camera.width = own.width;
-    camera.height = own.height;
+    attractor::Camera camera = from->camera();
+    camera.width = to->camera().width;
+    camera.height = to->camera().height;
     if (camera == to->camera()) return;
     to->navigation().moveTo(camera);
 }
