@@ -184,7 +184,7 @@ private slots:
                                  "barycage: view few",
                                  "barycage: view-camera 1 2 3",
                                  "barycage: view many",
-                                 "barycage: view-camera 1 2 3 1 5",
+                                 "barycage: view-camera 1 2 3 1 5 6",
                                  "barycage: view letters",
                                  "barycage: view-camera 1 x 3 1",
                                  "barycage: view endless",

@@ -204,7 +204,7 @@ private slots:
 
     // The last number, where there is one; what is not turned is written as before.
     void aTurnedCamera() {
-        for (const QByteArray& value : {"value 0.5 -1 2 1", "value 0.5 -1 2 -1 30"}) {
+        for (const QByteArray value : {"value 0.5 -1 2 1", "value 0.5 -1 2 -1 30"}) {
             const QByteArray text = "plane {\n; barycage: version 1\n; barycage: animation 10 24/1 cycle\n"
                                     "; barycage: track camera\n; barycage: key 0 linear\n; barycage: " +
                                     value + "\n.5 0 0 .5 0 0 1\n}\n";
