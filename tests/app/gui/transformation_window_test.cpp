@@ -315,6 +315,14 @@ void TransformationWindowTest::exportsThePicture() {
     auto* dialog = m_window->findChild<view::TheftExportDialog*>();
     QVERIFY(dialog && dialog->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(!dialog->preview().picture().isNull(), 30000);
+    const auto dialogs = [this] { return m_window->findChildren<view::TheftExportDialog*>().size(); };
+    button->click(); // it is open already
+    QCOMPARE(dialogs(), 1);
+    canvas()->navigation().zoomBy(2); // another picture
+    button->click();
+    QCOMPARE(dialogs(), 2);
+    delete m_window->findChildren<view::TheftExportDialog*>().last();
+    QCOMPARE(m_window->findChild<view::TheftExportDialog*>(), dialog);
     dialog->sizeEditor().setPixels({600, 400});
     dialog->setSection(view::TheftExportDialog::Section::Attractor);
 
