@@ -38,6 +38,7 @@ private slots:
     void cleanup() { m_panel.reset(); }
 
     void motionsAreOfferedFirst();
+    void motionsAreSeenWhole();
     void oneClickMakesALoop();
     void slowMotionsLeaveTheWindowAtHand();
     void motionsAreShownMoving();
@@ -122,6 +123,17 @@ void TimelineTest::motionsAreOfferedFirst() {
     QCOMPARE(timeline().rowName(5), QStringLiteral("Camera"));
     m_document->setFile(document::fileOf(document::sierpinskiTriangle())); // offered again
     QVERIFY(!m_panel->showsTracks());
+}
+
+void TimelineTest::motionsAreSeenWhole() {
+    const auto* page = m_panel->findChild<view::MotionPage*>();
+    const auto* keys = page->findChild<QPushButton*>();
+    QVERIFY(keys);
+    for (const int width : {1000, 700}) { // with and without a scroll bar
+        m_panel->resize(width, m_panel->minimumSizeHint().height());
+        QTRY_COMPARE(keys->visibleRegion().boundingRect(), keys->rect());
+        QCOMPARE(m_panel->height(), m_panel->minimumSizeHint().height());
+    }
 }
 
 void TimelineTest::oneClickMakesALoop() {
