@@ -350,7 +350,10 @@ void TimelineTest::aCustomEaseIsDrawn() {
             QVERIFY(std::abs(number->value() - drawn.x1) < 1e-3);
     timeline().keys().setEase(drawn);
     QVERIFY(timeline().keys().ease() == drawn);
-    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys"));
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys (frame 0)"));
+    timeline().selectAll();
+    timeline().keys().setEase({animation::Ease::Kind::Hold});
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys (frames 0–24)"));
 }
 
 void TimelineTest::keysLeadOnSmoothly() {
