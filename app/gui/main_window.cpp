@@ -315,6 +315,7 @@ void MainWindow::createConstructionBar() {
     connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
         if (!visible) takeFocusFrom(bar);
     });
+    m_viewMenu->alternateWith(m_construction);
     connect(shown, &QAction::toggled, m_construction, [this](bool on) {
         if (!on) m_construction->setMode(view::Construction::Mode::Density);
     });

@@ -43,8 +43,9 @@ void SnapshotCommands::addTo(ActionMenu& menu) {
                           m_snapshots.take();
                       });
     m_compare = menu.add({"compare", tr("C&ompare with Snapshot"), QKeySequence(tr("Q")),
-                          tr("Show the snapshot marked B in place of the fractal; press again, or hold the "
-                             "key and let go, to come back")},
+                          tr("Show the snapshot that is selected in the Snapshots panel, or the newest one, "
+                             "in place of the fractal; press again, or hold the key and let go, to come "
+                             "back")},
                          [this] {
                              const QKeySequence keys = m_compare->shortcut();
                              m_look.toggle(keys.isEmpty() ? Qt::Key_unknown : keys[0].key());

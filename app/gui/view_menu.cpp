@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view_menu.h"
 
+#include "bridges/construction.h"
 #include "canvas/marks/map_numbers.h"
 #include "document/edits/cage_edits.h"
 #include "document/space_geometry.h"
@@ -198,6 +199,19 @@ void ViewMenu::addTransformation() {
                   [transformation](bool on) { transformation->setTransformationShown(on); });
     disableWhen(m_transformation, &document::planeObstacle);
     connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
+}
+
+void ViewMenu::alternateWith(view::Construction* construction) {
+    using view::Construction;
+    connect(construction, &Construction::starting, m_transformation, [this] {
+        if (!m_transformation->isChecked()) return;
+        m_transformation->setChecked(false);
+        context().messages->say(
+            tr("The fractal transformation was hidden to show how the attractor is built."));
+    });
+    connect(m_transformation, &QAction::toggled, construction, [construction](bool on) {
+        if (on) construction->setMode(Construction::Mode::Density);
+    });
 }
 
 void ViewMenu::addCompare() {

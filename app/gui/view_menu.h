@@ -4,6 +4,9 @@
 #include "action_menu.h"
 
 class SavedViewsMenu;
+namespace view {
+class Construction;
+}
 
 class ViewMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
@@ -18,6 +21,8 @@ public:
     QAction* fullScreen() const { return m_fullScreen; }
     QAction* presentation() const { return m_presentation; }
     void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
+    // Both draw on the canvas of the plane: a transformation and a construction end each other.
+    void alternateWith(view::Construction* construction);
 
 private:
     void addZoom();

@@ -7,8 +7,10 @@
 #include "ifs/system/decomposition.h"
 #include "ifs/system/map_interpolation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace animation {
 
@@ -73,6 +75,58 @@ std::optional<ifs::AffineMap<Dim>> smoothMap(const KeysAround<ifs::AffineMap<Dim
     return ifs::isFinite<Dim>(map) ? std::optional(map) : std::nullopt;
 }
 
+// Every vertex on a curve of its own, which begins and ends slowly where the vertex stays beyond.
+template <int Dim> CagePose<Dim> smoothVertices(const KeysAround<CagePose<Dim>>& keys, double t) {
+    using Vertex = ifs::Vector<Dim>;
+    CagePose<Dim> pose;
+    for (std::size_t i = 0; i < keys.from.size(); ++i) {
+        const auto vertex = keys.of([i](const CagePose<Dim>& key) -> Vertex { return key[i]; });
+        const TangentShares shares{vertex.before == vertex.from ? 0.0 : 1.0,
+                                   vertex.after == vertex.to ? 0.0 : 1.0};
+        const bool stays = vertex.from == vertex.to;
+        pose.push_back(stays ? vertex.from : smoothCurve<Flat<Vertex>>(vertex, t, shares));
+    }
+    return pose;
+}
+
+// Whether those curves turn a cage over whose ends are on the same side.
+template <int Dim> bool turnsOver(const KeysAround<CagePose<Dim>>& keys, const ifs::ControlCage<Dim>& cage) {
+    constexpr int moments = 32;
+    const auto sideOf = [&](const CagePose<Dim>& pose) {
+        const double area =
+            ifs::displayMap(ifs::ControlCage<Dim>{cage.rest, pose, cage.deformation}).linear.determinant();
+        return area > 0 ? 1 : area < 0 ? -1 : 0;
+    };
+    const int side = sideOf(keys.from);
+    if (side == 0 || sideOf(keys.to) != side) return false;
+    for (int n = 1; n < moments; ++n)
+        if (sideOf(smoothVertices<Dim>(keys, double(n) / moments)) != side) return true;
+    return false;
+}
+
+// nullopt: a number became too large.
+template <int Dim>
+std::optional<CagePose<Dim>> smoothPlacement(const KeysAround<CagePose<Dim>>& keys, double t,
+                                             const ifs::ControlCage<Dim>& cage, const CageWay& way) {
+    const auto placements = keys.of([&](const CagePose<Dim>& pose) {
+        return ifs::displayMap(ifs::ControlCage<Dim>{cage.rest, pose, cage.deformation});
+    });
+    const auto now = smoothMap<Dim>(placements, t, referenceOf<Dim>(way, cage));
+    if (!now) return std::nullopt;
+    CagePose<Dim> result;
+    for (std::size_t i = 0; i < cage.rest.size(); ++i) {
+        const ifs::Vector<Dim>& rest = cage.rest[i];
+        auto bends = placements.of([&](const auto& map) -> ifs::Vector<Dim> { return -map(rest); });
+        bends.from += keys.from[i];
+        bends.to += keys.to[i];
+        if (bends.before) *bends.before += (*keys.before)[i];
+        if (bends.after) *bends.after += (*keys.after)[i];
+        result.push_back((*now)(rest) + smoothCurve<Flat<ifs::Vector<Dim>>>(bends, t));
+    }
+    if (way.pivot) result[*way.pivot] = keys.from[*way.pivot]; // without what rounding adds
+    return result;
+}
+
 template <int Dim> std::optional<double> weightAlong(const Segment<MapPose<Dim>>& way) {
     if (!way.from.weight || !way.to.weight) return way.from.weight;
     const auto keys = keysAround(way, [](const MapPose<Dim>& pose) { return pose.weight.has_value(); });
@@ -119,28 +173,18 @@ ifs::AffineMap<Dim> along(const Segment<ifs::AffineMap<Dim>>& way, const ifs::Ve
 template <int Dim> CagePose<Dim> along(const Segment<CagePose<Dim>>& way, const ifs::ControlCage<Dim>& cage) {
     const CagePose<Dim> straight = between<Dim>(cage, way.from, way.to, way.share);
     if (!isCurved(way)) return straight;
-    const std::size_t count = cage.rest.size();
-    const auto keys = keysAround(way, [&](const CagePose<Dim>& pose) { return pose.size() == count; });
-    const auto placements = keys.of([&](const CagePose<Dim>& pose) {
-        return ifs::displayMap(ifs::ControlCage<Dim>{cage.rest, pose, cage.deformation});
-    });
-    ifs::Vector<Dim> centre = ifs::Vector<Dim>::Zero();
-    for (const auto& vertex : cage.rest)
-        centre += vertex / double(count);
-    const auto now = smoothMap<Dim>(placements, way.share, centre);
-    if (!now) return straight;
-    CagePose<Dim> result;
-    for (std::size_t i = 0; i < count; ++i) {
-        const ifs::Vector<Dim>& rest = cage.rest[i];
-        auto bends = placements.of([&](const auto& map) -> ifs::Vector<Dim> { return -map(rest); });
-        bends.from += keys.from[i];
-        bends.to += keys.to[i];
-        if (bends.before) *bends.before += (*keys.before)[i];
-        if (bends.after) *bends.after += (*keys.after)[i];
-        result.push_back((*now)(rest) + smoothCurve<Flat<ifs::Vector<Dim>>>(bends, way.share));
-        if (!result.back().allFinite()) return straight;
-    }
-    return result;
+    const CageWay kind = wayOf<Dim>(cage, way.from, way.to);
+    auto keys = keysAround(way, [&](const CagePose<Dim>& pose) { return pose.size() == cage.rest.size(); });
+    if (keys.before && wayOf<Dim>(cage, *keys.before, keys.from) != kind) keys.before.reset();
+    if (keys.after && wayOf<Dim>(cage, keys.to, *keys.after) != kind) keys.after.reset();
+    if (keys.isAlone()) return straight;
+    std::optional<CagePose<Dim>> pose;
+    if (!kind.isByVertex)
+        pose = smoothPlacement<Dim>(keys, way.share, cage, kind);
+    else if (!turnsOver<Dim>(keys, cage))
+        pose = smoothVertices<Dim>(keys, way.share);
+    const auto isFinite = [](const ifs::Vector<Dim>& vertex) { return vertex.allFinite(); };
+    return pose && std::ranges::all_of(*pose, isFinite) ? *std::move(pose) : straight;
 }
 
 attractor::View along(const Segment<attractor::View>& way) {

@@ -22,7 +22,8 @@ MapPose<Dim> along(const Segment<MapPose<Dim>>& way, const ifs::Vector<Dim>& ref
 template <int Dim>
 ifs::AffineMap<Dim> along(const Segment<ifs::AffineMap<Dim>>& way, const ifs::Vector<Dim>& reference);
 
-// The placement goes the way of maps, and what the cage bends is added on a curve of its own.
+// The placement goes the way of maps, and what the cage bends is added on a curve of its own. Vertices that
+// both keys have in the same place stay there: see CageWay. A key between two kinds of ways is an end.
 template <int Dim> CagePose<Dim> along(const Segment<CagePose<Dim>>& way, const ifs::ControlCage<Dim>& cage);
 
 // Zoom and pan as they are seen in the picture; in space, the orientation as well. The field of view stays

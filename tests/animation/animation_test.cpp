@@ -81,6 +81,17 @@ template <int Dim> Pose<Dim> stillPose(Random& random) {
     return still;
 }
 
+// Between two keys of a cage that rests in the first of them.
+template <int Dim>
+CagePose<Dim> cageAt(const CagePose<Dim>& from, const CagePose<Dim>& to, int frame, int length) {
+    Animation<Dim> animation;
+    animation.length = length;
+    animation.cage = {{0, from, {}}, {length, to, {}}};
+    Pose<Dim> still;
+    still.cage = ifs::ControlCage<Dim>{from, from};
+    return animation.at(moment(frame), still).cage->current;
+}
+
 template <int Dim> void addMotions(Animation<Dim>& animation) {
     for (const SwayPreset& preset : swayPresets())
         animation.motions.push_back(swayOf<Dim>(preset, {}, Vector<Dim>::Ones()));
@@ -342,6 +353,61 @@ private slots:
         QVERIFY(std::abs((half[2] - half[1]).norm() - std::numbers::sqrt2) < 1e-14);
         still.cage.reset(); // nothing to move
         QVERIFY(!animation.at(moment(1), still).cage);
+    }
+
+    void verticesThatStayDoNotMove() {
+        const CagePose<2> corners{{0.1, 0.2}, {3, -0.3}, {0.7, 2}};
+        CagePose<2> after = corners;
+        after[2] = {-1.3, 0.9}; // one is dragged
+        for (int frame = 1; frame < 10; ++frame) {
+            const CagePose<2> now = cageAt<2>(corners, after, frame, 10);
+            QCOMPARE(now[0], corners[0]);
+            QCOMPARE(now[1], corners[1]);
+            QVERIFY((now[2] - (corners[2] + frame / 10.0 * (after[2] - corners[2]))).norm() < 1e-14);
+        }
+        after[2] = {0.7, -2}; // across the line of the others: every path is flat somewhere
+        QCOMPARE(cageAt<2>(corners, after, 3, 10)[1], corners[1]);
+        // Turned by 120° about a corner: it stays, and the cage does not shrink.
+        const Matrix<2> turn = Eigen::Rotation2Dd(2 * std::numbers::pi / 3).toRotationMatrix();
+        for (std::size_t i = 0; i < 3; ++i)
+            after[i] = corners[1] + turn * (corners[i] - corners[1]);
+        for (int frame = 1; frame < 10; ++frame) {
+            const CagePose<2> now = cageAt<2>(corners, after, frame, 10);
+            QCOMPARE(now[1], corners[1]);
+            QVERIFY(std::abs((now[2] - now[0]).norm() - (corners[2] - corners[0]).norm()) < 1e-13);
+        }
+        // A polygon that bends.
+        const CagePose<2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        CagePose<2> bent = square;
+        bent[2] = {1.4, 1.7};
+        const CagePose<2> now = cageAt<2>(square, bent, 1, 2);
+        QVERIFY((now[2] - Vector<2>(1.2, 1.35)).norm() < 1e-15);
+        for (std::size_t i : {0U, 1U, 3U})
+            QCOMPARE(now[i], square[i]);
+    }
+
+    // A solid cage that is turned by 180° about one of its edges would be flat half way on straight ways.
+    void doorsDoNotFlatten() {
+        const CagePose<3> shut{{0, 0, 0}, {0, 0, 1}, {1, 0, 0.2}, {0.5, 1, 0.3}};
+        const auto open = [&](double degrees) {
+            CagePose<3> pose = shut;
+            const double angle = degrees * std::numbers::pi / 180, sine = std::sin(angle);
+            for (std::size_t i : {2U, 3U})
+                pose[i].head<2>() << std::cos(angle) * shut[i].x() - sine * shut[i].y(),
+                    sine * shut[i].x() + std::cos(angle) * shut[i].y();
+            return pose;
+        };
+        const auto volume = [](const CagePose<3>& pose) {
+            Matrix<3> edges;
+            edges << pose[1] - pose[0], pose[2] - pose[0], pose[3] - pose[0];
+            return edges.determinant();
+        };
+        const CagePose<3> ajar = cageAt<3>(shut, open(40), 1, 2);
+        QCOMPARE(ajar[1], shut[1]);
+        QVERIFY((ajar[2] - (shut[2] + open(40)[2]) / 2).norm() < 1e-15);
+        const CagePose<3> wide = cageAt<3>(shut, open(180), 1, 2);
+        QCOMPARE(wide[0], shut[0]);
+        QVERIFY(std::abs(volume(wide) - volume(shut)) < 1e-12);
     }
 
     void strangersMoveNothing() {

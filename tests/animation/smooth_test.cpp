@@ -364,6 +364,43 @@ private slots:
         QCOMPARE(at(45, Loop::Cycle).before.time, -1.0);
     }
 
+    // Corner by corner: each stops smoothly before a way on which it stays. About one corner: that one stays.
+    void verticesThatStayDoNotMove() {
+        const CagePose<2> corners{{0, 0}, {1, 0}, {0, 1}};
+        Moving<2> all;
+        all.still.cage = ifs::ControlCage<2>{corners, corners};
+        all.animation.length = 40;
+        const CagePose<2> second{corners[0], corners[1], {0.4, 2}}, third{corners[0], {1.5, 0.3}, {0.4, 2}};
+        all.animation.cage = {{0, corners, smooth}, {10, second, smooth}, {25, third, smooth}};
+        const auto at = [&](std::int64_t time, std::int64_t parts = 1) {
+            return all.animation.at(moment(time, parts), all.still).cage->current;
+        };
+        for (int frame = 0; frame <= 40; ++frame) {
+            QCOMPARE(at(frame)[0], corners[0]);
+            QCOMPARE(at(frame)[frame <= 10 ? 1 : 2], second[frame <= 10 ? 1 : 2]);
+        }
+        constexpr std::int64_t parts = 1 << 16;
+        for (std::size_t corner : {1U, 2U}) // no speed at the key
+            for (int step : {-1, 1})
+                QVERIFY((at(10 * parts + step, parts)[corner] - second[corner]).norm() * parts < 1e-4);
+        QVERIFY((at(5)[2] - (corners[2] + second[2]) / 2).norm() > 0.01); // it bends
+
+        CagePose<2> turned = second;
+        for (std::size_t i : {1U, 2U})
+            turned[i] = Vector<2>(-second[i].y(), second[i].x());
+        all.animation.cage[2].value = turned; // about the first corner, from there on
+        for (int frame = 0; frame <= 40; ++frame)
+            QCOMPARE(at(frame)[0], corners[0]);
+        QVERIFY(std::abs(at(17)[1].norm() - 1) < 1e-12);
+
+        // Where curves would turn the cage over, straight ways are taken.
+        const CagePose<2> far{corners[0], corners[1], {0, 30}}, low{corners[0], corners[1], {0, 0.1}};
+        all.animation.cage = {{0, far, smooth}, {10, low, smooth}, {20, low, smooth}, {30, far, smooth}};
+        all.animation.cage[2].value[2].x() = 1;
+        for (int frame = 0; frame <= 30; ++frame)
+            QVERIFY(at(frame)[2].y() > 0);
+    }
+
     void numbersStayBetweenTheirEnds() {
         KeysAround<double> keys{1, 2, 0.0, 0.5, -1, 1.1};
         double last = 1;

@@ -30,6 +30,7 @@ Construction::Construction(document::Document* document, RenderBridge* bridge, Q
 
 void Construction::setMode(Mode mode) {
     if (mode == m_mode) return;
+    if (mode != Mode::Density) emit starting();
     m_mode = mode;
     m_tick.stop();
     measure();

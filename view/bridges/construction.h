@@ -69,6 +69,7 @@ public:
     const std::vector<Face>& faces() const { return m_faces; }
 
 signals:
+    void starting(); // steps or a chaos game, which take the canvas as soon as this returns
     void changed();
     void trailChanged();
 

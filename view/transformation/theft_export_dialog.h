@@ -31,6 +31,8 @@ public:
     explicit TheftExportDialog(const document::TheftJob& job, QWidget* parent = nullptr);
     ~TheftExportDialog() override;
 
+    const document::TheftJob& job() const { return m_job; }
+
     enum class Section { View, Attractor };
     void setSection(Section section);
     void setFolder(const QString& folder); // to suggest

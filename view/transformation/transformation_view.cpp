@@ -347,6 +347,12 @@ bool TransformationView::isPainted() const {
 
 void TransformationView::chooseExport() {
     if (!isPainted()) return;
+    for (auto* open : window()->findChildren<TheftExportDialog*>(Qt::FindDirectChildrenOnly)) {
+        if (!open->isVisible() || open->job() != job()) continue;
+        open->setWindowState(open->windowState() & ~Qt::WindowMinimized);
+        open->raise();
+        return open->activateWindow();
+    }
     auto* dialog = new TheftExportDialog(job(), window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (m_canvas->navigation().isFitted()) dialog->setSection(TheftExportDialog::Section::Attractor);

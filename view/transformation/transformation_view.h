@@ -40,7 +40,7 @@ public:
     CanvasView* partnerCanvas() const { return m_partnerCanvas; }
     bool cancelGesture();   // on the partner; false when none was under way
     bool isPainted() const; // the canvases show a fractal transformation
-    void chooseExport();    // in a dialog; nothing happens while none is shown
+    void chooseExport();    // in a dialog, one for each picture; nothing happens while none is shown
     const TransformationBar* bar() const { return m_bar; }
     const TheftBridge* theft() const { return m_theft.get(); }
 

@@ -20,6 +20,7 @@ struct TheftJob {
         std::shared_ptr<const Fractal> fractal;
         attractor::Camera camera; // of no pixels: not drawn
         std::uint64_t revision = 0;
+        friend bool operator==(const Side&, const Side&) = default;
     };
     Side from, to;
     std::vector<std::size_t> order; // as in KeptTheft
@@ -27,6 +28,8 @@ struct TheftJob {
     std::optional<attractor::View> view;                  // as in KeptTheft
     std::shared_ptr<const attractor::MipPicture> picture; // not null
     bool isLive = false;                                  // more of the same is to come
+
+    friend bool operator==(const TheftJob&, const TheftJob&) = default;
 };
 
 struct StolenFrames {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
+#include "bars/construction_bar.h"
+#include "bridges/construction.h"
+#include "bridges/render_bridge.h"
 #include "canvas/canvas_view.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
@@ -15,7 +18,9 @@
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QListView>
@@ -54,6 +59,7 @@ private slots:
     void everyModeIsKept();
     void theCollectionShowsItWithItsPartner();
     void aRenamedPartnerStays();
+    void aConstructionEndsIt();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -309,6 +315,14 @@ void TransformationWindowTest::exportsThePicture() {
     auto* dialog = m_window->findChild<view::TheftExportDialog*>();
     QVERIFY(dialog && dialog->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(!dialog->preview().picture().isNull(), 30000);
+    const auto dialogs = [this] { return m_window->findChildren<view::TheftExportDialog*>().size(); };
+    button->click(); // it is open already
+    QCOMPARE(dialogs(), 1);
+    canvas()->navigation().zoomBy(2); // another picture
+    button->click();
+    QCOMPARE(dialogs(), 2);
+    delete m_window->findChildren<view::TheftExportDialog*>().last();
+    QCOMPARE(m_window->findChild<view::TheftExportDialog*>(), dialog);
     dialog->sizeEditor().setPixels({600, 400});
     dialog->setSection(view::TheftExportDialog::Section::Attractor);
 
@@ -443,6 +457,32 @@ void TransformationWindowTest::aRenamedPartnerStays() {
     QVERIFY(view()->bar()->problem().isEmpty());
     document().undoStack()->undo();
     QCOMPARE(kept().partner, QStringLiteral("triangle-moved"));
+}
+
+// Both draw on the same canvas. Steps from a letter are pictures from elsewhere, too.
+void TransformationWindowTest::aConstructionEndsIt() {
+    using Mode = view::Construction::Mode;
+    auto* construction = m_window->findChild<view::Construction*>();
+    const auto* render = m_window->findChild<view::RenderBridge*>();
+    openFamily();
+    const auto* bar = m_window->findChild<view::ConstructionBar*>();
+    const auto press = [bar](Mode mode) { bar->findChild<QButtonGroup*>()->button(int(mode))->click(); };
+    construction->steps().setStart(view::StepsBridge::Start::Letter);
+    for (const Mode mode : {Mode::Steps, Mode::ChaosGame}) {
+        press(mode);
+        QVERIFY(construction->mode() == mode);
+        QVERIFY(!view()->isTransformationShown());
+        QVERIFY(m_window->statusBar()->currentMessage().startsWith(QStringLiteral("The fractal trans")));
+        if (mode == Mode::ChaosGame) construction->setPoints(1000);
+        QTRY_VERIFY_WITH_TIMEOUT(render->isCurrent(), 30000);
+        QCOMPARE(render->isSubstituted(), mode == Mode::Steps); // by the letter
+        toggle();
+        QVERIFY(view()->isTransformationShown() && construction->mode() == Mode::Density);
+        QTRY_VERIFY_WITH_TIMEOUT(isStolen(), 30000);
+    }
+    QVERIFY(construction->trail().empty());
+    press(Mode::Density);
+    QVERIFY(view()->isTransformationShown());
 }
 
 QTEST_MAIN(TransformationWindowTest)

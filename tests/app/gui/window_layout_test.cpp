@@ -5,6 +5,7 @@
 #include "ifs/cage/hull_cage.h"
 #include "io/collection_reader.h"
 #include "panels/cage/cage_panel.h"
+#include "panels/timeline/motion_page.h"
 #include "session_fixture.h"
 #include "support/forget_settings.h"
 #include "support/paths.h"
@@ -17,6 +18,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
@@ -46,6 +48,8 @@ private slots:
     void aCageOfManyCornersIsScrolled();
     void aSolidFitsASmallWindow_data();
     void aSolidFitsASmallWindow();
+    void theTimelineIsSeenWhole_data() { namesOfPanelsAreSeenWhole_data(); }
+    void theTimelineIsSeenWhole();
 };
 
 void WindowLayoutTest::aNarrowWindowIsHalfPicture_data() {
@@ -360,6 +364,25 @@ void WindowLayoutTest::aCageOfManyCornersIsScrolled() {
     QCOMPARE(QApplication::focusWidget(), last);
     QTRY_VERIFY(!last->visibleRegion().isEmpty());
     window->document().undoStack()->setClean();
+}
+
+// At the height that it has at first.
+void WindowLayoutTest::theTimelineIsSeenWhole() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    QSettings().clear();
+    MainWindow* window = shown({});
+    window->resize(1024, 768);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->findChild<QDockWidget*>(QStringLiteral("timeline"))->show();
+    const auto* page = window->findChild<view::MotionPage*>();
+    QTRY_VERIFY(page->isVisible());
+    const auto* keys = page->findChild<QPushButton*>(); // Make Keys, at the bottom
+    QTRY_COMPARE(keys->visibleRegion().boundingRect(), keys->rect());
+    QCOMPARE(window->size(), QSize(1024, 768));
+    QSettings().clear();
 }
 
 QTEST_MAIN(WindowLayoutTest)

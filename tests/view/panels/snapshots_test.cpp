@@ -54,6 +54,7 @@ private slots:
     void whatCannotBeLookedAtSaysSo();
     void aSolidIsLookedAt();
     void thePanelFollows();
+    void theSelectedOneIsCompared();
 
 private:
     void scale(double factor) {
@@ -364,6 +365,41 @@ void SnapshotsTest::thePanelFollows() {
     QCOMPARE(list->item(0)->text(), QStringLiteral("first"));
     m_document->setFile(io::readFractint("c { .5 0 0 .5 0 0 1 }\n"));
     QCOMPARE(list->count(), 0);
+}
+
+// By the keys or a right click; without that, the newest.
+void SnapshotsTest::theSelectedOneIsCompared() {
+    QAction take(QStringLiteral("Take")), compare(QStringLiteral("Compare"));
+    view::SnapshotsPanel panel(m_snapshots.get(), m_look.get(), &take, &compare);
+    panel.resize(500, 180);
+    panel.show();
+    QListWidget* list = panel.list();
+    for (const double factor : {0.9, 0.8, 0.7}) {
+        m_snapshots->take();
+        scale(factor);
+    }
+    const int before = steps();
+    const auto compared = [this] {
+        m_look->toggle();
+        const QString name = m_look->isOn() ? m_look->shown()->name : QString();
+        m_look->end();
+        return name;
+    };
+    QCOMPARE(compared(), QStringLiteral("Snapshot 3"));
+    QTest::keyClick(list, Qt::Key_Left);
+    QCOMPARE(compared(), QStringLiteral("Snapshot 2"));
+    QTest::mouseClick(list->viewport(), Qt::RightButton, {}, list->visualItemRect(list->item(0)).center());
+    QCOMPARE(compared(), QStringLiteral("Snapshot 1"));
+    QCOMPARE(steps(), before); // nothing is restored
+    m_snapshots->remove(key(0));
+    QCOMPARE(list->currentRow(), 0);
+    QCOMPARE(compared(), QStringLiteral("Snapshot 2"));
+    m_snapshots->take();
+    QCOMPARE(list->currentRow(), 2);
+    scale(0.6);
+    QCOMPARE(compared(), QStringLiteral("Snapshot 4"));
+    m_snapshots->bringBack();
+    QCOMPARE(list->currentRow(), 0);
 }
 
 QTEST_MAIN(SnapshotsTest)

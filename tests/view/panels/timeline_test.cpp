@@ -38,6 +38,7 @@ private slots:
     void cleanup() { m_panel.reset(); }
 
     void motionsAreOfferedFirst();
+    void motionsAreSeenWhole();
     void oneClickMakesALoop();
     void slowMotionsLeaveTheWindowAtHand();
     void motionsAreShownMoving();
@@ -122,6 +123,17 @@ void TimelineTest::motionsAreOfferedFirst() {
     QCOMPARE(timeline().rowName(5), QStringLiteral("Camera"));
     m_document->setFile(document::fileOf(document::sierpinskiTriangle())); // offered again
     QVERIFY(!m_panel->showsTracks());
+}
+
+void TimelineTest::motionsAreSeenWhole() {
+    const auto* page = m_panel->findChild<view::MotionPage*>();
+    const auto* keys = page->findChild<QPushButton*>();
+    QVERIFY(keys);
+    for (const int width : {1000, 700}) { // with and without a scroll bar
+        m_panel->resize(width, m_panel->minimumSizeHint().height());
+        QTRY_COMPARE(keys->visibleRegion().boundingRect(), keys->rect());
+        QCOMPARE(m_panel->height(), m_panel->minimumSizeHint().height());
+    }
 }
 
 void TimelineTest::oneClickMakesALoop() {
@@ -338,7 +350,10 @@ void TimelineTest::aCustomEaseIsDrawn() {
             QVERIFY(std::abs(number->value() - drawn.x1) < 1e-3);
     timeline().keys().setEase(drawn);
     QVERIFY(timeline().keys().ease() == drawn);
-    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys"));
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys (frame 0)"));
+    timeline().selectAll();
+    timeline().keys().setEase({animation::Ease::Kind::Hold});
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Ease of keys (frames 0–24)"));
 }
 
 void TimelineTest::keysLeadOnSmoothly() {

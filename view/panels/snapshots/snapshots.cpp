@@ -99,8 +99,11 @@ void Snapshots::remove(quint64 key) {
     Strip& strip = this->strip();
     const auto found = std::ranges::find_if(strip.list, withKey(key));
     strip.removed.push_back(*found);
-    strip.list.erase(found);
-    if (strip.marked == key) strip.marked = strip.list.empty() ? 0 : strip.list.back().key;
+    const auto next = strip.list.erase(found);
+    if (strip.marked == key && next != strip.list.end())
+        strip.marked = next->key;
+    else if (strip.marked == key)
+        strip.marked = strip.list.empty() ? 0 : strip.list.back().key;
     updatePresent();
     emit changed();
     emit message(tr("“%1” was deleted. The menu of the panel brings it back.").arg(removed()));

@@ -41,7 +41,8 @@ public:
     QString removed() const;      // its name; empty when there is none
     void addAsEntry(quint64 key); // behind the current entry, which stays the current one
 
-    // The one that a comparison shows: the one last taken, restored or marked. nullptr without one.
+    // The one that a comparison shows: the one last taken, restored or marked, which the panel does with the
+    // one that is selected. When it is removed, the one that takes its place. nullptr without one.
     const Snapshot* marked() const;
     void mark(quint64 key);
     std::optional<quint64> present() const; // the one that the entry is like, but for a gesture that is open

@@ -45,11 +45,13 @@ SnapshotsPanel::SnapshotsPanel(Snapshots* snapshots, SnapshotLook* look, QAction
 
 void SnapshotsPanel::createList() {
     m_list->setAccessibleName(tr("Snapshots of the fractal"));
-    m_list->setToolTip(tr("Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it."));
+    m_list->setToolTip(tr("Click a snapshot to restore it; undo goes back. The arrow keys or a right click "
+                          "select the one to compare with. F2 renames it, Del deletes it."));
     m_list->setStatusTip(m_list->toolTip());
     m_list->setWhatsThis(
         tr("States of this fractal that you kept. Click one to restore it: one step of the history. The "
-           "framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last "
+           "framed one is what the canvas shows. The one with a B is selected, and the one to compare with: "
+           "the newest, until you select another one with the arrow keys or a right click. Snapshots last "
            "until the file is closed; Add as Entry keeps one in the file."));
     m_list->setViewMode(QListView::IconMode);
     m_list->setMovement(QListView::Static);
@@ -66,6 +68,9 @@ void SnapshotsPanel::createList() {
     connect(m_list, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
         m_snapshots->restore(item->data(SnapshotDelegate::KeyRole).toULongLong());
     });
+    connect(m_list, &QListWidget::currentItemChanged, this, [this] {
+        if (!m_isFollowing) m_snapshots->mark(currentKey());
+    });
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (m_isFollowing) return;
         m_snapshots->rename(item->data(SnapshotDelegate::KeyRole).toULongLong(), item->text());
@@ -78,8 +83,6 @@ void SnapshotsPanel::createActions() {
     m_restore =
         createAction(tr("&Restore"), tr("Make the fractal as it was in this snapshot."), nullptr,
                      {Qt::Key_Return, Qt::Key_Enter}, [this](quint64 key) { m_snapshots->restore(key); });
-    m_mark = createAction(tr("&Compare with This One"), tr("Make this snapshot the one to compare with."),
-                          nullptr, {Qt::Key_Space}, [this](quint64 key) { m_snapshots->mark(key); });
     m_add = createAction(tr("&Add as Entry"),
                          tr("Add the snapshot to the file as an entry of its own, behind this one."), "add",
                          {}, [this](quint64 key) { m_snapshots->addAsEntry(key); });
@@ -91,7 +94,7 @@ void SnapshotsPanel::createActions() {
     m_bringBack->setStatusTip(tr("Bring back the snapshot that was deleted last."));
     connect(m_bringBack, &QAction::triggered, m_snapshots, &Snapshots::bringBack);
     connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
-        for (QAction* action : {m_restore, m_mark, m_add, m_rename, m_remove})
+        for (QAction* action : {m_restore, m_add, m_rename, m_remove})
             action->setEnabled(row >= 0);
     });
     new FocusShortcuts(m_list);
@@ -138,9 +141,10 @@ void SnapshotsPanel::follow() {
             m_list->insertItem(row, new QListWidgetItem);
             m_list->item(row)->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
             m_list->item(row)->setData(SnapshotDelegate::KeyRole, snapshot.key);
-            m_list->setCurrentRow(row);
         }
         showTile(m_list->item(row), snapshot);
+        const Snapshot* marked = m_snapshots->marked();
+        if (marked && marked->key == snapshot.key) m_list->setCurrentRow(row);
     }
     m_bringBack->setEnabled(!m_snapshots->removed().isEmpty());
     m_list->viewport()->update();
@@ -174,7 +178,7 @@ void SnapshotsPanel::showContextMenu(const QPoint& position) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
     if (m_list->itemAt(position)) {
-        menu->addActions({m_restore, m_mark});
+        menu->addActions({m_restore, m_compare}); // it is selected
         menu->addSeparator();
         menu->addActions({m_rename, m_add, m_remove});
         menu->addSeparator();

@@ -11,7 +11,8 @@ namespace view {
 
 class Thumbnails;
 
-// The snapshots of the entry in a strip, or in rows where the panel is high. A click restores one.
+// The snapshots of the entry in a strip, or in rows where the panel is high. A click restores one. The one
+// that is selected is the one to compare with.
 class SnapshotsPanel : public QWidget {
     Q_OBJECT
 
@@ -45,7 +46,6 @@ private:
     Thumbnails* m_thumbnails;
     QAction* m_restore = nullptr;
     QAction* m_rename = nullptr;
-    QAction* m_mark = nullptr;
     QAction* m_add = nullptr;
     QAction* m_remove = nullptr;
     QAction* m_bringBack = nullptr;

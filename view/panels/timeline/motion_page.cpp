@@ -49,10 +49,10 @@ MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidge
     keys->setToolTip(tr("Show the tracks, to make keys of your own"));
     keys->setAutoDefault(false);
     auto* how = new QLabel(tr("Or set a key, move the playhead, and change the fractal."));
-    how->setWordWrap(true);
-    auto* below = new QHBoxLayout;
-    below->addWidget(how, 1);
+    auto* below = new QHBoxLayout; // to the left, where it is seen in a narrow window
+    below->addWidget(how);
     below->addWidget(keys);
+    below->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 8, 12, 8);
     column->addWidget(new QLabel(tr("Nothing moves yet. Choose a motion:")));

@@ -276,7 +276,13 @@ void KeyCommands::move(int by, document::KeyMove how) {
 }
 
 void KeyCommands::setEase(const animation::Ease& ease) {
-    edit(Timeline::tr("Ease of keys"), document::withEase(entry(), m_timeline->selected(), ease));
+    const std::vector<KeyAt>& keys = m_timeline->selected();
+    if (keys.empty()) return;
+    const auto [first, last] = std::ranges::minmax(keys, {}, &KeyAt::frame);
+    const QString text = first.frame == last.frame
+                             ? Timeline::tr("Ease of keys (frame %1)").arg(first.frame)
+                             : Timeline::tr("Ease of keys (frames %1–%2)").arg(first.frame).arg(last.frame);
+    edit(text, document::withEase(entry(), keys, ease));
 }
 
 animation::Ease KeyCommands::ease() const {

@@ -15,8 +15,10 @@
 #include "widgets/wait_for.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -47,15 +49,28 @@ auto windOf(std::size_t preset) {
     };
 }
 
-// In a narrow window, and with large letters.
-QScrollArea* scrolling(QWidget* page) {
-    auto* area = new QScrollArea;
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(page);
-    return area;
-}
+// Scrolls sideways in a narrow window, and with large letters. Nothing is cut off below, not even then.
+class MotionArea : public QScrollArea {
+public:
+    explicit MotionArea(QWidget* page) {
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+        setWidget(page);
+    }
+
+    QSize sizeHint() const override { return minimumSizeHint().expandedTo(widget()->sizeHint()); }
+    QSize minimumSizeHint() const override {
+        const int bar = horizontalScrollBar()->sizeHint().height();
+        return {QScrollArea::minimumSizeHint().width(), widget()->minimumSizeHint().height() + bar};
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+        return QScrollArea::eventFilter(watched, event);
+    }
+};
 
 } // namespace
 
@@ -84,7 +99,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
         });
     m_page->setMotions(std::move(motions));
     m_pages = new QStackedWidget;
-    m_pages->addWidget(scrolling(m_page));
+    m_pages->addWidget(new MotionArea(m_page));
     m_pages->addWidget(m_tracks);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
