@@ -242,7 +242,8 @@ private slots:
         m_panel->pasteMaps();
         QCOMPARE(m_panel->model()->rowCount(), 5);
         QCOMPARE(coefficient(3, 1, 1), 0.4);
-        QCOMPARE(systemOf(*m_document).maps[4].weight, std::optional(0.5));
+        QVERIFY(qAbs(*systemOf(*m_document).maps[4].weight / *systemOf(*m_document).maps[3].weight -
+                     5.0 / 7) < 1e-12);
         QCOMPARE(m_document->undoStack()->count(), 1);
         QGuiApplication::clipboard()->setText(QStringLiteral("0.1 0.2 rubbish 0.4 0.5 0.6\n"));
         m_panel->appendPasted();
@@ -294,7 +295,7 @@ private slots:
         auto* columns = dialog->findChild<QComboBox*>();
         auto* typed = dialog->findChild<QLineEdit*>();
         QCOMPARE(columns->currentData().toString(), QStringLiteral("a b c d e f cumulative"));
-        QCOMPARE(systemOf(*m_document).maps.back().weight, 0.75);
+        QCOMPARE(systemOf(*m_document).maps.back().weight, 0.75 / 2); // all sum to 1 again
         QVERIFY(!typed->isVisibleTo(dialog));
 
         columns->setCurrentIndex(columns->count() - 1);
