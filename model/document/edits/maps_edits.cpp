@@ -111,11 +111,30 @@ template <int Dim> void setWeight(ifs::IteratedFunctionSystem<Dim>& system, std:
     system.maps[row].weight = weight;
 }
 
-template <int Dim> void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule) {
+// What the locked ones have stays, and the others share the rest.
+template <int Dim>
+void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule, const MapLabels& labels) {
     ifs::IteratedFunctionSystem<Dim> enabled;
     std::copy_if(system.maps.begin(), system.maps.end(), std::back_inserter(enabled.maps),
                  [](const auto& map) { return map.enabled; });
-    const std::vector<double> weights = ruleWeights(enabled, rule);
+    std::vector<double> weights = ruleWeights(enabled, rule);
+    const std::vector<double> now = ifs::probabilities(enabled);
+    double all = 0, kept = 0, shared = 0;
+    bool isAnyLocked = false;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const double given = enabled.maps[i].weight.value_or(now[i]);
+        const bool isLocked = labels.of(enabled.maps[i].id).isLocked;
+        if (isLocked) weights[i] = given;
+        isAnyLocked = isAnyLocked || isLocked;
+        all += given;
+        (isLocked ? kept : shared) += weights[i];
+    }
+    if (isAnyLocked) {
+        const double left = (kept < 1 ? 1 : all) - kept;
+        if (!(left > 0) || !(shared > 0)) return; // nothing to share, or nobody to
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            if (!labels.of(enabled.maps[i].id).isLocked) weights[i] *= left / shared;
+    }
     std::size_t next = 0;
     for (auto& map : system.maps) {
         if (map.enabled) map.weight = weights[next++];
@@ -142,7 +161,7 @@ bool sumsToOne(const Fractal& fractal) {
 
 template <int Dim> void scaleToOne(ifs::IteratedFunctionSystem<Dim>& system) {
     const std::optional<double> sum = sumOfWeights(system);
-    if (sum && *sum > 0 && std::isfinite(*sum)) setWeights(system, WeightRule::Normalise);
+    if (sum && *sum > 0 && std::isfinite(*sum)) setWeights(system, WeightRule::Normalise, {});
 }
 
 // Where the weights summed to 1, they do so again: the shares of the maps stay in proportion.
@@ -310,9 +329,9 @@ Fractal withWeight(Fractal fractal, int row, double weight) {
 
 Fractal withWeights(Fractal fractal, WeightRule rule) {
     if (System2* system = system2(fractal))
-        setWeights(*system, rule);
+        setWeights(*system, rule, fractal.mapLabels);
     else if (System3* solid = system3(fractal))
-        setWeights(*solid, rule);
+        setWeights(*solid, rule, fractal.mapLabels);
     return fractal;
 }
 

@@ -42,7 +42,8 @@ std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows);
 Fractal withWeight(Fractal fractal, int row, double weight);
 
 enum class WeightRule { Determinant, Equal, Dimension, Normalise };
-// Weights of the maps that are on; those that are off keep theirs.
+// Weights of the maps that are on; those that are off keep theirs. So do locked maps: the others share what
+// these leave of 1, or of the sum of now where they leave nothing of it.
 Fractal withWeights(Fractal fractal, WeightRule rule);
 
 } // namespace document

@@ -125,6 +125,25 @@ private slots:
         QVERIFY(qAbs(normalised[0] + normalised[1] + normalised[2] - 1) < 1e-15);
     }
 
+    void lockedWeightsStay() {
+        document::Fractal fractal = weighted({0.4, 0.4, 0.1, 0.1});
+        const auto lock = [&](std::size_t index) {
+            fractal.mapLabels.set(document::system2(fractal)->maps[index].id, {{}, true});
+        };
+        lock(0);
+        const auto equal = weights(document::withWeights(fractal, document::WeightRule::Equal));
+        QCOMPARE(equal[0], 0.4);
+        for (std::size_t i = 1; i < 4; ++i)
+            QVERIFY(qAbs(equal[i] - 0.2) < 1e-12);
+        document::system2(fractal)->maps[0].weight = 3; // leaves nothing of 1: the sum stays
+        const auto large = weights(document::withWeights(fractal, document::WeightRule::Equal));
+        QCOMPARE(large[0], 3.0);
+        QVERIFY(qAbs(large[1] - 0.2) < 1e-12);
+        for (const std::size_t index : {1, 2, 3})
+            lock(index);
+        QVERIFY(document::withWeights(fractal, document::WeightRule::Equal) == fractal);
+    }
+
     void aNewMapTakesPart() {
         const auto edit = document::withNewMap(withTriangle(maple()));
         const auto& added = document::system2(edit.fractal)->maps.back();

@@ -207,6 +207,16 @@ private slots:
         QCOMPARE(m_panel->model()->solo(), ifs::MapId::None);
     }
 
+    void weightsOfLockedMapsStay() {
+        m_panel->selectAllMaps();
+        m_panel->toggleLock();
+        m_said->clear();
+        m_panel->applyWeights(document::WeightRule::Determinant);
+        QCOMPARE(m_said->size(), 1);
+        QVERIFY(m_said->front().front().toString().startsWith(QStringLiteral("Maps 1, 2, 3, 4 are locked.")));
+        QCOMPARE(steps(), 1); // the lock
+    }
+
     void mapsGoThroughTheClipboardWithTheirNames() {
         document::renameMap(*m_document, 2, QStringLiteral("leaf"));
         const auto third = systemOf(*m_document).maps[2];

@@ -30,6 +30,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <numeric>
 
 namespace view {
 
@@ -568,6 +569,10 @@ void MapsPanel::toggleSolo() {
 
 void MapsPanel::applyWeights(document::WeightRule rule) {
     if (m_model->rowCount() == 0) return;
+    document::Rows rows(std::size_t(m_model->rowCount()));
+    std::iota(rows.begin(), rows.end(), 0);
+    if (document::lockedMaps(m_document->fractal()).size() == rows.size())
+        return emit message(document::lockObstacle(m_document->fractal(), rows));
     m_weighing->start([rule](const document::Fractal& fractal) { return withWeights(fractal, rule); },
                       [this, rule](std::optional<document::Fractal> weighed) {
                           m_document->edit(tr("Weights: %1").arg(ruleName(rule)), *std::move(weighed));
