@@ -66,15 +66,16 @@ void MapsColumns::fit() {
     std::vector<int> code(std::size_t(codeEnd - MapsModel::A)); // coefficients and weight
     std::iota(code.begin(), code.end(), int(MapsModel::A));
     std::vector<int> widths(code.size());
-    for (int decimals = maxDecimals; decimals >= (isNamed ? minDecimalsByNames : minDecimals); --decimals) {
+    int decimals = maxDecimals;
+    for (; decimals >= (isNamed ? minDecimalsByNames : minDecimals); --decimals) {
         m_model->limitDecimals(decimals);
         std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
-    // What is left is for longer names, then for the digits and signs that come up in a drag.
+    // What is left is for longer names, if all digits are there, then for those that come up in a drag.
     int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
     if (isNamed) {
-        const int given = std::min(wantedName - name, left);
+        const int given = decimals == maxDecimals ? std::min(wantedName - name, left) : 0;
         m_table->setColumnWidth(MapsModel::Name, name + given);
         left -= given;
     }
