@@ -50,7 +50,7 @@ void hideWarnings() {
 }
 
 void report(const document::Problem& found, const QString& fileName) {
-    if (areWarningsHidden && found.severity == document::Problem::Severity::Warning) return;
+    if (areWarningsHidden && found.severity != document::Problem::Severity::Error) return;
     document::Problem placed = found;
     if (found.line == 0) placed.line = placed.column = 1; // the file as a whole
     line(document::toText(placed, fileName));

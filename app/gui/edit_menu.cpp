@@ -162,8 +162,13 @@ void EditMenu::openTransform() {
 }
 
 void EditMenu::openMutate() {
-    auto* dialog = new view::MutateDialog(context().document, context().window);
+    view::MutateDialog::Descent& left = m_descents[context().document->currentId()];
+    auto* dialog = new view::MutateDialog(context().document, context().window, left);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    left = {};
+    QObject::connect(dialog, &QDialog::rejected, dialog, [&left, dialog] {
+        if (dialog->descent().line.size() > 1) left = dialog->descent();
+    });
     dialog->open();
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "action_menu.h"
+#include "dialogs/variations/mutate_dialog.h"
+
+#include <map>
 
 class SnapshotCommands;
 
@@ -21,4 +24,6 @@ private:
     void openTransform();
     void openMutate();
     void showPreferences();
+
+    std::map<document::EntryId, view::MutateDialog::Descent> m_descents; // left without using them
 };

@@ -55,7 +55,7 @@ void FileCommands::reportOpened() {
     for (const document::Entry& entry : file.entries) {
         if (document::dimension(*entry.fractal) == 0)
             ++broken;
-        else if (!entry.problems.isEmpty())
+        else if (document::callsForAttention(entry.problems))
             ++bent;
     }
     QString sentence = tr("%n entries", nullptr, int(file.entries.size()));

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "document/problem.h"
 
+#include <algorithm>
+
 namespace document {
+
+bool callsForAttention(const Problem& problem) {
+    return problem.severity != Problem::Severity::Remark;
+}
+
+bool callsForAttention(const Problems& problems) {
+    return std::ranges::any_of(problems, [](const Problem& problem) { return callsForAttention(problem); });
+}
 
 QString toText(const Problem& problem, const QString& fileName) {
     const QString severity =

@@ -8,7 +8,8 @@ namespace document {
 
 // Something a reader found: a whole sentence for the user, and where.
 struct Problem {
-    enum class Severity { Warning, Error };
+    // A remark is said like a warning, but calls for no attention: nothing of it needs mending.
+    enum class Severity { Remark, Warning, Error };
 
     Severity severity = Severity::Warning;
     QString entry;  // name of the entry, empty for the file as a whole
@@ -19,6 +20,9 @@ struct Problem {
     friend bool operator==(const Problem&, const Problem&) = default;
 };
 using Problems = QList<Problem>;
+
+bool callsForAttention(const Problem& problem);   // as all but remarks do
+bool callsForAttention(const Problems& problems); // as one of them does
 
 // "file:line:column: error: sentence"
 QString toText(const Problem& problem, const QString& fileName);

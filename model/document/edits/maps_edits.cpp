@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <type_traits>
@@ -110,33 +111,87 @@ template <int Dim> void setWeight(ifs::IteratedFunctionSystem<Dim>& system, std:
     system.maps[row].weight = weight;
 }
 
-template <int Dim> void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule) {
+// What the locked ones have stays, and the others share the rest.
+template <int Dim>
+void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule, const MapLabels& labels) {
     ifs::IteratedFunctionSystem<Dim> enabled;
     std::copy_if(system.maps.begin(), system.maps.end(), std::back_inserter(enabled.maps),
                  [](const auto& map) { return map.enabled; });
-    const std::vector<double> weights = ruleWeights(enabled, rule);
+    std::vector<double> weights = ruleWeights(enabled, rule);
+    const std::vector<double> now = ifs::probabilities(enabled);
+    double all = 0, kept = 0, shared = 0;
+    bool isAnyLocked = false;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const double given = enabled.maps[i].weight.value_or(now[i]);
+        const bool isLocked = labels.of(enabled.maps[i].id).isLocked;
+        if (isLocked) weights[i] = given;
+        isAnyLocked = isAnyLocked || isLocked;
+        all += given;
+        (isLocked ? kept : shared) += weights[i];
+    }
+    if (isAnyLocked) {
+        const double left = (kept < 1 ? 1 : all) - kept;
+        if (!(left > 0) || !(shared > 0)) return; // nothing to share, or nobody to
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            if (!labels.of(enabled.maps[i].id).isLocked) weights[i] *= left / shared;
+    }
     std::size_t next = 0;
     for (auto& map : system.maps) {
         if (map.enabled) map.weight = weights[next++];
     }
 }
 
+// Of the maps that are on; none where one has no weight, or none to share by.
+template <int Dim> std::optional<double> sumOfWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
+    double sum = 0;
+    for (const auto& map : system.maps) {
+        if (!map.enabled) continue;
+        if (!map.weight || !(*map.weight >= 0)) return std::nullopt;
+        sum += *map.weight;
+    }
+    return sum;
+}
+
+bool sumsToOne(const Fractal& fractal) {
+    const auto isOne = [](std::optional<double> sum) { return sum && std::abs(*sum - 1) <= 1e-6; };
+    if (const System2* system = system2(fractal)) return isOne(sumOfWeights(*system));
+    if (const System3* solid = system3(fractal)) return isOne(sumOfWeights(*solid));
+    return false;
+}
+
+template <int Dim> void scaleToOne(ifs::IteratedFunctionSystem<Dim>& system) {
+    const std::optional<double> sum = sumOfWeights(system);
+    if (sum && *sum > 0 && std::isfinite(*sum)) setWeights(system, WeightRule::Normalise, {});
+}
+
+// Where the weights summed to 1, they do so again: the shares of the maps stay in proportion.
+MapsEdit keepingSum(bool wasOne, MapsEdit edit) {
+    if (!wasOne || sumsToOne(edit.fractal)) return edit;
+    if (System2* system = system2(edit.fractal))
+        scaleToOne(*system);
+    else if (System3* solid = system3(edit.fractal))
+        scaleToOne(*solid);
+    return edit;
+}
+
 } // namespace
 
 MapsEdit withNewMap(Fractal fractal) {
+    const bool wasOne = sumsToOne(fractal);
     if (system2(fractal)) {
         const ifs::Vector<2> middle = middleOf<2>(effectiveCage(fractal).rest);
         auto ids = addMap<2>(*system2(fractal), middle);
-        return {std::move(fractal), std::move(ids)};
+        return keepingSum(wasOne, {std::move(fractal), std::move(ids)});
     }
     const auto cage = spaceCage(fractal);
     if (!cage) return {std::move(fractal), {}};
     auto ids = addMap<3>(*system3(fractal), middleOf<3>(cage->rest));
-    return {std::move(fractal), std::move(ids)};
+    return keepingSum(wasOne, {std::move(fractal), std::move(ids)});
 }
 
 MapsEdit withDuplicates(Fractal fractal, const Rows& rows) {
     if (rows.empty()) return {std::move(fractal), {}};
+    const bool wasOne = sumsToOne(fractal);
     std::vector<ifs::MapId> ids;
     MapsEdit result = edited(std::move(fractal), [&](auto& system) {
         const auto originals = rowsOf(system, rows);
@@ -150,10 +205,11 @@ MapsEdit withDuplicates(Fractal fractal, const Rows& rows) {
     const MapLabels before = labels;
     for (std::size_t i = 0; i < ids.size(); ++i)
         copyLabel(before, ids[i], labels, result.touched[i], CopyLock::Drop);
-    return result;
+    return keepingSum(wasOne, std::move(result));
 }
 
 MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
+    const bool wasOne = sumsToOne(fractal);
     std::vector<ifs::MapId> gone;
     MapsEdit result = edited(std::move(fractal), [&](auto& system) {
         auto& maps = system.maps;
@@ -176,7 +232,7 @@ MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
     result.fractal.appearance.mapColours.eraseIf(isGone); // a later map may get the id
     result.fractal.appearance.mapBlends.eraseIf(isGone);
     result.fractal.mapLabels.eraseIf(isGone);
-    return result;
+    return keepingSum(wasOne, std::move(result));
 }
 
 MapsEdit withMapsMoved(Fractal fractal, const Rows& rows, int before) {
@@ -226,11 +282,13 @@ template <int Dim> MapsEdit withPasted(Fractal fractal, const Rows& rows, const 
 } // namespace
 
 MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted) {
-    return withPasted<2>(std::move(fractal), rows, pasted);
+    const bool wasOne = sumsToOne(fractal);
+    return keepingSum(wasOne, withPasted<2>(std::move(fractal), rows, pasted));
 }
 
 MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const SpaceMapRows& pasted) {
-    return withPasted<3>(std::move(fractal), rows, pasted);
+    const bool wasOne = sumsToOne(fractal);
+    return keepingSum(wasOne, withPasted<3>(std::move(fractal), rows, pasted));
 }
 
 namespace {
@@ -271,9 +329,9 @@ Fractal withWeight(Fractal fractal, int row, double weight) {
 
 Fractal withWeights(Fractal fractal, WeightRule rule) {
     if (System2* system = system2(fractal))
-        setWeights(*system, rule);
+        setWeights(*system, rule, fractal.mapLabels);
     else if (System3* solid = system3(fractal))
-        setWeights(*solid, rule);
+        setWeights(*solid, rule, fractal.mapLabels);
     return fractal;
 }
 

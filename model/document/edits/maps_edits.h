@@ -6,7 +6,9 @@
 #include <vector>
 
 // Edits of the list of maps, as functions from fractal to fractal. The fractal must hold a system, in the
-// plane or in space; rows are indices into it, in increasing order.
+// plane or in space; rows are indices into it, in increasing order. Where the weights of the maps that are on
+// sum to 1 (within 1e-6), they do so after maps are added, pasted or deleted, too: all of them are scaled,
+// which changes no map's share in relation to another's. Other sums are left alone.
 namespace document {
 
 using Rows = std::vector<int>;
@@ -40,7 +42,8 @@ std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows);
 Fractal withWeight(Fractal fractal, int row, double weight);
 
 enum class WeightRule { Determinant, Equal, Dimension, Normalise };
-// Weights of the maps that are on; those that are off keep theirs.
+// Weights of the maps that are on; those that are off keep theirs. So do locked maps: the others share what
+// these leave of 1, or of the sum of now where they leave nothing of it.
 Fractal withWeights(Fractal fractal, WeightRule rule);
 
 } // namespace document

@@ -560,10 +560,10 @@ void EntryParser::warnAboutWeights() {
         }
         const bool allOn = std::all_of(maps.begin(), maps.end(), [](const auto& map) { return map.enabled; });
         if (!isNone && allOn && !(std::abs(sum - 1) <= 0.02))
-            warn(layout.numbers[rowLength - 1].span.begin,
-                 Text::tr("The weights sum to %1, not 1. They are scaled in proportion; Fractint gives any "
-                          "shortfall to the last map and cuts off any excess.")
-                     .arg(sum));
+            report(Problem::Severity::Remark, layout.numbers[rowLength - 1].span.begin,
+                   Text::tr("The weights sum to %1, not 1. They are scaled in proportion; Fractint gives any "
+                            "shortfall to the last map and cuts off any excess.")
+                       .arg(sum));
     };
     if (const auto* plane = document::system2(m_entry.fractal))
         check(plane->maps);

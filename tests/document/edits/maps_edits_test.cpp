@@ -73,25 +73,43 @@ private slots:
         const auto& grown = document::system2(one.fractal)->maps;
         QCOMPARE(grown.size(), std::size_t(5));
         QVERIFY(grown[1].id == old[1].id && grown[1].map == pasted[0].map);
-        QVERIFY(grown[2].map == pasted[1].map && grown[3] == old[2]);
+        QVERIFY(grown[2].map == pasted[1].map && grown[3].id == old[2].id);
 
         const auto three = document::withMapsPasted(fractal, {0, 1, 2}, pasted);
         const auto& shrunk = document::system2(three.fractal)->maps;
         QCOMPARE(shrunk.size(), std::size_t(3));
-        QVERIFY(shrunk[1].map == pasted[1].map && shrunk[2] == old[3]);
+        QVERIFY(shrunk[1].map == pasted[1].map && shrunk[2].id == old[3].id);
 
         const auto none = document::withMapsPasted(fractal, {}, pasted);
         QCOMPARE(document::system2(none.fractal)->maps.size(), std::size_t(6));
     }
 
+    // In proportion, so that no share changes in relation to another; other sums are left alone.
+    void weightsThatSumToOneDoSoAgain() {
+        document::Fractal fractal = weighted({0.5, 0.25, 0.25});
+        QCOMPARE(weights(document::withoutMaps(fractal, {0}).fractal), (std::vector{0.5, 0.5}));
+        QCOMPARE(weights(document::withDuplicates(fractal, {1, 2}).fractal),
+                 (std::vector{1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 6, 1.0 / 6}));
+        QCOMPARE(weights(document::withNewMap(withTriangle(fractal)).fractal).back(), 0.25);
+        const auto pasted = document::system2(weighted({1, 0}))->maps;
+        QCOMPARE(weights(document::withMapsPasted(fractal, {}, pasted).fractal),
+                 (std::vector{0.25, 0.125, 0.125, 0.5, 0.0}));
+        QCOMPARE(weights(document::withMapsPasted(fractal, {0}, pasted).fractal),
+                 (std::vector{2.0 / 3, 0.0, 1.0 / 6, 1.0 / 6}));
+
+        document::system2(fractal)->maps[0].enabled = false; // they sum to 1/2 now
+        QCOMPARE(weights(document::withoutMaps(fractal, {2}).fractal), (std::vector{0.5, 0.25}));
+        document::system2(fractal)->maps[1].weight = 0.75;
+        QCOMPARE(weights(document::withoutMaps(fractal, {2}).fractal), (std::vector{0.5, 1.0}));
+        document::system2(fractal)->maps[1].weight.reset(); // the determinants rule
+        QCOMPARE(weights(document::withoutMaps(fractal, {2}).fractal), (std::vector{0.5, -1.0}));
+        QVERIFY(document::system2(document::withoutMaps(fractal, {0, 1, 2}).fractal)->maps.empty());
+        const document::Fractal large = weighted({3, 1});
+        QCOMPARE(weights(document::withDuplicates(large, {1}).fractal), (std::vector{3.0, 1.0, 1.0}));
+    }
+
     void weightsByRule() {
         document::Fractal fractal = maple();
-        const auto weights = [](const document::Fractal& f) {
-            std::vector<double> all;
-            for (const auto& map : document::system2(f)->maps)
-                all.push_back(map.weight.value_or(-1));
-            return all;
-        };
         const auto determinant = weights(document::withWeights(fractal, document::WeightRule::Determinant));
         const std::array expected{4.0 / 157, 1891.0 / 10205, 798.0 / 2041, 4064.0 / 10205};
         for (std::size_t i = 0; i < 4; ++i)
@@ -107,10 +125,29 @@ private slots:
         QVERIFY(qAbs(normalised[0] + normalised[1] + normalised[2] - 1) < 1e-15);
     }
 
+    void lockedWeightsStay() {
+        document::Fractal fractal = weighted({0.4, 0.4, 0.1, 0.1});
+        const auto lock = [&](std::size_t index) {
+            fractal.mapLabels.set(document::system2(fractal)->maps[index].id, {{}, true});
+        };
+        lock(0);
+        const auto equal = weights(document::withWeights(fractal, document::WeightRule::Equal));
+        QCOMPARE(equal[0], 0.4);
+        for (std::size_t i = 1; i < 4; ++i)
+            QVERIFY(qAbs(equal[i] - 0.2) < 1e-12);
+        document::system2(fractal)->maps[0].weight = 3; // leaves nothing of 1: the sum stays
+        const auto large = weights(document::withWeights(fractal, document::WeightRule::Equal));
+        QCOMPARE(large[0], 3.0);
+        QVERIFY(qAbs(large[1] - 0.2) < 1e-12);
+        for (const std::size_t index : {1, 2, 3})
+            lock(index);
+        QVERIFY(document::withWeights(fractal, document::WeightRule::Equal) == fractal);
+    }
+
     void aNewMapTakesPart() {
         const auto edit = document::withNewMap(withTriangle(maple()));
         const auto& added = document::system2(edit.fractal)->maps.back();
-        QCOMPARE(added.weight, std::optional(0.25));
+        QCOMPARE(added.weight, std::optional(0.2)); // as much as the others have now
         const auto fixed = ifs::fixedPoint(added.map);
         QVERIFY(fixed && (*fixed - ifs::Vector<2>(-1.0 / 3, 0)).norm() < 1e-12); // the middle of the triangle
     }
@@ -122,7 +159,7 @@ private slots:
         const auto added = document::withNewMap(fern);
         const auto& grown = document::system3(added.fractal)->maps;
         QCOMPARE(grown.size(), std::size_t(5));
-        QCOMPARE(grown.back().weight, std::optional(0.25));
+        QCOMPARE(grown.back().weight, std::optional(0.2));
         const auto fixed = ifs::fixedPoint(grown.back().map);
         QVERIFY(fixed && (*fixed - ifs::Vector<3>(2, 2, 2)).norm() < 1e-12); // the middle of the cage
         QCOMPARE(added.touched, std::vector{grown.back().id});
@@ -131,14 +168,14 @@ private slots:
         const auto doubled = document::withDuplicates(fern, {0, 2});
         const auto& twice = document::system3(doubled.fractal)->maps;
         QCOMPARE(twice.size(), std::size_t(6));
-        QVERIFY(twice[3].map == old[0].map && twice[4].map == old[2].map && twice[5] == old[3]);
+        QVERIFY(twice[3].map == old[0].map && twice[4].map == old[2].map && twice[5].id == old[3].id);
         QCOMPARE(doubled.touched, (std::vector{twice[3].id, twice[4].id}));
 
         document::Fractal coloured = fern;
         coloured.appearance.mapColours[old[3].id] = {1, 2, 3, 255};
         const auto less = document::withoutMaps(coloured, {1, 3});
         const auto& kept = document::system3(less.fractal)->maps;
-        QVERIFY(kept.size() == 2 && kept[0] == old[0] && kept[1] == old[2]);
+        QVERIFY(kept.size() == 2 && kept[0].id == old[0].id && kept[1].id == old[2].id);
         QVERIFY(less.fractal.appearance.mapColours.empty());
         QCOMPARE(less.touched, std::vector{old[2].id});
 
@@ -169,6 +206,20 @@ private slots:
     }
 
 private:
+    static std::vector<double> weights(const document::Fractal& fractal) {
+        std::vector<double> all;
+        for (const auto& map : document::system2(fractal)->maps)
+            all.push_back(map.weight.value_or(-1));
+        return all;
+    }
+
+    static document::Fractal weighted(const std::vector<double>& weights) {
+        document::Fractal fractal = fractalOf(numbered(int(weights.size())));
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            document::system2(fractal)->maps[i].weight = weights[i];
+        return fractal;
+    }
+
     static std::vector<Row> numbered(int count) {
         std::vector<Row> rows;
         for (int i = 0; i < count; ++i)

@@ -65,6 +65,7 @@ private slots:
     void commentsBelongToTheirEntry();
     void headStaysApart();
     void namesAreDecoded();
+    void sumsOfWeightsAreRemarks();
     void ownLinesAreRead();
     void ownLinesThatAreNotUnderstood();
     void unrelatedFormats_data();
@@ -246,6 +247,16 @@ void FractintReaderTest::namesAreDecoded() {
              QString::fromUtf8("étoile"));
     QCOMPARE(readChecked("\xe9toile {\n" + twoRows + "}\n").entries[0].fractal->name,
              QString::fromUtf8("étoile"));
+}
+
+// They are relative: a file with any sum is as good as another.
+void FractintReaderTest::sumsOfWeightsAreRemarks() {
+    const FractalFile file = readChecked("a {\n.5 0 0 .5 0 0 1\n.5 0 0 .5 .5 0 1\n}\n");
+    const auto problems = file.entries[0].problems;
+    QCOMPARE(problems.size(), 1);
+    QVERIFY(problems[0].severity == Problem::Severity::Remark);
+    QVERIFY(problems[0].message.startsWith(QStringLiteral("The weights sum to 2")));
+    QVERIFY(!document::callsForAttention(problems));
 }
 
 void FractintReaderTest::ownLinesAreRead() {

@@ -54,6 +54,19 @@ private slots:
         QCOMPARE(steps(), 2);
     }
 
+    // Their corners are muted, and no knobs turn or scale what cannot be moved.
+    void handlesShowIt() {
+        QVERIFY(scene().frames()[1].isLocked && !scene().frames()[0].isLocked);
+        m_canvas->selectMaps({system().maps[1].id});
+        QVERIFY(!scene().handles().isAnythingHeld());
+        hover(at({Kind::Vertex, 0, 1}));
+        QCOMPARE(cursor(), Qt::CrossCursor); // no hand
+        m_canvas->selectMaps({system().maps[0].id, system().maps[1].id});
+        QVERIFY(scene().handles().isAnythingHeld());
+        m_document->undoStack()->undo();
+        QVERIFY(!scene().frames()[1].isLocked);
+    }
+
     // Of a selection, the others move.
     void theOthersMove() {
         m_canvas->selectMaps({system().maps[0].id, system().maps[1].id});

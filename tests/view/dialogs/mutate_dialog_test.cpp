@@ -3,15 +3,21 @@
 
 #include "dialogs/variations/picture_tiles.h"
 #include "document/edits/entries_edits.h"
+#include "document/edits/map_locks.h"
 #include "document/variations/random_systems.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+
+#include <algorithm>
+#include <span>
+#include <vector>
 
 using view::MutateDialog;
 using view::VariationRing;
@@ -28,6 +34,8 @@ private slots:
     void whatIsInTheMiddleIsUsed();
     void aDoubleClickUsesAChild();
     void theLineLeadsBack();
+    void aLineThatIsLeftGoesOn();
+    void allMapsAreLocked();
     void nothingMayChange();
     void entriesAreCrossed();
     void closingAtOnceIsSafe();
@@ -217,6 +225,49 @@ void MutateDialogTest::theLineLeadsBack() {
     QCOMPARE(lineOf(dialog)->count(), 2); // another line
     use(dialog)->click();
     QVERIFY(document.fractal() == child(before, 11));
+}
+
+void MutateDialogTest::aLineThatIsLeftGoesOn() {
+    document::Document document;
+    const document::Fractal before = document.fractal();
+    MutateDialog::Descent left;
+    {
+        MutateDialog dialog(&document);
+        open(dialog);
+        click(dialog, ringOf(dialog).childItem(4));
+        dialog.findChild<QSpinBox*>()->setValue(6);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QCOMPARE(dialog.result(), int(QDialog::Rejected));
+        left = dialog.descent();
+    }
+    {
+        MutateDialog dialog(&document, nullptr, left);
+        QCOMPARE(lineOf(dialog)->count(), 2);
+        QCOMPARE(lineOf(dialog)->currentRow(), 1);
+        QCOMPARE(dialog.findChild<QSpinBox*>()->value(), 6);
+        use(dialog)->click();
+        QVERIFY(document.fractal() == child(before, 4));
+    }
+    const MutateDialog other(&document, nullptr, left); // the entry is another one now
+    QCOMPARE(lineOf(other)->count(), 1);
+}
+
+void MutateDialogTest::allMapsAreLocked() {
+    document::Document document;
+    std::vector<ifs::MapId> all;
+    for (const auto& map : document::system2(document.fractal())->maps)
+        all.push_back(map.id);
+    const auto says = [&document] {
+        const MutateDialog dialog(&document);
+        const auto labels = dialog.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->text().startsWith(QStringLiteral("All maps are locked"));
+        });
+    };
+    document::lockMaps(document, std::span(all).first(2), true);
+    QVERIFY(!says());
+    document::lockMaps(document, all, true);
+    QVERIFY(says());
 }
 
 void MutateDialogTest::nothingMayChange() {

@@ -10,6 +10,8 @@
 #include <QSpinBox>
 #include <QTest>
 
+#include <algorithm>
+
 using enum ifs::SymmetryGroup;
 using view::RandomDialog;
 
@@ -18,6 +20,7 @@ class RandomDialogTest : public QObject {
 
 private slots:
     void theChosenOneIsSeen();
+    void theTilesFillTheGrid();
     void theChosenOneIsAdded();
     void systemsAreAsAskedFor();
     void symmetriesFollowTheDimension();
@@ -77,7 +80,10 @@ void RandomDialogTest::theChosenOneIsSeen() {
 
     const QImage seen = grid->viewport()->grab().toImage();
     const auto stripBelow = [&](int row) {
-        const QRect tile = grid->visualItemRect(grid->item(row));
+        const QRect cell = grid->visualItemRect(grid->item(row));
+        const int side = std::min(cell.width(), cell.height());
+        QRect tile(0, 0, side, side);
+        tile.moveCenter(cell.center());
         return seen.copy(tile.left() + 8, tile.bottom() - 3, tile.width() - 16, 1);
     };
     for (int row = 0; row < RandomDialog::count; ++row) {
@@ -85,6 +91,23 @@ void RandomDialogTest::theChosenOneIsSeen() {
         const QColor wanted = grid->palette().color(row == 1 ? QPalette::Highlight : QPalette::Base);
         for (int x = 0; x < strip.width(); ++x)
             QCOMPARE(strip.pixelColor(x, 0).name(), wanted.name());
+    }
+}
+
+void RandomDialogTest::theTilesFillTheGrid() {
+    document::Document document;
+    RandomDialog dialog(&document);
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    const auto* grid = gridOf(dialog);
+    for (const QSize& more : {QSize(0, 0), QSize(300, 0), QSize(300, 300)}) {
+        dialog.resize(dialog.minimumSizeHint() + more);
+        QTRY_COMPARE(dialog.size(), dialog.minimumSizeHint() + more);
+        const auto tile = [&](int row) { return grid->visualItemRect(grid->item(row)); };
+        QTRY_VERIFY(grid->viewport()->width() - tile(3).right() < 20);
+        QCOMPARE(tile(3).top(), tile(0).top()); // four in a row
+        QVERIFY(tile(4).top() > tile(0).top());
+        QVERIFY(tile(RandomDialog::count - 1).bottom() < grid->viewport()->height());
     }
 }
 
@@ -99,6 +122,13 @@ void RandomDialogTest::theChosenOneIsAdded() {
     QCOMPARE(document.currentId(), document.file().entries[1].id);
     QVERIFY(document::isSameSystem(document.fractal(),
                                    document::randomFractal({}, std::uint64_t{RandomDialog::count} + 5)));
+    QCOMPARE(document.fractal().name, QStringLiteral("random"));
+    RandomDialog again(&document);
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(again), 60'000);
+    gridOf(again)->setCurrentRow(2);
+    again.accept();
+    QCOMPARE(document.fractal().name, QStringLiteral("random_2"));
+    document.undoStack()->undo();
     document.undoStack()->undo();
     QCOMPARE(document.file().entries.size(), 1);
 }

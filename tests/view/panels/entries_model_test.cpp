@@ -162,6 +162,8 @@ void EntriesModelTest::saysWhatIsWrong() {
     file.entries[1].fractal = std::make_shared<const document::Fractal>(unreadable);
     file.entries[1].problems = {
         {document::Problem::Severity::Error, u"e2"_s, 12, 4, u"“<1/3>” is no number."_s}};
+    file.entries[0].problems = {
+        {document::Problem::Severity::Remark, u"e1"_s, 3, 7, u"The weights sum to 2."_s}};
     document::Fractal space = *file.entries[2].fractal;
     space.shape = document::Shape<3>();
     file.entries[2].fractal = std::make_shared<const document::Fractal>(space);
@@ -170,7 +172,7 @@ void EntriesModelTest::saysWhatIsWrong() {
     Thumbnails thumbnails;
     EntriesModel model(&document, &thumbnails);
 
-    QVERIFY(!model.index(0).data(EntriesModel::SeverityRole).isValid());
+    QVERIFY(!model.index(0).data(EntriesModel::SeverityRole).isValid()); // a remark is no problem
     QCOMPARE(model.index(1).data(EntriesModel::SeverityRole).toInt(),
              static_cast<int>(document::Problem::Severity::Error));
     const QString toolTip = model.index(1).data(Qt::ToolTipRole).toString();

@@ -43,6 +43,7 @@ private slots:
     void listsAllInOrder();
     void choosingShowsTheEntry();
     void followsTheFile();
+    void remarksCallForNoAttention();
     void copies();
     void tipsAreNoMarkup();
 };
@@ -113,6 +114,20 @@ void ProblemsPanelTest::followsTheFile() {
     QCOMPARE(panel.count(), 2);
     document.undoStack()->undo();
     QCOMPARE(panel.count(), 4);
+}
+
+// They are listed, but the panel does not open for them.
+void ProblemsPanelTest::remarksCallForNoAttention() {
+    document::FractalFile file = fileWithProblems();
+    file.problems.clear();
+    file.entries[1].problems = {{Problem::Severity::Remark, u"second"_s, 21, 1, u"The weights sum to 2."_s}};
+    file.entries[2].problems.clear();
+    Document document;
+    view::ProblemsPanel panel(&document);
+    QSignalSpy counts(&panel, &view::ProblemsPanel::countChanged);
+    document.setFile(file);
+    QCOMPARE(panel.count(), 1);
+    QCOMPARE(counts.last().front().toInt(), 0);
 }
 
 void ProblemsPanelTest::copies() {

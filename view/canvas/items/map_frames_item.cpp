@@ -145,12 +145,13 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
         const CanvasPart self{Kind::Vertex, i, frame.index};
         const QPointF& at = frame.corners[i];
         if (m_focused == self) strokeFocusRing(painter, at, focusRadius, m_style);
-        const bool lit = m_hovered == self || m_pressed == self;
-        const bool numbered = frame.selected || lit;
+        const bool lit = !frame.isLocked && (m_hovered == self || m_pressed == self);
+        const bool numbered = !frame.isLocked && (frame.selected || lit);
         const double r = numbered ? radius + (lit ? 1 : 0) : dot;
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_style.core);
         painter.drawEllipse(at, r + 2, r + 2);
+        if (frame.isLocked) continue; // muted: a dark dot
         painter.setPen(QPen(m_style.rim, m_style.lineWidth));
         painter.setBrush(lit ? m_style.accent : frame.colour);
         painter.drawEllipse(at, r - 0.5, r - 0.5);

@@ -18,6 +18,7 @@ struct MapFrame {
     QColor colour;
     bool selected = false;
     bool takesPart = true;
+    bool isLocked = false; // its corners are there to be seen, not to be taken
 };
 
 const MapFrame* frameOf(const std::vector<MapFrame>& frames, int index); // by index; nullptr: none

@@ -119,6 +119,7 @@ void CanvasScene::follow(const document::Change& change) {
     }
     const bool hasPaths = !m_paths.vertices.empty() || !m_paths.maps.empty();
     if (hasPaths && change.parts & Change::Time) requestLayout(); // the neighbouring keys are others
+    if (change.parts & Change::Name) requestLayout();             // with the names, what is locked
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         requestLayout();
         m_selection.setMaps(m_selection.maps());   // those that are left
@@ -227,7 +228,7 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
         positions.assign(polygon.begin(), polygon.end());
     }
     for (const MapFrame& frame : frames())
-        if (frame.selected && positions.size() < maxAvoided)
+        if (frame.selected && !frame.isLocked && positions.size() < maxAvoided)
             positions.insert(positions.end(), frame.corners.begin(), frame.corners.end());
     if (m_handles.isAnythingHeld())
         for (const QPointF& knob : {m_gizmoLayout.pivot, m_gizmoLayout.rotate, m_gizmoLayout.scale})

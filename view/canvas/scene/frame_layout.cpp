@@ -2,6 +2,7 @@
 #include "canvas/scene/frame_layout.h"
 
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/edits/map_locks.h"
 
 #include <algorithm>
 #include <numeric>
@@ -41,6 +42,9 @@ public:
         const document::MapHandles& maps = *m_handles.maps();
         for (const std::size_t index : shown(maps))
             add(maps, index, maps.corners(index), colourOf(index), m_isSelected[index]);
+        if (!m_fractal.mapLabels.isEmpty())
+            for (MapFrame& frame : m_layout.frames)
+                frame.isLocked = document::isLocked(m_fractal, std::size_t(frame.index));
         return std::move(m_layout);
     }
 

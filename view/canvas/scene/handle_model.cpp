@@ -122,7 +122,10 @@ std::vector<ifs::Vector<2>> HandleModel::heldPoints() const {
 }
 
 bool HandleModel::isAnythingHeld() const {
-    if (m_target == HandleTarget::Maps) return m_cage && !m_selection.maps().empty();
+    if (m_target == HandleTarget::Maps)
+        return m_cage && !std::ranges::all_of(m_selection.maps(), [&](ifs::MapId map) {
+                   return m_document.fractal().mapLabels.of(map).isLocked;
+               });
     return m_target == HandleTarget::Cage || branchMap() != nullptr;
 }
 

@@ -51,7 +51,7 @@ public:
     int childCount() const;
     std::vector<ifs::Vector<2>> corners(int child) const;
     std::vector<ifs::Vector<2>> heldPoints() const;
-    bool isAnythingHeld() const;
+    bool isAnythingHeld() const; // that can be moved: not where all selected maps are locked
 
     // About which what is held turns and scales: the mean of its vertices until it is put elsewhere.
     ifs::Vector<2> pivot() const;

@@ -285,7 +285,9 @@ QCursor PolygonTool::cursor(const Pointer& pointer) const {
         m_state == State::Pressed || m_state == State::Dragging || m_state == State::MovingPivot;
     if (held) return cursorFor(m_part, Holding::Yes);
     if (m_state == State::Selecting) return cursorFor({}, Holding::No);
-    return cursorFor(m_scene.partAt(pointer.position, pointer.reach), Holding::No);
+    const CanvasPart part = m_scene.partAt(pointer.position, pointer.reach);
+    const MapFrame* frame = frameOf(m_scene.frames(), part.map);
+    return cursorFor(frame && frame->isLocked ? CanvasPart() : part, Holding::No);
 }
 
 void PolygonTool::walk(int step) {

@@ -2,6 +2,7 @@
 #include "dialogs/variations/mutate_dialog.h"
 
 #include "dialogs/variations/sheet_maker.h"
+#include "document/edits/map_locks.h"
 #include "widgets/tooltip_text.h"
 #include "widgets/vertical_scroll_area.h"
 
@@ -28,9 +29,19 @@ constexpr int controlsWidth = 230;
 constexpr int resizePause = 150; // ms
 constexpr quint64 partnerKey = quint64{1} << 40;
 
+bool areAllLocked(const document::Fractal& fractal) {
+    const document::System2* plane = document::system2(fractal);
+    const document::System3* space = document::system3(fractal);
+    const std::size_t count = plane ? plane->maps.size() : space ? space->maps.size() : 0;
+    return count > 0 && document::lockedMaps(fractal).size() == count;
+}
+
 } // namespace
 
 MutateDialog::MutateDialog(document::Document* document, QWidget* parent)
+    : MutateDialog(document, parent, Descent()) {}
+
+MutateDialog::MutateDialog(document::Document* document, QWidget* parent, const Descent& left)
     : QDialog(parent),
       m_document(document),
       m_line{{document->sharedFractal(), 1, {}}},
@@ -72,7 +83,7 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent)
     connect(m_sheet, &SheetMaker::drawn, this, &MutateDialog::showChild);
     connect(m_large, &Thumbnails::ready, this, &MutateDialog::showParent);
     connect(m_small, &Thumbnails::ready, this, &MutateDialog::showLine);
-    addToLine(0);
+    startFrom(left);
     redraw();
     makeSheet();
     m_ring->setFocus();
@@ -258,6 +269,18 @@ void MutateDialog::goTo(int generation) {
     makeSheet();
 }
 
+void MutateDialog::startFrom(const Descent& left) {
+    if (!left.line.empty() && *left.line.front().fractal == *middle()) {
+        m_line = left.line;
+        m_generation = left.middle;
+    }
+    for (int generation = 0; generation < int(m_line.size()); ++generation)
+        addToLine(generation);
+    const QSignalBlocker quiet(m_descent), still(m_seed);
+    m_descent->setCurrentRow(m_generation);
+    m_seed->setValue(m_line[std::size_t(m_generation)].seed);
+}
+
 void MutateDialog::addToLine(int generation) {
     const QSignalBlocker quiet(m_descent);
     m_descent->addItem(generation == 0 ? tr("Original") : QString::number(generation));
@@ -314,9 +337,15 @@ void MutateDialog::redraw() {
 
 void MutateDialog::follow() {
     m_use->setEnabled(m_generation > 0);
-    m_hint->setText(mutation().may.anything()
-                        ? tr("Click a picture to make it the new parent.")
-                        : tr("Nothing may change: there are no variations. Tick at least one of the boxes."));
+    const document::Mutation wanted = mutation();
+    if (!wanted.may.anything())
+        m_hint->setText(tr("Nothing may change: there are no variations. Tick at least one of the boxes."));
+    else if (areAllLocked(*middle()) && !wanted.partner)
+        m_hint->setText(
+            tr("All maps are locked and keep their weights: the variations differ only in colours "
+               "and, now and then, in a map that is added. Many are like their parent."));
+    else
+        m_hint->setText(tr("Click a picture to make it the new parent."));
 }
 
 void MutateDialog::accept() {

@@ -32,19 +32,26 @@ class MutateDialog : public QDialog {
 public:
     static constexpr int count = VariationRing::count;
 
-    explicit MutateDialog(document::Document* document, QWidget* parent = nullptr);
-    ~MutateDialog() override;
-
-    void accept() override; // what is in the middle becomes the document's
-
-private:
     using FractalPointer = Thumbnails::FractalPointer;
     struct Generation {
         FractalPointer fractal;
         int seed = 1; // of the sheet that it was left with
         QPixmap seen; // its picture, in whatever size
     };
+    struct Descent {
+        std::vector<Generation> line; // the entry first
+        int middle = 0;
+    };
 
+    explicit MutateDialog(document::Document* document, QWidget* parent = nullptr);
+    // Goes on with a descent that was left, if it is that of the entry as it is now.
+    MutateDialog(document::Document* document, QWidget* parent, const Descent& left);
+    ~MutateDialog() override;
+
+    void accept() override; // what is in the middle becomes the document's
+    Descent descent() const { return {m_line, m_generation}; }
+
+private:
     QLayout* createLine();
     QLayout* createControls();
     void addChanges(QFormLayout* form);
@@ -55,6 +62,7 @@ private:
     void makeSheet(); // from the seed, in the background
     void take(int child);
     void goTo(int generation);
+    void startFrom(const Descent& left);
     void addToLine(int generation);
     void showChild(int child);
     void showParent();

@@ -8,24 +8,28 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace view {
 
 namespace {
 
-constexpr int side = 132; // of a picture
+constexpr int side = 132; // of a picture, at least
 constexpr int cell = side + 2 * PictureTiles::margin;
 constexpr int columns = 4;
+constexpr int slack = 8;         // of a row, or the last tile goes to the next one
+constexpr int resizePause = 150; // ms
 constexpr int usualOrder = 5;
 
 } // namespace
@@ -59,6 +63,7 @@ RandomDialog::RandomDialog(document::Document* document, QWidget* parent)
     connect(m_grid, &QListWidget::itemSelectionChanged, this, [this] { m_add->setEnabled(chosen() >= 0); });
     connect(m_sheet, &SheetMaker::made, this, &RandomDialog::showPicture);
     connect(m_sheet, &SheetMaker::drawn, this, &RandomDialog::showPicture);
+    connect(&m_resized, &QTimer::timeout, this, &RandomDialog::redraw);
     m_dimension->setCurrentIndex(document::dimension(document->fractal()) == 3 ? 1 : 0);
     chooseDimension();
     connect(m_dimension, &QComboBox::currentIndexChanged, this, &RandomDialog::chooseDimension);
@@ -83,9 +88,36 @@ void RandomDialog::createGrid() {
     m_grid->setMouseTracking(true);
     m_grid->setIconSize({side, side});
     m_grid->setGridSize({cell, cell});
-    const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_grid);
-    m_grid->setMinimumSize(columns * cell + 2 * m_grid->frameWidth() + scrollBar + 8,
-                           count / columns * cell + 2 * m_grid->frameWidth() + 8);
+    m_grid->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // or the layout keeps room for them
+    m_grid->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_grid->setMinimumSize(columns * cell + 2 * m_grid->frameWidth() + slack,
+                           count / columns * cell + 2 * m_grid->frameWidth() + slack);
+    m_grid->viewport()->installEventFilter(this);
+    m_resized.setSingleShot(true);
+    m_resized.setInterval(resizePause);
+}
+
+bool RandomDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_grid->viewport() && event->type() == QEvent::Resize) fitTiles();
+    return QDialog::eventFilter(watched, event);
+}
+
+void RandomDialog::fitTiles() {
+    const QSize room = m_grid->viewport()->size() - QSize(slack, slack);
+    const QSize tile(std::max(cell, room.width() / columns),
+                     std::max(cell, room.height() / (count / columns)));
+    if (tile == m_grid->gridSize()) return;
+    m_grid->setGridSize(tile);
+    for (int i = 0; i < m_grid->count(); ++i)
+        m_grid->item(i)->setSizeHint(tile);
+    m_resized.start();
+}
+
+void RandomDialog::redraw() {
+    const QSize tile = m_grid->gridSize();
+    m_sheet->setSide(std::min(tile.width(), tile.height()) - 2 * PictureTiles::margin, devicePixelRatioF());
+    for (int i = 0; i < m_grid->count(); ++i)
+        showPicture(i);
 }
 
 void RandomDialog::createControls(QGridLayout* layout) {
@@ -193,7 +225,11 @@ void RandomDialog::makeSheet() {
 void RandomDialog::showPicture(int index) {
     if (!m_sheet->fractal(index)) return;
     m_grid->item(index)->setData(Qt::AccessibleTextRole, tr("Fractal %1").arg(index + 1));
-    PictureTiles::show(m_grid->model(), m_grid->model()->index(index, 0), m_sheet->picture(index));
+    const QModelIndex tile = m_grid->model()->index(index, 0);
+    Thumbnail picture = m_sheet->picture(index);
+    if (picture.pixmap.isNull() && picture.state == Thumbnail::State::Pending)
+        picture.pixmap = PictureTiles::shown(tile).pixmap; // in the size before
+    PictureTiles::show(m_grid->model(), tile, picture);
     m_add->setEnabled(chosen() >= 0);
 }
 
@@ -205,8 +241,10 @@ int RandomDialog::chosen() const {
 
 void RandomDialog::accept() {
     if (chosen() < 0) return;
+    document::Fractal taken = *m_sheet->fractal(chosen());
+    taken.name = QStringLiteral("random"); // its seed says nothing in the file
     document::Entry entry;
-    entry.fractal = m_sheet->fractal(chosen());
+    entry.fractal = std::make_shared<const document::Fractal>(std::move(taken));
     const document::Inserted added = inserted(m_document->file(), {entry}, m_document->currentId());
     m_document->editFile(tr("Add Random Fractal"), added.file, added.ids.value(0));
     QDialog::accept();

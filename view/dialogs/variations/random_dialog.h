@@ -5,6 +5,7 @@
 #include "document/variations/random_systems.h"
 
 #include <QDialog>
+#include <QTimer>
 
 class QComboBox;
 class QGridLayout;
@@ -29,6 +30,9 @@ public:
 
     void accept() override; // adds the chosen one
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void createGrid();
     void createControls(QGridLayout* layout);
@@ -39,10 +43,13 @@ private:
     void chooseSymmetry();
     void makeSheet(); // from the seed, in the background
     void showPicture(int index);
+    void fitTiles();    // to the room there is
+    void redraw();      // in the size there is now
     int chosen() const; // −1: none
 
     document::Document* m_document;
     SheetMaker* m_sheet;
+    QTimer m_resized;
     QListWidget* m_grid;
     QComboBox* m_dimension;
     QComboBox* m_maps;

@@ -21,11 +21,11 @@ using document::EntryId;
 using document::FractalFile;
 
 std::optional<document::Problem::Severity> worst(const document::Problems& problems) {
-    if (problems.isEmpty()) return std::nullopt;
-    const bool error = std::any_of(problems.begin(), problems.end(), [](const document::Problem& problem) {
-        return problem.severity == document::Problem::Severity::Error;
-    });
-    return error ? document::Problem::Severity::Error : document::Problem::Severity::Warning;
+    using enum document::Problem::Severity;
+    auto severity = Remark;
+    for (const document::Problem& problem : problems)
+        severity = std::max(severity, problem.severity);
+    return severity == Remark ? std::nullopt : std::optional(severity);
 }
 
 std::size_t mapCount(const document::Fractal& fractal) {

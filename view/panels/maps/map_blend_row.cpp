@@ -122,7 +122,11 @@ void MapBlendRow::follow() {
     if (isHidden()) return;
     const int row = rowOfMap();
     setEnabled(row >= 0);
-    if (row < 0) return;
+    if (row < 0) {
+        for (NumberField* field : {m_coordinate, m_speed})
+            if (!field->isEdited()) field->clear();
+        return m_swatch->clear();
+    }
     const attractor::MapBlend blend = blendOf(fractal, row);
     m_coordinate->setValue(blend.coordinate);
     m_speed->setValue(blend.speed);

@@ -152,11 +152,17 @@ void MapShapeEditor::follow() {
     m_title->setText(row < 0            ? tr("No map is selected")
                      : locked.isEmpty() ? tr("Map %1").arg(name)
                                         : tr("Map %1, locked").arg(name));
-    if (row < 0) return;
+    if (row < 0) return clear();
     if (isSpace)
         show(*document::system3(fractal));
     else
         show(*document::system2(fractal));
+}
+
+void MapShapeEditor::clear() {
+    for (const Form& form : m_forms)
+        for (NumberField* field : form.fields)
+            if (!field->isEdited()) field->clear();
 }
 
 template <int Dim> void MapShapeEditor::show(const ifs::IteratedFunctionSystem<Dim>& system) {

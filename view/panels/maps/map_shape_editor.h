@@ -73,6 +73,7 @@ private:
     Form& formOf(int dimension) { return m_forms.at(static_cast<std::size_t>(dimension - 2)); }
     template <int Dim> Shapes<Dim>& shapes() { return std::get<Shapes<Dim>>(m_shapes); }
     void follow();
+    void clear();
     template <int Dim> void show(const ifs::IteratedFunctionSystem<Dim>& system);
     void edit(int dimension, int part, double value);
     template <int Dim> void change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value);

@@ -19,8 +19,10 @@ constexpr int narrowest = 30; // of a number column
 constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
-constexpr int shortestName = 48, longestName = 110;
+constexpr int longestName = 110;
+constexpr int shortestName = 8; // characters of a longer one
 constexpr int minDecimals = 2;
+constexpr int minDecimalsByNames = 3; // 0.123: four digits; then the table scrolls
 
 } // namespace
 
@@ -42,6 +44,10 @@ int MapsColumns::widthOf(int column) const {
                      m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
 }
 
+int MapsColumns::shortestNameWidth() const {
+    return shortestName * m_table->fontMetrics().averageCharWidth() + 8;
+}
+
 // Whether there is a scroll bar must not depend on the widths that depend on it: it always has its room.
 int MapsColumns::available() const {
     return m_table->width() - 2 * m_table->frameWidth() - m_table->verticalHeader()->sizeHint().width() -
@@ -52,24 +58,25 @@ void MapsColumns::fit() {
     m_table->setColumnWidth(MapsModel::Enabled, eye);
     m_table->setColumnWidth(MapsModel::Lock, lock);
     m_table->setColumnWidth(MapsModel::Colour, picture);
-    int room = available();
     const bool isNamed = !m_table->isColumnHidden(MapsModel::Name);
-    if (isNamed) room -= shortestName;
+    const int wantedName = isNamed ? std::min(widthOf(MapsModel::Name), longestName) : 0;
+    const int name = std::min(wantedName, shortestNameWidth());
+    const int room = available() - name;
     const int codeEnd = m_model->columnOf(MapsModel::Weight) + 1;
     std::vector<int> code(std::size_t(codeEnd - MapsModel::A)); // coefficients and weight
     std::iota(code.begin(), code.end(), int(MapsModel::A));
     std::vector<int> widths(code.size());
-    for (int decimals = maxDecimals; decimals >= (isNamed ? minDecimals - 1 : minDecimals); --decimals) {
+    int decimals = maxDecimals;
+    for (; decimals >= (isNamed ? minDecimalsByNames : minDecimals); --decimals) {
         m_model->limitDecimals(decimals);
         std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
-    // What is left is for the digits and signs that come up in a drag.
+    // What is left is for longer names, if all digits are there, then for those that come up in a drag.
     int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
-    if (isNamed) { // and for names that are longer
-        const int wanted = std::clamp(widthOf(MapsModel::Name), shortestName, longestName) - shortestName;
-        const int given = std::min(wanted, left / 2);
-        m_table->setColumnWidth(MapsModel::Name, shortestName + given);
+    if (isNamed) {
+        const int given = decimals == maxDecimals ? std::min(wantedName - name, left) : 0;
+        m_table->setColumnWidth(MapsModel::Name, name + given);
         left -= given;
     }
     for (std::size_t i = 0; i < code.size(); ++i)

@@ -7,8 +7,9 @@ class QTableView;
 
 namespace view {
 
-// The widths of the columns of the table of maps. Code and weight fit the width of the table, with fewer
-// decimals where there is no room for all; further columns are scrolled to.
+// The widths of the columns of the table of maps. Code and weight fit the width of the table: names become
+// shorter first, then the numbers have fewer decimals. Beside names they keep four digits, and what does not
+// fit then is scrolled to, as further columns are.
 class MapsColumns : public QObject {
     Q_OBJECT
 
@@ -22,6 +23,7 @@ protected:
 
 private:
     int widthOf(int column) const;
+    int shortestNameWidth() const;
     int available() const;
 
     QTableView* m_table;

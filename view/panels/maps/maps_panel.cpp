@@ -30,6 +30,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <numeric>
 
 namespace view {
 
@@ -234,14 +235,10 @@ QWidget* MapsPanel::makeTable() {
     connect(m_model, &QAbstractItemModel::modelReset, this, &MapsPanel::restoreSelection);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         updateActions();
-        m_shape->setMap(m_model->idAt(selectedRows().empty() ? -1 : m_table->currentIndex().row()));
+        showDetails();
         emit selectionChanged();
     });
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            [this](const QModelIndex& current) {
-                m_shape->setMap(m_model->idAt(current.row()));
-                showFacts();
-            });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &MapsPanel::showDetails);
     connect(m_table, &QWidget::customContextMenuRequested, this, &MapsPanel::showMenu);
     new FocusShortcuts(m_table);
     return m_table;
@@ -327,7 +324,7 @@ void MapsPanel::follow(const document::Change& change) {
         updateActions();
     followNames(change);
     if (!change.live) m_columns->fit();
-    showFacts();
+    showDetails();
 }
 
 // Names are shown where there are any.
@@ -341,16 +338,15 @@ void MapsPanel::followNames(const document::Change& change) {
         toggle->setChecked(false);
 }
 
-void MapsPanel::showFacts() {
-    const int row = m_table->currentIndex().row();
-    const auto text = [&](MapsModel::Column column, int role = Qt::DisplayRole) {
-        return m_model->index(row, m_model->columnOf(column)).data(role).toString();
-    };
-    m_facts->setText(row < 0 ? QString()
-                             : tr("det %1    ‖A‖ %2    %3")
-                                   .arg(text(MapsModel::Determinant), text(MapsModel::Contraction),
-                                        text(MapsModel::Kind)));
-    m_facts->setToolTip(row < 0 ? QString() : text(MapsModel::Kind, Qt::ToolTipRole));
+// Of the current map, as far as it is selected.
+void MapsPanel::showDetails() {
+    const document::Rows rows = selectedRows();
+    const int current = m_table->currentIndex().row();
+    const int shown = rows.empty() ? -1 : std::ranges::binary_search(rows, current) ? current : rows.front();
+    m_shape->setMap(m_model->idAt(shown));
+    m_facts->setText(factsText(*m_model, shown, int(rows.size())));
+    m_facts->setToolTip(
+        m_model->index(shown, m_model->columnOf(MapsModel::Kind)).data(Qt::ToolTipRole).toString());
 }
 
 void MapsPanel::updateNotice() {
@@ -573,6 +569,10 @@ void MapsPanel::toggleSolo() {
 
 void MapsPanel::applyWeights(document::WeightRule rule) {
     if (m_model->rowCount() == 0) return;
+    document::Rows rows(std::size_t(m_model->rowCount()));
+    std::iota(rows.begin(), rows.end(), 0);
+    if (document::lockedMaps(m_document->fractal()).size() == rows.size())
+        return emit message(document::lockObstacle(m_document->fractal(), rows));
     m_weighing->start([rule](const document::Fractal& fractal) { return withWeights(fractal, rule); },
                       [this, rule](std::optional<document::Fractal> weighed) {
                           m_document->edit(tr("Weights: %1").arg(ruleName(rule)), *std::move(weighed));

@@ -62,7 +62,7 @@ public:
 
 signals:
     void message(const QString& text); // a sentence for the status bar
-    void symmetryChosen(); // the attractor may have another size now
+    void symmetryChosen();             // the attractor may have another size now
     void selectionChanged();
     void mapPointed(ifs::MapId id);  // at its row; None: at none
     void soloChanged(ifs::MapId id); // the map to show alone; None: all of them
@@ -86,7 +86,7 @@ private:
     void hideColumns(Columns group, bool hidden);
     void updateActions();
     void updateNotice();
-    void showFacts();
+    void showDetails();
     void applyEdit(const QString& text, document::MapsEdit edit);
     void moveRowTo(int from, int to);
     void moveSelection(int before);

@@ -43,10 +43,20 @@ void MapsRowHeader::leaveEvent(QEvent* event) {
     QHeaderView::leaveEvent(event);
 }
 
+// All rows have the same, which is asked for many of them at a time.
 QSize MapsRowHeader::sectionSizeFromContents(int row) const {
-    const QSize size = QHeaderView::sectionSizeFromContents(row);
-    const int digits = fontMetrics().horizontalAdvance(QString::number(count()));
-    return {digits + 26, size.height()};
+    if (m_sizedCount != count() || m_sizedFont != font()) {
+        m_sizedCount = count();
+        m_sizedFont = font();
+        const int digits = fontMetrics().horizontalAdvance(QString::number(count()));
+        m_size = {digits + 26, QHeaderView::sectionSizeFromContents(row).height()};
+    }
+    return m_size;
+}
+
+void MapsRowHeader::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::StyleChange) m_sizedCount = -1;
+    QHeaderView::changeEvent(event);
 }
 
 void MapsRowHeader::paintSection(QPainter* painter, const QRect& area, int row) const {

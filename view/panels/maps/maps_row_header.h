@@ -22,9 +22,14 @@ protected:
     QSize sectionSizeFromContents(int row) const override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void putBack(int row, int from, int to);
+
+    mutable QSize m_size; // of each section, for so many rows and this font
+    mutable int m_sizedCount = -1;
+    mutable QFont m_sizedFont;
 };
 
 } // namespace view

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_texts.h"
 
+#include "panels/maps/maps_model.h"
+
 #include <QCoreApplication>
 
 namespace view {
@@ -72,6 +74,20 @@ QString tableWhatsThis(int dimension) {
                      "start typing to change it; the picture follows every keystroke. Drag the number of a "
                      "row "
                      "to move it.");
+}
+
+QString factsText(const MapsModel& model, int row, int selected) {
+    if (row < 0)
+        return model.rowCount() > 0 ? OfPanel::tr("Select a map to see and edit it here.") : QString();
+    const auto text = [&](MapsModel::Column column) {
+        return model.index(row, model.columnOf(column)).data().toString();
+    };
+    const QString facts =
+        OfPanel::tr("det %1    ‖A‖ %2    %3")
+            .arg(text(MapsModel::Determinant), text(MapsModel::Contraction), text(MapsModel::Kind));
+    return selected < 2 ? facts
+                        : OfPanel::tr("Map %1 only, of %2 selected    %3")
+                              .arg(QString::number(row + 1), QString::number(selected), facts);
 }
 
 } // namespace view

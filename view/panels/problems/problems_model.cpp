@@ -106,6 +106,11 @@ QList<ProblemsModel::Row> ProblemsModel::collect() const {
     return rows;
 }
 
+int ProblemsModel::attentionCount() const {
+    return int(std::ranges::count_if(
+        m_rows, [](const Row& row) { return document::callsForAttention(row.problem); }));
+}
+
 void ProblemsModel::refresh() {
     QList<Row> rows = collect();
     if (rows == m_rows) return;

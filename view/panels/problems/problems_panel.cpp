@@ -105,7 +105,7 @@ void ProblemsPanel::updateCount() {
                            ? found + QLatin1Char(' ') + tr("Text that could not be read is kept unchanged.")
                            : tr("No problems: every entry was read."));
     m_summary->setAlignment(count() > 0 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
-    emit countChanged(count());
+    emit countChanged(m_model->attentionCount());
 }
 
 } // namespace view

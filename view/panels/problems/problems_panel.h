@@ -26,7 +26,7 @@ public slots:
     void copySelected(); // one "file:line:column: severity: sentence" per line; without a selection, all
 
 signals:
-    void countChanged(int count);
+    void countChanged(int count); // of those that call for attention
 
 private:
     void createActions();
