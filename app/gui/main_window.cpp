@@ -42,6 +42,7 @@
 #include "saved_views_menu.h"
 #include "snapshot_commands.h"
 #include "stage.h"
+#include "status_connections.h"
 #include "status_line.h"
 #include "view_menu.h"
 #include "widgets/draggable_names.h"
@@ -113,11 +114,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_status->addPermanentWidget(zoom);
     m_viewMenu->savedViews()->serve(zoom);
     connect(m_stage, &Stage::switched, zoom, [this, zoom] { zoom->setVisible(!m_stage->showsSpace()); });
-    const auto showRotation = [this] {
-        m_status->showRotation(m_stage->showsSpace() ? 0 : m_canvas->navigation().rotation());
-    };
-    connect(&m_canvas->navigation(), &view::CanvasNavigation::cameraChanged, m_status, showRotation);
-    connect(m_stage, &Stage::switched, m_status, showRotation);
+    connectStatus(m_status, m_stage, m_bridge, m_solid);
     connectDocument();
     view::explainByTips(this);
     view::makeNamesDraggable(this);
@@ -381,17 +378,6 @@ void MainWindow::connectDocument() {
     connect(&m_recovery, &Recovery::cannotKeep, this,
             [this](const QString& sentence) { m_messages->fail(tr("Recovery Unavailable"), sentence); });
     connect(&m_recovery, &Recovery::lateChanged, m_status, &StatusLine::showRecovery);
-    connect(m_canvas, &view::CanvasView::pointerMoved, m_status, &StatusLine::showPointer);
-    connect(m_canvas, &view::CanvasView::pointerLeft, m_status, &StatusLine::clearPointer);
-    const view::SpaceView* space = m_stage->space();
-    connect(space, &view::SpaceView::pointerMoved, m_status, &StatusLine::showSpacePointer);
-    connect(space, &view::SpaceView::pointerLeft, m_status, &StatusLine::clearPointer);
-    connect(m_solid, &view::SolidBridge::frameChanged, m_status, [this] {
-        if (m_solid->frame()) m_status->showTime(m_solid->frame()->milliseconds);
-    });
-    connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
-        if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
-    });
     addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
