@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -35,6 +36,7 @@ private slots:
     void theFileIsNotSavedMeanwhile();
     void lessonsAreSavedAndOpened();
     void unsavedStepsAreAskedFor();
+    void fractalsThatAreGoneAreFound();
     void filesThatCannotBePlayed();
     void entriesAndCagesMayBeGone();
     void readyMadeLessonsTakeAWindowOfTheirOwn();
@@ -317,6 +319,37 @@ void LessonTest::unsavedStepsAreAskedFor() {
     answer(QMessageBox::Discard);
     m_window->close();
     QVERIFY(!m_window->isVisible());
+}
+
+void LessonTest::fractalsThatAreGoneAreFound() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.lesson"_s);
+    const QString renamed = folder.filePath(u"renamed.ifs"_s);
+    write(renamed, "a {\n .5 0 0 .5 0 0 1\n}\n");
+    write(path, "lesson: a\nfile: gone.ifs\n\n## One\n\nText.\n");
+    QVERIFY(!m_window->openPath(path));
+    QPushButton* find = nullptr;
+    for (auto* button : m_window->findChildren<QPushButton*>())
+        if (button->text() == u"&Find…"_s) find = button;
+    QVERIFY(find);
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, this, [&] {
+        auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!files) return;
+        answering.stop();
+        files->selectFile(renamed);
+        QMetaObject::invokeMethod(files, "accept");
+    });
+    answering.start(50);
+    find->click();
+    QTRY_COMPARE(m_window->path(), renamed);
+    QTRY_COMPARE(notebook()->lesson().file, u"renamed.ifs"_s);
+    QVERIFY(notebook()->isModified() && !document().isModified());
+    action(u"Save Lesson…"_s)->trigger();
+    QVERIFY(!notebook()->isModified());
+    QFile saved(path);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("file: renamed.ifs\n"));
 }
 
 void LessonTest::filesThatCannotBePlayed() {
