@@ -249,6 +249,15 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
     box->open();
 }
 
+void LessonCommands::recover(const QByteArray& lesson, const QString& path) {
+    io::LessonFile read = io::readLesson(lesson);
+    if (read.lesson.steps.isEmpty()) return;
+    m_filePath = m_file->path();
+    m_notebook->open(std::move(read.lesson), path);
+    m_notebook->history()->resetClean(); // it is not saved yet
+    showPanel();
+}
+
 void LessonCommands::showBuiltIn(const QString& name) {
     const QString language = view::Preferences::stored().language;
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);

@@ -27,6 +27,7 @@ public:
 
     bool open(const QString& path); // the lesson and its file; reports what failed
     bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
+    void recover(const QByteArray& lesson, const QString& path); // of a window that is gone; empty: none
     void showBuiltIn(const QString& name); // in the language of the user, where there is such a text
 
     // The lessons that come with the program, as actions; `window` makes the window for one of them.

@@ -277,6 +277,7 @@ void MainWindow::createLesson() {
     findChild<QDockWidget*>(QStringLiteral("maps"))->raise(); // what becomes a tab takes the front
     m_lessons->setDock(lesson);
     m_lessons->setFiles(m_fileCommands, &m_file);
+    m_recovery.follow(&m_lessons->notebook());
     m_lessons->addBuiltIn(m_lessons->addMenu(tr("&Ready-Made Lessons")), [] {
         auto* window = new MainWindow;
         window->show();
@@ -441,6 +442,7 @@ void MainWindow::openRecovered(const document::Abandoned& abandoned) {
     if (!recovered)
         return m_messages->say(tr("%1 was not recovered. Barycage will offer it again at the next start.")
                                    .arg(abandoned.snapshot.title));
+    m_lessons->recover(abandoned.snapshot.lesson, abandoned.snapshot.lessonPath);
     m_recovery.takeOver(abandoned);
     m_messages->say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
     if (const io::Failure& failure = *recovered)
