@@ -183,7 +183,6 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
 void MainWindow::createPanels() {
     auto* entries = new view::EntriesPanel(&m_document);
     auto* collection = new view::CollectionPanel;
-    auto* problems = new view::ProblemsPanel(&m_document);
     auto* maps = new view::MapsPanel(&m_document);
     auto* cage = new view::CagePanel(&m_document);
     auto* appearance = new view::AppearancePanel(&m_document);
@@ -218,9 +217,7 @@ void MainWindow::createPanels() {
     tabifyDockWidget(previous, exportsDock);
     exports::connectPanel(exportsDock, m_messages);
     mapsDock->raise();
-    QDockWidget* problemsDock =
-        dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
-    problemsDock->hide();
+    createProblems();
 
     connectMaps(maps, m_canvas, m_stage, m_document, m_messages);
     connect(entries, &view::EntriesPanel::message, m_messages, &WindowMessages::say);
@@ -231,6 +228,15 @@ void MainWindow::createPanels() {
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
+    connectCollection(collection,
+                      {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
+}
+
+void MainWindow::createProblems() {
+    auto* problems = new view::ProblemsPanel(&m_document);
+    QDockWidget* problemsDock =
+        dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
+    problemsDock->hide();
     connect(problems, &view::ProblemsPanel::countChanged, problemsDock, [this, problemsDock](int count) {
         const bool appears = count > 0 && problemsDock->isHidden();
         problemsDock->setVisible(count > 0);
@@ -238,8 +244,6 @@ void MainWindow::createPanels() {
     });
     connect(&m_file, &OpenFile::pathChanged, problems,
             [this, problems] { problems->setFileName(m_file.name()); });
-    connectCollection(collection,
-                      {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
 }
 
 void MainWindow::createCollage(QDockWidget* neighbour) {
