@@ -53,7 +53,7 @@ QSize ExportsDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
     const bool isWrapped = view && State(index.data(ExportsModel::StateRole).toInt()) == State::Failed;
     const QFontMetrics small(smaller(option.font));
-    const int width = view ? view->viewport()->width() - 3 * padding - badgeSide : 0;
+    const int width = view ? view->viewport()->width() - 3 * padding - badgeSide - 2 : 0;
     const int second = isWrapped
                            ? wrappedHeight(small, index.data(ExportsModel::SentenceRole).toString(), width)
                            : small.height();
