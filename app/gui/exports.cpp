@@ -62,8 +62,9 @@ bool mayEnd(QWidget* window) {
     QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"),
                     Text::tr("%n exports are still in the queue.", nullptr, count), QMessageBox::Cancel,
                     window);
-    box.setInformativeText(Text::tr("They go on when you start Barycage the next time. Close it now?"));
-    const QPushButton* close = box.addButton(Text::tr("Close"), QMessageBox::AcceptRole);
+    box.setInformativeText(
+        Text::tr("They go on when you start Barycage the next time. Close it now?", nullptr, count));
+    const QPushButton* close = box.addButton(Text::tr("&Close"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
     return box.clickedButton() == close;

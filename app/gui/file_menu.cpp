@@ -89,6 +89,7 @@ void FileMenu::addPictures() {
          tr("Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet")},
         [this] {
             auto* dialog = new view::HandoutDialog(context().document, context().window);
+            if (!m_file->path().isEmpty()) dialog->setName(QFileInfo(m_file->path()).completeBaseName());
             dialog->setAttribute(Qt::WA_DeleteOnClose);
             dialog->open();
         });

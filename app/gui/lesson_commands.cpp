@@ -5,7 +5,6 @@
 #include "file_commands.h"
 #include "io/file/background.h"
 #include "io/fractint/fractint_reader.h"
-#include "io/lesson/lesson_reader.h"
 #include "io/lesson/lesson_writer.h"
 #include "open_file.h"
 #include "panels/lesson/lesson_panel.h"
@@ -16,6 +15,7 @@
 #include "widgets/save_beside.h"
 #include "widgets/wait_for.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
@@ -23,6 +23,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QScopedValueRollback>
 
 namespace {
@@ -44,7 +45,9 @@ QByteArray resource(const QString& name) {
 
 struct Reading {
     bool isOrdinary = false; // else it is not read
-    io::Loaded loaded;
+    io::Failure failure;
+    io::LessonFile lesson;   // when there is no failure
+    bool isFileGone = false; // that of its fractals
 };
 
 QFuture<Reading> readBeside(const QString& path) {
@@ -52,7 +55,13 @@ QFuture<Reading> readBeside(const QString& path) {
         Reading reading;
         const QFileInfo info(path);
         reading.isOrdinary = info.isFile() || !info.exists();
-        if (reading.isOrdinary) reading.loaded = io::loadFile(path);
+        if (reading.isOrdinary) {
+            const io::Loaded loaded = io::loadFile(path);
+            reading.failure = loaded.failure;
+            if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
+            const QString& fractals = reading.lesson.lesson.file;
+            reading.isFileGone = !fractals.isEmpty() && !QFileInfo::exists(info.dir().filePath(fractals));
+        }
         promise.addResult(std::move(reading));
     });
 }
@@ -161,8 +170,7 @@ bool LessonCommands::isUnused() const {
            m_notebook->isEmpty() && !m_player->isPlaying();
 }
 
-bool LessonCommands::adopt(const QString& path, const QString& name, const QByteArray& bytes) {
-    io::LessonFile read = io::readLesson(bytes);
+bool LessonCommands::adopt(const LessonPlace& place, const QString& name, io::LessonFile read) {
     const auto fail = [&](const QString& sentence) {
         context().messages->fail(tr("%1 could not be opened").arg(name), sentence);
         return false;
@@ -171,14 +179,16 @@ bool LessonCommands::adopt(const QString& path, const QString& name, const QByte
     if (read.lesson.file.isEmpty())
         return fail(tr("The lesson names no file of fractals in its folder (“file: name.ifs”)."));
     const QScopedValueRollback<bool> opening(m_isOpening, true);
-    if (path.isEmpty()) {
+    if (place.lesson.isEmpty()) {
         m_file->startFrom(io::readFractint(resource(read.lesson.file)), document::EntryId::None);
-    } else if (!m_commands->open(QFileInfo(path).dir().filePath(read.lesson.file))) {
-        return false;
+    } else {
+        const QString beside = QFileInfo(place.lesson).dir().filePath(read.lesson.file);
+        if (!m_commands->open(place.fractals.isEmpty() ? beside : place.fractals)) return false;
     }
     m_filePath = m_file->path();
     const document::Problems problems = read.problems;
-    m_notebook->open(std::move(read.lesson), path);
+    m_notebook->open(std::move(read.lesson), place.lesson);
+    if (!place.fractals.isEmpty()) m_notebook->moveTo(QFileInfo(place.fractals).fileName());
     if (!problems.isEmpty()) context().messages->say(document::toText(problems.first(), name));
     return true;
 }
@@ -189,20 +199,63 @@ bool LessonCommands::open(const QString& path) {
     const QPointer<LessonCommands> self(this);
     if (!view::waitFor(QFuture<void>(work), tr("Reading “%1”…").arg(name), m_parts.window)) return false;
     if (!self) return false;
-    const Reading reading = work.takeResult();
-    io::Failure failure = reading.loaded.failure;
+    Reading reading = work.takeResult();
+    io::Failure failure = reading.failure;
     if (!reading.isOrdinary) failure = tr("“%1” is not an ordinary file and cannot be opened.").arg(name);
     if (failure) {
         context().messages->fail(tr("%1 could not be opened").arg(name), *failure);
         return false;
     }
-    if (!adopt(path, name, reading.loaded.bytes)) return false;
-    recent_files::add(path);
-    if (m_dock) {
-        m_dock->show();
-        m_dock->raise();
+    if (reading.isFileGone && !reading.lesson.lesson.steps.isEmpty()) {
+        offerToFind(path, std::move(reading.lesson));
+        return false;
     }
+    if (!adopt({path, {}}, name, std::move(reading.lesson))) return false;
+    recent_files::add(path);
+    showPanel();
     return true;
+}
+
+void LessonCommands::showPanel() {
+    if (!m_dock) return;
+    m_dock->show();
+    m_dock->raise();
+}
+
+// The file of its fractals is not there: perhaps it has another name now, or is elsewhere.
+void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
+    const QString name = QFileInfo(path).fileName();
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, QApplication::applicationDisplayName(),
+                        tr("%1 could not be opened").arg(name) + u'.', QMessageBox::Cancel, m_parts.window);
+    box->setInformativeText(tr("The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps "
+                               "it has been renamed or moved.")
+                                .arg(lesson.lesson.file));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* find = box->addButton(tr("&Find…"), QMessageBox::AcceptRole);
+    box->setDefaultButton(find);
+    const auto choose = [this, path, lesson = std::move(lesson)] {
+        const QPointer<LessonCommands> self(this);
+        const QString found =
+            view::chooseFileToOpen(m_parts.window, tr("Find “%1”").arg(lesson.lesson.file),
+                                   tr("Fractint collections (*.ifs *.par)"), QFileInfo(path).path());
+        if (found.isEmpty() || !self || !adopt({path, found}, QFileInfo(path).fileName(), lesson)) return;
+        recent_files::add(path);
+        showPanel();
+        context().messages->say(tr("The lesson belongs to %1 now. Save the lesson to keep it so.")
+                                    .arg(QFileInfo(found).fileName()));
+    };
+    connect(find, &QPushButton::clicked, this, choose, Qt::QueuedConnection); // when the question has gone
+    box->open();
+}
+
+void LessonCommands::recover(const QByteArray& lesson, const QString& path) {
+    io::LessonFile read = io::readLesson(lesson);
+    if (read.lesson.steps.isEmpty()) return;
+    m_filePath = m_file->path();
+    m_notebook->open(std::move(read.lesson), path);
+    m_notebook->history()->resetClean(); // it is not saved yet
+    showPanel();
 }
 
 void LessonCommands::showBuiltIn(const QString& name) {
@@ -210,7 +263,7 @@ void LessonCommands::showBuiltIn(const QString& name) {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QByteArray bytes = resource(name + u'.' + locale.name().section(u'_', 0, 0) + QStringLiteral(".lesson"));
     if (bytes.isEmpty()) bytes = resource(name + QStringLiteral(".lesson"));
-    if (adopt({}, name, bytes)) m_player->play(m_notebook->lesson(), 0);
+    if (adopt({}, name, io::readLesson(bytes))) m_player->play(m_notebook->lesson(), 0);
 }
 
 void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window) {
@@ -293,8 +346,7 @@ void LessonCommands::addStep() {
     if (m_player->isPlaying()) return;
     m_notebook->addStep(lessonState(m_parts));
     if (!m_dock) return;
-    m_dock->show();
-    m_dock->raise();
+    showPanel();
     context().messages->say(
         tr("Step %1 has the state of the window. Write its text.").arg(m_notebook->current() + 1));
 }

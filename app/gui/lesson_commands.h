@@ -2,6 +2,7 @@
 #pragma once
 
 #include "action_menu.h"
+#include "io/lesson/lesson_reader.h"
 #include "lesson_player.h"
 #include "panels/lesson/lesson_notebook.h"
 
@@ -26,6 +27,7 @@ public:
 
     bool open(const QString& path); // the lesson and its file; reports what failed
     bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
+    void recover(const QByteArray& lesson, const QString& path); // of a window that is gone; empty: none
     void showBuiltIn(const QString& name); // in the language of the user, where there is such a text
 
     // The lessons that come with the program, as actions; `window` makes the window for one of them.
@@ -37,7 +39,13 @@ public:
 private:
     void createActions();
     void connectPanel();
-    bool adopt(const QString& path, const QString& name, const QByteArray& bytes);
+    struct LessonPlace {
+        QString lesson;   // its path; empty for one that comes with the program
+        QString fractals; // their path, when it is not the one that the lesson names
+    };
+    bool adopt(const LessonPlace& place, const QString& name, io::LessonFile read);
+    void offerToFind(const QString& path, io::LessonFile lesson);
+    void showPanel();
     bool save();
     bool saveTo(const QString& path);
     void addStep();

@@ -42,6 +42,7 @@
 #include "saved_views_menu.h"
 #include "snapshot_commands.h"
 #include "stage.h"
+#include "status_connections.h"
 #include "status_line.h"
 #include "view_menu.h"
 #include "widgets/draggable_names.h"
@@ -113,11 +114,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_status->addPermanentWidget(zoom);
     m_viewMenu->savedViews()->serve(zoom);
     connect(m_stage, &Stage::switched, zoom, [this, zoom] { zoom->setVisible(!m_stage->showsSpace()); });
-    const auto showRotation = [this] {
-        m_status->showRotation(m_stage->showsSpace() ? 0 : m_canvas->navigation().rotation());
-    };
-    connect(&m_canvas->navigation(), &view::CanvasNavigation::cameraChanged, m_status, showRotation);
-    connect(m_stage, &Stage::switched, m_status, showRotation);
+    connectStatus(m_status, m_stage, m_bridge, m_solid);
     connectDocument();
     view::explainByTips(this);
     view::makeNamesDraggable(this);
@@ -186,7 +183,6 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
 void MainWindow::createPanels() {
     auto* entries = new view::EntriesPanel(&m_document);
     auto* collection = new view::CollectionPanel;
-    auto* problems = new view::ProblemsPanel(&m_document);
     auto* maps = new view::MapsPanel(&m_document);
     auto* cage = new view::CagePanel(&m_document);
     auto* appearance = new view::AppearancePanel(&m_document);
@@ -221,9 +217,7 @@ void MainWindow::createPanels() {
     tabifyDockWidget(previous, exportsDock);
     exports::connectPanel(exportsDock, m_messages);
     mapsDock->raise();
-    QDockWidget* problemsDock =
-        dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
-    problemsDock->hide();
+    createProblems();
 
     connectMaps(maps, m_canvas, m_stage, m_document, m_messages);
     connect(entries, &view::EntriesPanel::message, m_messages, &WindowMessages::say);
@@ -234,6 +228,15 @@ void MainWindow::createPanels() {
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
+    connectCollection(collection,
+                      {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
+}
+
+void MainWindow::createProblems() {
+    auto* problems = new view::ProblemsPanel(&m_document);
+    QDockWidget* problemsDock =
+        dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
+    problemsDock->hide();
     connect(problems, &view::ProblemsPanel::countChanged, problemsDock, [this, problemsDock](int count) {
         const bool appears = count > 0 && problemsDock->isHidden();
         problemsDock->setVisible(count > 0);
@@ -241,8 +244,6 @@ void MainWindow::createPanels() {
     });
     connect(&m_file, &OpenFile::pathChanged, problems,
             [this, problems] { problems->setFileName(m_file.name()); });
-    connectCollection(collection,
-                      {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
 }
 
 void MainWindow::createCollage(QDockWidget* neighbour) {
@@ -280,6 +281,7 @@ void MainWindow::createLesson() {
     findChild<QDockWidget*>(QStringLiteral("maps"))->raise(); // what becomes a tab takes the front
     m_lessons->setDock(lesson);
     m_lessons->setFiles(m_fileCommands, &m_file);
+    m_recovery.follow(&m_lessons->notebook());
     m_lessons->addBuiltIn(m_lessons->addMenu(tr("&Ready-Made Lessons")), [] {
         auto* window = new MainWindow;
         window->show();
@@ -382,17 +384,6 @@ void MainWindow::connectDocument() {
     connect(&m_recovery, &Recovery::cannotKeep, this,
             [this](const QString& sentence) { m_messages->fail(tr("Recovery Unavailable"), sentence); });
     connect(&m_recovery, &Recovery::lateChanged, m_status, &StatusLine::showRecovery);
-    connect(m_canvas, &view::CanvasView::pointerMoved, m_status, &StatusLine::showPointer);
-    connect(m_canvas, &view::CanvasView::pointerLeft, m_status, &StatusLine::clearPointer);
-    const view::SpaceView* space = m_stage->space();
-    connect(space, &view::SpaceView::pointerMoved, m_status, &StatusLine::showSpacePointer);
-    connect(space, &view::SpaceView::pointerLeft, m_status, &StatusLine::clearPointer);
-    connect(m_solid, &view::SolidBridge::frameChanged, m_status, [this] {
-        if (m_solid->frame()) m_status->showTime(m_solid->frame()->milliseconds);
-    });
-    connect(m_bridge, &view::RenderBridge::frameChanged, m_status, [this] {
-        if (m_bridge->frame()) m_status->showFrame(*m_bridge->frame());
-    });
     addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
@@ -456,6 +447,7 @@ void MainWindow::openRecovered(const document::Abandoned& abandoned) {
     if (!recovered)
         return m_messages->say(tr("%1 was not recovered. Barycage will offer it again at the next start.")
                                    .arg(abandoned.snapshot.title));
+    m_lessons->recover(abandoned.snapshot.lesson, abandoned.snapshot.lessonPath);
     m_recovery.takeOver(abandoned);
     m_messages->say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
     if (const io::Failure& failure = *recovered)

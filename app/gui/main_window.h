@@ -68,6 +68,7 @@ private:
     void createPanels();
     void createTimeline();
     void createLesson();
+    void createProblems();
     void createCollage(QDockWidget* neighbour);
     void createConstructionBar();
     void createOptionsBar();

@@ -3,6 +3,8 @@
 
 #include "io/file/background.h"
 #include "io/fractint/fractint_writer.h"
+#include "io/lesson/lesson_writer.h"
+#include "panels/lesson/lesson_notebook.h"
 #include "widgets/wait_for.h"
 
 #include <QDir>
@@ -29,15 +31,15 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
         if (change.parts & Change::Time && !(change.parts & Change::File)) return; // no edit
-        const Time now = std::chrono::steady_clock::now();
-        m_oldest = m_wasModified ? std::min(m_oldest, now) : now;
-        m_wasModified = m_document->isModified();
-        keepSoon();
-        watch();
+        noteChange();
     });
     connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
-        m_wasModified = !clean;
-        if (clean) discard();
+        m_wasModified = isModified();
+        if (!clean) return;
+        if (m_wasModified) // the lesson still is
+            noteChange();
+        else
+            discard();
     });
     m_writer.setMaxThreadCount(1);
 }
@@ -46,19 +48,42 @@ Recovery::~Recovery() {
     m_writer.waitForDone();
 }
 
+void Recovery::follow(const view::LessonNotebook* lesson) {
+    m_lesson = lesson;
+    connect(lesson, &view::LessonNotebook::changed, this, [this] {
+        if (isModified() || m_wasModified) noteChange();
+    });
+}
+
+bool Recovery::isModified() const {
+    return m_document->isModified() || (m_lesson && m_lesson->isModified() && !m_lesson->isEmpty());
+}
+
+void Recovery::noteChange() {
+    const Time now = std::chrono::steady_clock::now();
+    m_oldest = m_wasModified ? std::min(m_oldest, now) : now;
+    m_wasModified = isModified();
+    keepSoon();
+    watch();
+}
+
 // Not put off by further changes: a long drag is kept along the way. What takes long begins early.
 void Recovery::keepSoon() {
     if (!m_timer.isActive()) m_timer.start(std::clamp(1800ms - 3 * m_lastTook / 2, 100ms, 1000ms));
 }
 
 void Recovery::keepNow() {
-    if (m_isGivenUp || !m_document->isModified()) return discard();
+    if (m_isGivenUp || !isModified()) return discard();
     document::Snapshot snapshot{m_file->path(),
                                 m_file->name(),
                                 int(document::indexOf(m_document->file(), m_document->currentId())),
                                 QDateTime::currentDateTimeUtc(),
                                 {},
                                 m_file->digest()};
+    if (m_lesson && m_lesson->isModified() && !m_lesson->isEmpty()) {
+        snapshot.lesson = io::writeLesson(m_lesson->lesson());
+        snapshot.lessonPath = m_lesson->path();
+    }
     m_writing << std::exchange(m_oldest, never);
     m_writer.start([this, snapshot, file = m_document->file(), old = m_takenOver]() mutable {
         const auto began = std::chrono::steady_clock::now();
@@ -88,7 +113,7 @@ void Recovery::watch() {
     constexpr auto promised = 2s;
     const Time oldest = m_writing.isEmpty() ? m_oldest : std::min(m_oldest, m_writing.first());
     const auto left = oldest == never ? promised : promised - (std::chrono::steady_clock::now() - oldest);
-    const bool isLate = left <= 0s && m_document->isModified();
+    const bool isLate = left <= 0s && isModified();
     if (left > 0s && oldest != never)
         m_watch.start(std::chrono::ceil<std::chrono::milliseconds>(left));
     else
@@ -108,7 +133,7 @@ void Recovery::giveUp() {
 }
 
 void Recovery::report(bool kept) {
-    if (!kept && m_document->isModified()) keepSoon(); // until it works
+    if (!kept && isModified()) keepSoon(); // until it works
     if (std::exchange(m_kept, kept) && !kept)
         emit cannotKeep(tr("Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or "
                            "the disk is full. Save often.")

@@ -12,6 +12,10 @@
 #include <chrono>
 #include <optional>
 
+namespace view {
+class LessonNotebook;
+}
+
 // Keeps a window's unsaved work in a journal, at most two seconds behind, until it is saved or given up. When
 // the disk is too slow for that, or full, or the file too large, it says so.
 class Recovery : public QObject {
@@ -21,6 +25,8 @@ public:
     Recovery(document::Document* document, const OpenFile* file, QObject* parent);
 
     ~Recovery() override; // when all is written
+
+    void follow(const view::LessonNotebook* lesson); // its unsaved steps, too. It lives longer
 
     // The document now holds this work of another process, which is forgotten once it is kept here, saved or
     // discarded.
@@ -40,6 +46,8 @@ private:
     using Time = std::chrono::steady_clock::time_point;
     static constexpr Time never = Time::max();
 
+    bool isModified() const;
+    void noteChange();
     void keepSoon();
     void keepNow(); // without waiting for the next change. Disks may be slow: another thread writes
     void discard();
@@ -50,6 +58,7 @@ private:
 
     document::Document* m_document;
     const OpenFile* m_file;
+    const view::LessonNotebook* m_lesson = nullptr;
     document::Journal m_journal; // used by the thread alone
     QThreadPool m_writer;        // of one thread, so that all happens in its order
     QTimer m_timer;

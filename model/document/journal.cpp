@@ -24,6 +24,13 @@ namespace {
 const char magic[] = "barycage-journal 1\n";
 constexpr qint64 maxJournal = 512LL << 20; // bytes; larger files are not ours
 
+QByteArray digestOf(const Snapshot& snapshot) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(snapshot.bytes);
+    hash.addData(snapshot.lesson);
+    return hash.result().toHex();
+}
+
 std::optional<Snapshot> readJournal(const QString& path) {
     if (!QFileInfo(path).isFile()) return std::nullopt; // a pipe may never come to an end
     QFile file(path);
@@ -35,15 +42,18 @@ std::optional<Snapshot> readJournal(const QString& path) {
 } // namespace
 
 QByteArray recoveryFile(const Snapshot& snapshot) {
-    const QJsonObject header{
+    QJsonObject header{
         {QStringLiteral("path"), snapshot.path},
         {QStringLiteral("title"), snapshot.title},
         {QStringLiteral("current"), snapshot.current},
         {QStringLiteral("when"), snapshot.when.toUTC().toString(Qt::ISODateWithMs)},
         {QStringLiteral("base"), QString::fromLatin1(snapshot.base.toHex())},
-        {QStringLiteral("sha256"),
-         QString::fromLatin1(QCryptographicHash::hash(snapshot.bytes, QCryptographicHash::Sha256).toHex())},
+        {QStringLiteral("sha256"), QString::fromLatin1(digestOf(snapshot))},
     };
+    if (!snapshot.lesson.isEmpty()) {
+        header[QStringLiteral("lesson")] = QString::fromUtf8(snapshot.lesson);
+        header[QStringLiteral("lesson-path")] = snapshot.lessonPath;
+    }
     return magic + QJsonDocument(header).toJson(QJsonDocument::Compact) + '\n' + snapshot.bytes;
 }
 
@@ -60,8 +70,9 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     snapshot.when = QDateTime::fromString(header[QLatin1String("when")].toString(), Qt::ISODateWithMs);
     snapshot.base = QByteArray::fromHex(header[QLatin1String("base")].toString().toLatin1());
     snapshot.bytes = data.mid(end + 1);
-    const QByteArray digest = QCryptographicHash::hash(snapshot.bytes, QCryptographicHash::Sha256).toHex();
-    if (header[QLatin1String("sha256")].toString() != QLatin1String(digest)) return std::nullopt;
+    snapshot.lesson = header[QLatin1String("lesson")].toString().toUtf8();
+    snapshot.lessonPath = header[QLatin1String("lesson-path")].toString();
+    if (header[QLatin1String("sha256")].toString() != QLatin1String(digestOf(snapshot))) return std::nullopt;
     return snapshot;
 }
 
@@ -115,7 +126,8 @@ QList<Abandoned> abandonedSnapshots(const QString& folder) {
     for (qsizetype i = found.size(); i-- > 1;)
         if (std::any_of(found.begin(), found.begin() + i, [&](const Abandoned& newer) {
                 return newer.snapshot.path == found[i].snapshot.path &&
-                       newer.snapshot.bytes == found[i].snapshot.bytes;
+                       newer.snapshot.bytes == found[i].snapshot.bytes &&
+                       newer.snapshot.lesson == found[i].snapshot.lesson;
             })) {
             forget(found[i]);
             found.removeAt(i);

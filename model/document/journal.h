@@ -16,12 +16,14 @@ namespace document {
 
 // What is needed to offer a window's unsaved work again.
 struct Snapshot {
-    QString path;     // of the file it came from; empty when it never had one
-    QString title;    // what the window was called
-    int current = 0;  // index of the entry that was shown
-    QDateTime when;   // UTC
-    QByteArray bytes; // the whole file as it would have been saved
-    QByteArray base;  // digest of what the file at `path` held when it was opened or saved
+    QString path;         // of the file it came from; empty when it never had one
+    QString title;        // what the window was called
+    int current = 0;      // index of the entry that was shown
+    QDateTime when;       // UTC
+    QByteArray bytes;     // the whole file as it would have been saved
+    QByteArray base;      // digest of what the file at `path` held when it was opened or saved
+    QByteArray lesson{};  // as it would have been saved; empty when none is unsaved
+    QString lessonPath{}; // empty when it never had one
 
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };

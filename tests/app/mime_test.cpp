@@ -14,6 +14,7 @@ private slots:
     void initTestCase();
     void byName();
     void byContent();
+    void lessons();
     void otherTextsAreLeftAlone_data();
     void otherTextsAreLeftAlone();
 
@@ -50,6 +51,25 @@ void MimeTest::byContent() {
     for (const char* text : {"fern {; Barnsley\r\n 0 0 0 .16 0 0 .01\r\n .85 .04 -.04 .85 0 1.6 .99 }\r\n",
                              "a {\n-0.5 0 0 .5 0 0 .5\n0.5 0 0 .5 1 0 .5\n}\n", "a { ; barycage: 1\n}\n"})
         QCOMPARE(database.mimeTypeForData(QByteArray(text)).name(), m_type);
+}
+
+void MimeTest::lessons() {
+    const QMimeDatabase database;
+    const QString type = QStringLiteral("application/x-barycage-lesson");
+    QVERIFY(database.mimeTypeForName(type).inherits(QStringLiteral("text/plain")));
+    QCOMPARE(database.mimeTypeForFile(QStringLiteral("My.lesson"), QMimeDatabase::MatchExtension).name(),
+             type);
+    const QDir folder(support::sourcePath(QStringLiteral("resources/lessons")));
+    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.lesson")})) {
+        QFile file(info.filePath());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(database.mimeTypeForData(file.readAll()).name(), type);
+    }
+    QVERIFY(database.mimeTypeForData(QByteArray("lesson: plan for Monday\nRead chapter 3.\n")).name() !=
+            type);
+    QFile desktop(support::sourcePath(QStringLiteral("resources/linux/barycage.desktop.in")));
+    QVERIFY(desktop.open(QIODevice::ReadOnly));
+    QVERIFY(desktop.readAll().contains("\nMimeType=" + m_type.toUtf8() + ';' + type.toUtf8() + ";\n"));
 }
 
 void MimeTest::otherTextsAreLeftAlone_data() {

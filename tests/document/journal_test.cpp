@@ -28,6 +28,7 @@ private slots:
     void damagedJournalsAreIgnored();
     void damagedJournalsAreSetAside();
     void onlyTheOwnerMayRead();
+    void anUnsavedLessonIsKeptAlong();
     void aPipeIsNotWaitedFor();
     void aFolderThatMayNotBeWrittenIsSaid();
     void withoutRoomTheLastSnapshotStays();
@@ -55,6 +56,16 @@ QStringList journalsIn(const QString& folder) {
 } // namespace
 
 // A file that may not grow is the nearest thing to a full disk that a test can have.
+void JournalTest::anUnsavedLessonIsKeptAlong() {
+    Snapshot kept = snapshot("a");
+    QVERIFY(!document::recoveryFile(kept).contains("lesson")); // as in earlier versions
+    kept.lesson = "lesson: Ferns\n\n## One\n\nWhat is “self-similar”?\n";
+    kept.lessonPath = QStringLiteral("/somewhere/ferns.lesson");
+    const QByteArray file = document::recoveryFile(kept);
+    QVERIFY(document::snapshotIn(file) == kept);
+    QVERIFY(!document::snapshotIn(QByteArray(file).replace("One", "Two"))); // damaged
+}
+
 void JournalTest::withoutRoomTheLastSnapshotStays() {
     const QTemporaryDir folder;
     Snapshot last = snapshot("kept");

@@ -14,7 +14,14 @@ namespace view {
 
 namespace {
 
-constexpr double maxPlain = 1e5; // percent
+constexpr double maxPlain = 1e6; // percent: above, powers of ten are shorter
+constexpr double minGrouped = 1e4;
+
+// Digits may stand in groups, as they are shown.
+std::optional<double> typedPercent(QString text) {
+    text.removeIf([](QChar letter) { return letter == u'%' || letter.isSpace(); });
+    return typedNumber(text);
+}
 
 } // namespace
 
@@ -53,8 +60,9 @@ void ZoomBox::setViews(const QStringList& names) {
 
 QString ZoomBox::textOf(double factor) {
     const double percent = 100 * factor;
-    if (percent >= maxPlain || percent < 0.01) return tr("%1 %").arg(QString::number(percent, 'g', 3));
-    return tr("%1 %").arg(shortNumber(QString::number(percent, 'g', percent < 1000 ? 3 : 4).toDouble()));
+    const double rounded = QString::number(percent, 'g', percent < 1000 ? 3 : 4).toDouble();
+    if (rounded >= maxPlain || percent < 0.01) return tr("%1 %").arg(QString::number(percent, 'g', 3));
+    return tr("%1 %").arg(rounded < minGrouped ? shortNumber(rounded) : groupedNumber(rounded));
 }
 
 void ZoomBox::choose(int index) {
@@ -70,7 +78,7 @@ void ZoomBox::choose(int index) {
 
 // With or without the percent sign; what is no number changes nothing.
 void ZoomBox::takeText() {
-    const auto percent = typedNumber(QString(lineEdit()->text()).remove(u'%').trimmed());
+    const auto percent = typedPercent(lineEdit()->text());
     if (percent && *percent > 0) m_canvas->navigation().setZoom(*percent / 100);
     m_canvas->setFocus();
     showZoom();

@@ -61,6 +61,7 @@ bool CanvasInput::needsKey(const QKeyEvent& event) const {
 }
 
 bool CanvasInput::gesture(const QNativeGestureEvent& event) {
+    m_reported = event.position();
     if (event.gestureType() == Qt::ZoomNativeGesture)
         m_navigation.zoomAt(event.position(), std::max(0.1, 1 + event.value()));
     else if (event.gestureType() == Qt::RotateNativeGesture)
@@ -119,6 +120,7 @@ bool CanvasInput::touch(const QTouchEvent& event) {
 }
 
 void CanvasInput::turnWheel(const QWheelEvent& event) {
+    m_reported = event.position(); // perhaps it has not moved since it came
     if ((event.modifiers() & turning) == turning) {
         m_navigation.rotateAt(event.position(), notchTurn * wheelAngle(event) / notch);
         return;

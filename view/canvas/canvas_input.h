@@ -41,8 +41,7 @@ public:
     bool cancelGesture();                                            // false when none was under way
     QCursor cursor() const;
     void reportPointer() { reportAt(m_pointer.position); } // as pointerMoved()
-    void reportAt(const QPointF& position);
-    void reportAgain(); // where it was last reported, when more is known of it
+    void reportAgain(); // where it was last reported: more is known of it, or the plane has moved under it
 
 signals:
     void pointerMoved(const view::PointerPosition& position);
@@ -53,6 +52,7 @@ private:
     enum class Holding { Nothing, Tool, Plane };
 
     bool canvasKey(const QKeyEvent& event);
+    void reportAt(const QPointF& position);
     void twist(const QNativeGestureEvent& event);
     void updateModifiers(Qt::KeyboardModifiers modifiers);
 

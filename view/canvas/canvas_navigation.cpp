@@ -17,8 +17,13 @@ namespace {
 
 constexpr double unitPixels = 100; // of one unit of the plane at 100 %
 constexpr double fitMargin = 0.09;
-constexpr double minShare = 0.5; // of the size that the attractor has alone
+constexpr double minShare = 0.5;  // of the size that the attractor has alone, with all of the cage
+constexpr double minCorner = 0.8; // the same with one corner, where all of the cage would take too much
 constexpr std::chrono::milliseconds fitPatience{12};
+
+document::Box with(const document::Box& box, const ifs::Vector<2>& point) {
+    return {box.min.cwiseMin(point), box.max.cwiseMax(point)};
+}
 
 } // namespace
 
@@ -65,21 +70,23 @@ void CanvasNavigation::fit() {
 }
 
 void CanvasNavigation::fitTo(const std::optional<document::Box>& attractor) {
+    const auto& cage = m_scene.handles().cage();
     std::optional<document::Box> all = attractor;
-    if (const auto& cage = m_scene.handles().cage())
-        for (const ifs::Vector<2>& vertex : cage->current) {
-            if (!all) all = document::Box{vertex, vertex};
-            all->min = all->min.cwiseMin(vertex);
-            all->max = all->max.cwiseMax(vertex);
-        }
+    if (cage)
+        for (const ifs::Vector<2>& vertex : cage->current)
+            all = all ? with(*all, vertex) : document::Box{vertex, vertex};
     if (!all) all = document::Box{ifs::Vector<2>(-1, -1), ifs::Vector<2>(1, 1)};
-    attractor::Camera fitted = attractor::fitted(camera(), all->min, all->max, fitMargin);
-    if (attractor) {
-        const attractor::Camera alone =
-            attractor::fitted(camera(), attractor->min, attractor->max, fitMargin);
-        if (fitted.pixelsPerUnit < minShare * alone.pixelsPerUnit) fitted = alone;
+    const auto fitted = [this](const document::Box& box) {
+        return attractor::fitted(camera(), box.min, box.max, fitMargin);
+    };
+    if (!attractor) return setCamera(fitted(*all));
+    const double alone = fitted(*attractor).pixelsPerUnit;
+    if (cage && fitted(*all).pixelsPerUnit < minShare * alone) {
+        all = attractor;
+        for (const ifs::Vector<2>& vertex : cage->current)
+            if (fitted(with(*attractor, vertex)).pixelsPerUnit >= minCorner * alone) all = with(*all, vertex);
     }
-    setCamera(fitted);
+    setCamera(fitted(*all));
 }
 
 void CanvasNavigation::zoomAt(const QPointF& position, double factor) {

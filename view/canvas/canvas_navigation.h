@@ -26,8 +26,8 @@ public:
     void moveTo(const attractor::Camera& camera); // by the user: it stays so when the window changes its size
     void adoptViewport();                         // its size and pixel ratio
 
-    // The attractor into the view, and the cage where that makes the attractor hardly smaller. That of many
-    // maps may come into view a little later.
+    // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
+    // those of its corners that lie just outside. That of many maps may come into view a little later.
     void fit();
     bool isFitted() const { return m_isFitted; }
     void zoomBy(double factor); // about the middle

@@ -111,7 +111,8 @@ void CanvasView::connectParts() {
     connect(&m_tools, &Toolbox::definingRefused, this, &CanvasView::offerReset);
     connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
     connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
-    connect(&m_navigation, &CanvasNavigation::zoomed, &m_input, &CanvasInput::reportAt);
+    connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
+            Qt::QueuedConnection); // all else has followed then
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
     connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasView::refreshCursor);
     connect(&m_input, &CanvasInput::pointerMoved, this, &CanvasView::pointerMoved);

@@ -137,23 +137,17 @@ public:
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override {
         const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
-        const bool isBeside = button && !button->text.isEmpty() &&
-                              (button->toolButtonStyle == Qt::ToolButtonTextBesideIcon ||
-                               button->toolButtonStyle == Qt::ToolButtonTextOnly);
-        if (control != CC_ToolButton || !isBeside ||
-            !button->features.testFlag(QStyleOptionToolButton::HasMenu) ||
-            button->features.testFlag(QStyleOptionToolButton::MenuButtonPopup)) {
+        if (control != CC_ToolButton || !button || !hasArrowBeside(*button)) {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
             return;
         }
         QStyleOptionToolButton plain = *button;
         plain.features.setFlag(QStyleOptionToolButton::HasMenu, false);
         QProxyStyle::drawComplexControl(control, &plain, painter, widget);
-        constexpr int side = 8, margin = 3;
         QStyleOption arrow = *button;
-        arrow.rect = visualRect(
-            button->direction, button->rect,
-            {button->rect.right() - side - margin + 1, button->rect.center().y() - side / 2 + 1, side, side});
+        arrow.rect = visualRect(button->direction, button->rect,
+                                {button->rect.right() - arrowSide - arrowMargin + 1,
+                                 button->rect.center().y() - arrowSide / 2 + 1, arrowSide, arrowSide});
         proxy()->drawPrimitive(PE_IndicatorArrowDown, &arrow, painter, widget);
     }
 
@@ -163,6 +157,9 @@ public:
         constexpr int gap = 6;
         const QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
         const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+        if (const auto* tool = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+            type == CT_ToolButton && tool && hasArrowBeside(*tool))
+            return size + QSize(arrowSide + arrowMargin + gap, 0);
         const bool hasMenu =
             type == CT_PushButton && button && button->features.testFlag(QStyleOptionButton::HasMenu);
         return hasMenu ? size + QSize(gap, 0) : size;
@@ -185,6 +182,17 @@ public:
     }
 
 private:
+    static constexpr int arrowSide = 8, arrowMargin = 3;
+
+    // Of a menu, beside the text.
+    static bool hasArrowBeside(const QStyleOptionToolButton& button) {
+        const bool isBeside = button.toolButtonStyle == Qt::ToolButtonTextBesideIcon ||
+                              button.toolButtonStyle == Qt::ToolButtonTextOnly;
+        return isBeside && !button.text.isEmpty() &&
+               button.features.testFlag(QStyleOptionToolButton::HasMenu) &&
+               !button.features.testFlag(QStyleOptionToolButton::MenuButtonPopup);
+    }
+
     // A button that is on: Fusion makes it a shade darker, which is not seen beside one that is off.
     static void paintOn(const QStyleOption& option, QPainter& painter) {
         const QColor button = option.palette.color(QPalette::Button);

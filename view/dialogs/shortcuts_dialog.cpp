@@ -34,8 +34,8 @@ void addLine(QTreeWidget* tree, const QString& title, const QStringList& line) {
     item->setToolTip(0, tooltipText(line.front())); // cut off on a narrow screen
 }
 
-void addGestures(QTreeWidget* tree) {
-    const QList<QStringList> onCanvas{
+QList<QStringList> onCanvas() {
+    return {
         {ShortcutsDialog::tr("Move a vertex, an edge, the whole cage"), ShortcutsDialog::tr("drag it")},
         {ShortcutsDialog::tr("Rotate about the pivot"),
          ShortcutsDialog::tr("Ctrl + drag, or the round handle")},
@@ -65,7 +65,10 @@ void addGestures(QTreeWidget* tree) {
         {ShortcutsDialog::tr("Pan"), ShortcutsDialog::tr("middle drag, or Space + drag")},
         {ShortcutsDialog::tr("Play or stop the animation"), ShortcutsDialog::tr("Space")},
     };
-    const QList<QStringList> onGradient{
+}
+
+QList<QStringList> onGradient() {
+    return {
         {ShortcutsDialog::tr("Select another stop"),
          ShortcutsDialog::tr("Page Up, Page Down, Home, End, or Ctrl + Left, Right")},
         {ShortcutsDialog::tr("Move the stop"), ShortcutsDialog::tr("Left, Right; Shift ×10")},
@@ -75,7 +78,10 @@ void addGestures(QTreeWidget* tree) {
          ShortcutsDialog::tr("Enter or Space, or double-click it")},
         {ShortcutsDialog::tr("Cancel the change"), ShortcutsDialog::tr("Esc")},
     };
-    const QList<QStringList> onTimeline{
+}
+
+QList<QStringList> onTimeline() {
+    return {
         {ShortcutsDialog::tr("Move the playhead"), ShortcutsDialog::tr("drag in the ruler, or Left, Right")},
         {ShortcutsDialog::tr("Previous or next key"), ShortcutsDialog::tr("Ctrl + Left, Right")},
         {ShortcutsDialog::tr("First or last frame"), ShortcutsDialog::tr("Home, End")},
@@ -91,11 +97,14 @@ void addGestures(QTreeWidget* tree) {
         {ShortcutsDialog::tr("Choose how a key leads to the next"), ShortcutsDialog::tr("right-click it")},
         {ShortcutsDialog::tr("Zoom the ruler"), ShortcutsDialog::tr("Ctrl + wheel")},
     };
-    for (const QStringList& line : onCanvas)
+}
+
+void addGestures(QTreeWidget* tree) {
+    for (const QStringList& line : onCanvas())
         addLine(tree, ShortcutsDialog::tr("On the canvas"), line);
-    for (const QStringList& line : onTimeline)
+    for (const QStringList& line : onTimeline())
         addLine(tree, ShortcutsDialog::tr("In the timeline"), line);
-    for (const QStringList& line : onGradient)
+    for (const QStringList& line : onGradient())
         addLine(tree, ShortcutsDialog::tr("On the strip of the gradient"), line);
 }
 

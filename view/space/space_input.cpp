@@ -366,6 +366,7 @@ void SpaceInput::wheel(const QWheelEvent& event) {
 void SpaceInput::leave() {
     m_hovered.reset();
     m_pointer = {-1, -1};
+    m_isPointRead = false;
     emit pointerLeft();
     emit changed();
 }
@@ -550,8 +551,8 @@ Qt::CursorShape SpaceInput::cursor() const {
 }
 
 void SpaceInput::report(const QPointF& position) {
-    const auto cage = document::space(m_document->fractal());
-    if (!cage) return;
+    if (!document::space(m_document->fractal())) return;
+    m_isPointRead = true;
     SpacePosition at;
     const attractor::OrbitCamera& camera = m_navigation.camera();
     const auto point = m_navigation.pointUnder(position);
@@ -569,6 +570,7 @@ void SpaceInput::report(const QPointF& position) {
 }
 
 void SpaceInput::reportDirection() {
+    m_isPointRead = false;
     SpacePosition at;
     at.world = m_navigation.camera().target;
     at.unitsPerPixel = 1 / pixelsPerUnit(m_navigation.camera());

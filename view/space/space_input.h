@@ -55,6 +55,9 @@ public:
     void handleDoubleClick(const QMouseEvent& event);
     void wheel(const QWheelEvent& event);
     void leave();
+    void reportAgain() { // when the camera or the picture under the pointer is another one
+        if (m_isPointRead && isIdle()) report(m_pointer);
+    }
     bool needsKey(const QKeyEvent& event) const; // more than the shortcuts of the window
     bool keyPress(const QKeyEvent& event);       // false when it means nothing here
     void keyRelease(const QKeyEvent& event);
@@ -144,7 +147,8 @@ private:
     SliceItem& m_slice;
     AxisBall& m_ball;
     std::variant<std::monostate, Orbiting, Panning, Dragging, Slicing> m_gesture;
-    QPointF m_pointer;
+    QPointF m_pointer{-1, -1};  // when it is elsewhere
+    bool m_isPointRead = false; // what was reported last is under the pointer
     std::optional<std::size_t> m_hovered;
     std::optional<std::size_t> m_focused;
     std::optional<std::size_t> m_face; // hovered or held

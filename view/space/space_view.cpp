@@ -63,10 +63,15 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
     connect(bridge, &SolidBridge::frameChanged, this, [this] {
         m_solid->setFrame(m_bridge->frame());
-        if (m_bridge->isCurrent()) layOut(); // which handles are hidden is known now
+        if (m_bridge->isCurrent()) {
+            layOut(); // which handles are hidden is known now
+            m_input.reportAgain();
+        }
         showNote();
     });
     connect(&m_navigation, &SpaceNavigation::changed, this, &SpaceView::layOut);
+    connect(&m_navigation, &SpaceNavigation::changed, &m_input, &SpaceInput::reportAgain,
+            Qt::QueuedConnection);
     connect(&m_input, &SpaceInput::changed, this, &SpaceView::refreshMarks);
     connect(&m_input, &SpaceInput::mapSelected, this, &SpaceView::layOut);
     connect(&m_input, &SpaceInput::stopped, this, [this](const QString& why) {

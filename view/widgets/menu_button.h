@@ -12,8 +12,11 @@ public:
     explicit MenuButton(QWidget* parent);
 
     QSize sizeHint() const override;
+    QRect labelRect() const; // of text and icon, in the middle of it
+    QRect arrowRect() const;
 
 protected:
+    void initStyleOption(QStyleOptionToolButton* option) const override;
     void paintEvent(QPaintEvent* event) override;
 };
 

@@ -62,10 +62,11 @@ QColor cageColour() {
     return {245, 166, 35};
 }
 
-OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera) {
+OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera,
+                       const QColor& colour) {
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
     OverlayMark mark;
-    mark.stroke = cageColour();
+    mark.stroke = colour;
     mark.width = std::max(1.5, std::min(camera.width, camera.height) / 500.0);
     mark.cap = Qt::SquareCap;
     OverlayMarks marks;

@@ -35,6 +35,7 @@ void paint(QPainter& painter, const OverlayMarks& marks);
 
 QColor cageColour();
 // The control polygon, the rest polygon dashed where it differs.
-OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera);
+OverlayMarks cageMarks(const document::Fractal& fractal, const attractor::Camera& camera,
+                       const QColor& colour = cageColour());
 
 } // namespace io

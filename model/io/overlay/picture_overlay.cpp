@@ -42,7 +42,9 @@ public:
         if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal);
         if (overlay.maps) std::ranges::for_each(m_maps, [this](const Map& map) { addMap(map); });
         if (overlay.hull) addHull(fractal);
-        if (overlay.cage) std::ranges::move(cageMarks(fractal, camera), std::back_inserter(m_marks));
+        if (overlay.cage)
+            std::ranges::move(cageMarks(fractal, camera, overlay.isCageInked ? m_ink : cageColour()),
+                              std::back_inserter(m_marks));
         for (const Map& map : m_maps)
             if (overlay.fixedPoints && map.hasFixedPoint) addFixedPoint(map);
         if (overlay.numbers) std::ranges::for_each(m_maps, [this](const Map& map) { addNumber(map); });

@@ -16,6 +16,7 @@ struct PictureOverlay {
     bool cage = false;        // the current polygon, and the rest polygon dashed where it differs
     bool fixedPoints = false; // of the maps
     bool numbers = false;     // of the maps, each in its image of the cage
+    bool isCageInked = false; // in the ink of the hull: a map may have the colour of the cage
 
     friend bool operator==(const PictureOverlay&, const PictureOverlay&) = default;
 };

@@ -6,11 +6,14 @@
 #include "panels/lesson/lesson_card.h"
 #include "panels/lesson/lesson_notebook.h"
 #include "panels/lesson/lesson_panel.h"
+#include "recovery.h"
 #include "session.h"
 
 #include <QAction>
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -35,6 +38,8 @@ private slots:
     void theFileIsNotSavedMeanwhile();
     void lessonsAreSavedAndOpened();
     void unsavedStepsAreAskedFor();
+    void unsavedStepsAreRecovered();
+    void fractalsThatAreGoneAreFound();
     void filesThatCannotBePlayed();
     void entriesAndCagesMayBeGone();
     void readyMadeLessonsTakeAWindowOfTheirOwn();
@@ -317,6 +322,74 @@ void LessonTest::unsavedStepsAreAskedFor() {
     answer(QMessageBox::Discard);
     m_window->close();
     QVERIFY(!m_window->isVisible());
+}
+
+// The fractals have no unsaved changes.
+void LessonTest::unsavedStepsAreRecovered() {
+    const auto kept = [] {
+        const QDir folder(Recovery::folder());
+        for (const QString& name : folder.entryList({u"*.journal"_s}, QDir::Files)) {
+            QFile file(folder.filePath(name));
+            if (!file.open(QIODevice::ReadOnly)) continue;
+            if (const auto snapshot = document::snapshotIn(file.readAll())) return *snapshot;
+        }
+        return document::Snapshot();
+    };
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.ifs"_s);
+    write(path, "a {\n .5 0 0 .5 0 0 1\n}\n");
+    QVERIFY(m_window->openPath(path));
+    action(u"Add Step"_s)->trigger();
+    notebook()->setText(u"Keep me."_s);
+    QTRY_VERIFY(kept().lesson.contains("Keep me."));
+    const document::Snapshot snapshot = kept();
+    QCOMPARE(snapshot.path, path);
+    notebook()->history()->setClean();
+    QTRY_VERIFY(kept().lesson.isEmpty());
+
+    auto other = std::make_unique<MainWindow>();
+    other->setAttribute(Qt::WA_DeleteOnClose, false);
+    other->openRecovered({folder.filePath(u"old.journal"_s), snapshot, {}});
+    auto* recovered = other->findChild<view::LessonNotebook*>();
+    QTest::qWait(20);
+    QCOMPARE(recovered->lesson().steps.size(), 1);
+    QCOMPARE(recovered->lesson().steps[0].text, u"Keep me."_s);
+    QVERIFY(recovered->isModified());
+    QTRY_VERIFY(kept().lesson.contains("Keep me.")); // until it is saved
+    other->document().undoStack()->setClean();
+    recovered->history()->setClean();
+    QTRY_VERIFY(kept().lesson.isEmpty());
+}
+
+void LessonTest::fractalsThatAreGoneAreFound() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.lesson"_s);
+    const QString renamed = folder.filePath(u"renamed.ifs"_s);
+    write(renamed, "a {\n .5 0 0 .5 0 0 1\n}\n");
+    write(path, "lesson: a\nfile: gone.ifs\n\n## One\n\nText.\n");
+    QVERIFY(!m_window->openPath(path));
+    QPushButton* find = nullptr;
+    for (auto* button : m_window->findChildren<QPushButton*>())
+        if (button->text() == u"&Find…"_s) find = button;
+    QVERIFY(find);
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, this, [&] {
+        auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!files) return;
+        answering.stop();
+        files->selectFile(renamed);
+        QMetaObject::invokeMethod(files, "accept");
+    });
+    answering.start(50);
+    find->click();
+    QTRY_COMPARE(m_window->path(), renamed);
+    QTRY_COMPARE(notebook()->lesson().file, u"renamed.ifs"_s);
+    QVERIFY(notebook()->isModified() && !document().isModified());
+    action(u"Save Lesson…"_s)->trigger();
+    QVERIFY(!notebook()->isModified());
+    QFile saved(path);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("file: renamed.ifs\n"));
 }
 
 void LessonTest::filesThatCannotBePlayed() {

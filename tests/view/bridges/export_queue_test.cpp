@@ -5,6 +5,7 @@
 #include "dialogs/export/enqueue.h"
 #include "io/exports/export_recipe.h"
 #include "io/fractint/entry_writer.h"
+#include "panels/exports/exports_delegate.h"
 #include "panels/exports/exports_model.h"
 #include "panels/exports/exports_panel.h"
 #include "support/own_settings.h"
@@ -17,6 +18,7 @@
 #include <QListView>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QStandardItemModel>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -85,6 +87,7 @@ private slots:
     void aFolderThatCannotBeWrittenIsSaid();
     void refusesTheSameFileTwice();
     void thePanelShowsAndActs();
+    void failuresAreReadInFull();
 
 private:
     QString kept() const { return m_folder->filePath(QStringLiteral("kept")); }
@@ -363,6 +366,30 @@ void ExportQueueTest::thePanelShowsAndActs() {
     QCOMPARE(model->index(0, 0).data(view::ExportsModel::SentenceRole).toString(), QStringLiteral("Done"));
     action("Clear Finished")->trigger();
     QVERIFY(queue.exports().empty() && !panel.list()->isVisible());
+}
+
+void ExportQueueTest::failuresAreReadInFull() {
+    QStandardItemModel model;
+    for (const State state : {State::Waiting, State::Failed}) {
+        auto* item = new QStandardItem(QStringLiteral("a.png"));
+        item->setData(int(state), view::ExportsModel::StateRole);
+        item->setData(QStringLiteral("The file could not be written, for a reason that takes many more words "
+                                     "than there is room for in one line of a narrow panel."),
+                      view::ExportsModel::SentenceRole);
+        model.appendRow(item);
+    }
+    QListView list;
+    list.setModel(&model);
+    list.setItemDelegate(new view::ExportsDelegate(&list));
+    const auto heightAt = [&](int row, int width) {
+        list.resize(width, 300);
+        return list.sizeHintForIndex(model.index(row, 0)).height();
+    };
+    list.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&list));
+    QCOMPARE(heightAt(0, 220), heightAt(0, 1600));
+    QVERIFY(heightAt(1, 220) > heightAt(1, 1600));
+    QVERIFY(heightAt(1, 220) > heightAt(0, 220) + 2 * QFontMetrics(list.font()).height());
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <optional>
 
 class CanvasNavigationTest : public CanvasFixture {
     Q_OBJECT
@@ -71,6 +72,49 @@ private slots:
         QVERIFY2(share() > 0.7 && share() < 1, qPrintable(QString::number(share())));
     }
 
+    // One corner is far away; those just outside the attractor are in the view nevertheless.
+    void fitShowsTheCornersNearby() {
+        document::Fractal fractal = m_document->fractal();
+        const document::Box box = *document::displayedBox(fractal);
+        const double height = box.max.y() - box.min.y();
+        const double low = box.min.y() - 0.15 * height;
+        ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        cage.rest = {{box.min.x(), low}, {box.max.x(), low}, {box.min.x(), box.max.y() + 50 * height}};
+        cage.current = cage.rest;
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("another cage"), fractal);
+        m_canvas->fit();
+        const QRect view = m_canvas->viewport()->rect();
+        QTRY_VERIFY(view.contains(vertex(0)) && view.contains(vertex(1)));
+        QVERIFY(!view.contains(vertex(2)));
+    }
+
+    // What is said of the pointer is true though it has not moved, whatever moves the view.
+    void thePointIsReadAgainWhenTheViewMoves() {
+        const QPointF p(200, 150);
+        std::optional<Vector<2>> read;
+        connect(m_canvas.get(), &CanvasView::pointerMoved, this,
+                [&read](const view::PointerPosition& position) { read = position.world; });
+        const auto isTrue = [&] {
+            const double pixel = 1 / m_canvas->camera().pixelsPerUnit;
+            return read && (*read - view::worldAt(m_canvas->camera(), p)).norm() < 0.01 * pixel;
+        };
+        hover(p);
+        QVERIFY(isTrue());
+        m_canvas->navigation().zoomBy(3);
+        QTRY_VERIFY(isTrue());
+        m_canvas->navigation().rotateBy(20);
+        QTRY_VERIFY(isTrue());
+        m_canvas->fit();
+        QTRY_VERIFY(isTrue());
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &leave);
+        read.reset();
+        m_canvas->navigation().zoomBy(2);
+        QCoreApplication::processEvents();
+        QVERIFY(!read); // it is elsewhere
+    }
+
     // Read-out and labels have the digits that neighbouring pixels differ in, at every depth.
     void coordinatesTellPixelsApart() {
         attractor::Camera camera = m_canvas->camera();
@@ -109,6 +153,13 @@ private slots:
         QCOMPARE(box.currentText(), QStringLiteral("250 %"));
         m_canvas->navigation().setZoom(1.5e9);
         QCOMPARE(box.currentText(), QStringLiteral("1.5e+11 %"));
+        const QString thousandfold = QStringLiteral("100\u202f000 %");
+        QVERIFY(box.findText(thousandfold) > 0);
+        box.lineEdit()->setText(thousandfold);
+        emit box.lineEdit()->returnPressed();
+        QCOMPARE(m_canvas->navigation().zoom(), 1000.0);
+        QCOMPARE(box.currentText(), thousandfold);
+        QCOMPARE(view::ZoomBox::textOf(99999), QStringLiteral("1e+07 %"));
         emit box.activated(0);
         QVERIFY(m_canvas->navigation().isFitted());
         QCOMPARE(box.currentText(), view::ZoomBox::textOf(m_canvas->navigation().zoom()));

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace view;
 
 namespace {
@@ -133,6 +135,9 @@ private slots:
         kind->setCurrentIndex(1);
         QVERIFY(dialog.options().kind == HandoutOptions::Kind::TaskSheet);
         QVERIFY(dialog.options().hasNameLine);
+        QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-hand-out.pdf"));
+        dialog.setName(QStringLiteral("ferns 1.2"));
+        QCOMPARE(dialog.printedName(), QStringLiteral("ferns 1.2-hand-out.pdf"));
     }
 
     void thePictureShowsAllOfTheCage() {
@@ -143,6 +148,17 @@ private slots:
         plain.showsMaps = false;
         const io::PngExport without = handoutPicture(fractal, plain);
         QVERIFY(!without.overlay.cage && !without.overlay.maps);
+        // Of this colour are the maps that have it, but not the cage.
+        const auto coloured = [&](const io::PictureOverlay& overlay) {
+            return std::ranges::count(io::overlayMarks(with.fractal, with.request.camera, overlay),
+                                      io::cageColour(), &io::OverlayMark::stroke);
+        };
+        io::PictureOverlay maps = with.overlay;
+        maps.cage = false;
+        QCOMPARE(coloured(with.overlay), coloured(maps));
+        maps = with.overlay;
+        maps.isCageInked = false;
+        QVERIFY(coloured(with.overlay) < coloured(maps));
         QVERIFY(with.request.appearance.background.alpha == 255);
         QVERIFY(with.request.appearance.background.red > 200); // paper
     }

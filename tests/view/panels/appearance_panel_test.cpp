@@ -295,6 +295,21 @@ private slots:
         }
     }
 
+    void aTypedContrastIsWithinReason() {
+        view::NumberField* field = m_panel->contrast()->field();
+        field->setFocus();
+        for (const char* wrong : {"1e9", "0"}) {
+            field->selectAll();
+            QTest::keyClicks(field, QLatin1String(wrong));
+            QVERIFY(!field->problem().isEmpty());
+        }
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("20")); // more than the slider has
+        QCOMPARE(appearance().contrast, 20.0);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
     void aTypedVibrancyIsBetweenZeroAndOne() {
         view::NumberField* field = m_panel->vibrancy()->field();
         field->setFocus();

@@ -25,6 +25,7 @@ private slots:
     void init();
     void cleanup();
     void stepsAreWritten();
+    void theFirstStepMovesNothing();
     void changesAreUndone();
     void typingIsOneStep();
     void aLongTextIsCutInSight();
@@ -102,6 +103,15 @@ void LessonPanelTest::stepsAreWritten() {
     QCOMPARE(m_notebook->lesson().steps.size(), 1);
     QCOMPARE(m_notebook->lesson().title, u"Both"_s);
     QCOMPARE(m_notebook->current(), 0);
+}
+
+void LessonPanelTest::theFirstStepMovesNothing() {
+    const QRect list = steps()->geometry();
+    const int textTop = text()->mapTo(m_panel.get(), QPoint()).y();
+    m_notebook->addStep(stateOf(u"a"_s));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    QCOMPARE(steps()->geometry(), list);
+    QCOMPARE(text()->mapTo(m_panel.get(), QPoint()).y(), textTop);
 }
 
 void LessonPanelTest::changesAreUndone() {

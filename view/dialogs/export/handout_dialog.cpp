@@ -36,6 +36,7 @@ constexpr double margin = 0.04; // around everything that is shown
 
 HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent)
     : QDialog(parent),
+      m_name(document->fractal().name),
       m_entries(new QListWidget(this)),
       m_kind(new QComboBox(this)),
       m_perPage(new QComboBox(this)),
@@ -184,8 +185,13 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 40ULL * std::uint64_t(camera.width) * std::uint64_t(camera.height);
     picture.overlay.maps = picture.overlay.numbers = picture.overlay.fixedPoints = options.showsMaps;
-    if (options.showsMaps) picture.overlay.cage = true;
+    picture.overlay.cage = picture.overlay.isCageInked = options.showsMaps;
     return picture;
+}
+
+// Print dialogs take it for the name of the file that they write.
+QString HandoutDialog::printedName() const {
+    return tr("%1-hand-out.pdf", "name of a file").arg(QString(m_name).replace(u'/', u'-'));
 }
 
 void HandoutDialog::showPreview() {
@@ -201,7 +207,7 @@ void HandoutDialog::showPreview() {
         items.push_back(std::move(item));
     }
     const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-    printer->setDocName(windowTitle());
+    printer->setDocName(printedName());
     constexpr double paperMargin = 15; // mm: printers and hole punches need some
     printer->setPageMargins({paperMargin, paperMargin, paperMargin, paperMargin}, QPageLayout::Millimeter);
     auto* preview = new QPrintPreviewDialog(printer.get(), this);

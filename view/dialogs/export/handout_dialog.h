@@ -26,6 +26,8 @@ public:
 
     explicit HandoutDialog(const document::Document* document, QWidget* parent = nullptr);
 
+    void setName(const QString& name) { m_name = name; } // of the document, instead of that of its entry
+    QString printedName() const;
     HandoutOptions options() const;
     std::vector<std::shared_ptr<const document::Fractal>> chosen() const; // in the order of the file
     void showPreview(); // in the background, while progress is shown
@@ -36,6 +38,7 @@ private:
     void update();
 
     std::vector<std::shared_ptr<const document::Fractal>> m_fractals; // by row of the list
+    QString m_name;
     QListWidget* m_entries;
     QComboBox* m_kind;
     QComboBox* m_perPage;

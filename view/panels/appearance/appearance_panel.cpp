@@ -10,6 +10,7 @@
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
 #include "widgets/flat_buttons.h"
+#include "widgets/number_field.h"
 #include "widgets/number_text.h"
 
 #include <QCheckBox>
@@ -32,6 +33,8 @@ using attractor::ColourBy;
 
 constexpr int labelSpacing = 16;
 constexpr int browserInset = 12;
+constexpr double minContrast = 0.01; // beyond, all tones are the middle, or black and white
+constexpr double maxContrast = 100;
 constexpr int swatchesPerRow = 7;
 constexpr int maxSwatches = 70; // further maps take their colours in the table
 
@@ -210,6 +213,7 @@ void AppearancePanel::makeToneSliders(QFormLayout* form) {
     m_gamma = logarithmicSlider(tr("Gamma"), 0.5, 8, &Appearance::gamma);
     m_gamma->setToolTip(tr("Exponent of the tone curve: higher values lift the dark parts"));
     m_contrast = logarithmicSlider(tr("Contrast"), 0.2, 5, &Appearance::contrast);
+    m_contrast->field()->setRange({minContrast, maxContrast, NumberRange::Ends::Closed});
     m_contrast->explain(tr("Above 1, light parts become lighter and dark parts darker"),
                         tr("Above 1, tones lighter than the middle become lighter, and darker ones darker. "
                            "Below 1, they come closer together. Black, middle and white stay."));

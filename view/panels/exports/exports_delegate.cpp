@@ -4,8 +4,11 @@
 #include "panels/exports/exports_model.h"
 #include "widgets/icon.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QPainter>
+
+#include <algorithm>
 
 namespace view {
 
@@ -15,6 +18,14 @@ constexpr int padding = 6;
 constexpr int barHeight = 4;
 constexpr int barGap = 4;
 constexpr int badgeSide = 16;
+
+using State = QueuedExport::State;
+
+int wrappedHeight(const QFontMetrics& metrics, const QString& text, int width) {
+    constexpr int maxLines = 8; // the rest is in the tool tip
+    const QRect room(0, 0, std::max(1, width), maxLines * metrics.lineSpacing());
+    return std::min(room.height(), metrics.boundingRect(room, Qt::TextWordWrap, text).height());
+}
 
 QFont smaller(QFont font) {
     if (font.pointSizeF() > 0) font.setPointSizeF(font.pointSizeF() * 0.88);
@@ -38,8 +49,15 @@ void paintBar(QPainter& painter, const QRect& area, double progress, const QPale
 
 } // namespace
 
-QSize ExportsDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
-    const int lines = QFontMetrics(option.font).height() + QFontMetrics(smaller(option.font)).height();
+QSize ExportsDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
+    const bool isWrapped = view && State(index.data(ExportsModel::StateRole).toInt()) == State::Failed;
+    const QFontMetrics small(smaller(option.font));
+    const int width = view ? view->viewport()->width() - 3 * padding - badgeSide - 2 : 0;
+    const int second = isWrapped
+                           ? wrappedHeight(small, index.data(ExportsModel::SentenceRole).toString(), width)
+                           : small.height();
+    const int lines = QFontMetrics(option.font).height() + second;
     return {8 * option.fontMetrics.averageCharWidth(), lines + barGap + barHeight + 2 * padding};
 }
 
@@ -52,7 +70,6 @@ void ExportsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     const QStyle* style = widget ? widget->style() : QApplication::style();
     style->drawControl(QStyle::CE_ItemViewItem, &row, painter, widget);
 
-    using State = QueuedExport::State;
     const auto state = State(index.data(ExportsModel::StateRole).toInt());
     const bool isSelected = row.state & QStyle::State_Selected;
     const QColor ink = row.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
@@ -77,9 +94,13 @@ void ExportsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     painter->setPen(soft);
     painter->setFont(small);
     const int second = area.y() + metrics.height();
-    painter->drawText(QRect(area.x(), second, area.width(), smallMetrics.height()), Qt::AlignVCenter,
-                      smallMetrics.elidedText(index.data(ExportsModel::SentenceRole).toString(),
-                                              Qt::ElideRight, area.width()));
+    const QString sentence = index.data(ExportsModel::SentenceRole).toString();
+    if (state == State::Failed)
+        painter->drawText(QRect(area.x(), second, area.width(), area.bottom() + 1 - second), Qt::TextWordWrap,
+                          sentence);
+    else
+        painter->drawText(QRect(area.x(), second, area.width(), smallMetrics.height()), Qt::AlignVCenter,
+                          smallMetrics.elidedText(sentence, Qt::ElideRight, area.width()));
     if (const QVariant progress = index.data(ExportsModel::ProgressRole); progress.isValid())
         paintBar(*painter, {area.x(), second + smallMetrics.height() + barGap, area.width(), barHeight},
                  progress.toDouble(), row.palette, ink);

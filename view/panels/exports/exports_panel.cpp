@@ -34,7 +34,7 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     setAccessibleName(tr("Exports"));
     m_list->setModel(m_model);
     m_list->setItemDelegate(new ExportsDelegate(m_list));
-    m_list->setUniformItemSizes(true);
+    m_list->setResizeMode(QListView::Adjust); // what failed is wrapped
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -70,6 +70,12 @@ void LessonNotebook::setFile(const QString& name) {
     m_lesson.file = name;
 }
 
+void LessonNotebook::moveTo(const QString& name) {
+    setFile(name);
+    m_history.resetClean();
+    emit changed();
+}
+
 void LessonNotebook::show(const Page& page) {
     const QString file = m_lesson.file;
     m_lesson = page.lesson;

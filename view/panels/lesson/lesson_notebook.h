@@ -28,6 +28,7 @@ public:
     void open(document::Lesson lesson, const QString& path); // clears the history
     void markSaved(const QString& path);
     void setFile(const QString& name); // the .ifs file that it belongs to; no step of the history
+    void moveTo(const QString& name);  // to another one, which is not saved yet
 
     QUndoStack* history() { return &m_history; }
     // One step of the history each; typing in one field is one step.

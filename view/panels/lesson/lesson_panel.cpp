@@ -87,6 +87,9 @@ void LessonPanel::createFields() {
     m_steps->setTextElideMode(Qt::ElideRight);
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
+    QSizePolicy kept = m_hint->sizePolicy();
+    kept.setRetainSizeWhenHidden(true); // nothing moves at the first step
+    m_hint->setSizePolicy(kept);
     m_stepTitle->setPlaceholderText(tr("Title of the step"));
     m_stepTitle->setAccessibleName(m_stepTitle->placeholderText());
     m_stepTitle->setToolTip(tr("Shown in large letters above the text"));
