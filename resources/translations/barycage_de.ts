@@ -794,13 +794,16 @@
             <numerusform>%n Exporte sind noch in der Warteschlange.</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
-        <translation>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</translation>
+        <translation>
+            <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
+            <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
     </message>
 </context>
 <context>
@@ -2463,6 +2466,34 @@
         <source>Show another entry beside this one, to compare and to edit both</source>
         <translation>Einen anderen Eintrag daneben zeigen, um beide zu vergleichen und zu bearbeiten</translation>
     </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Kopiert.</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <translation>Die Datei mit ihren Fraktalen, „%1“, ist nicht im Ordner der Lektion. Vielleicht wurde sie umbenannt oder verschoben.</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Suchen …</translation>
+    </message>
+    <message>
+        <source>Find “%1”</source>
+        <translation>„%1“ suchen</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par)</source>
+        <translation>Fractint-Sammlungen (*.ifs *.par)</translation>
+    </message>
+    <message>
+        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <translation>Die Lektion gehört jetzt zu %1. Speichern Sie die Lektion, damit es so bleibt.</translation>
+    </message>
+    <message>
+        <source>The fractal transformation was hidden to show how the attractor is built.</source>
+        <translation>Die fraktale Transformation wurde ausgeblendet, um zu zeigen, wie der Attraktor entsteht.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2902,12 +2933,12 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
-        <translation>Anstelle des Fraktals den mit B markierten Schnappschuss zeigen; drücken Sie noch einmal, oder halten Sie die Taste und lassen los, um zurückzukehren</translation>
-    </message>
-    <message>
         <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
         <translation>Als „%1“ festgehalten. „Ansicht“, „Felder“, „Schnappschüsse“ zeigt ihn.</translation>
+    </message>
+    <message>
+        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Anstelle des Fraktals den Schnappschuss zeigen, der im Feld „Schnappschüsse“ ausgewählt ist, oder den neuesten; drücken Sie noch einmal, oder halten Sie die Taste und lassen los, um zurückzukehren</translation>
     </message>
 </context>
 <context>
@@ -8945,6 +8976,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Choose an entry first</source>
         <translation>Zuerst einen Eintrag wählen</translation>
     </message>
+    <message>
+        <source>%1-hand-out.pdf</source>
+        <comment>name of a file</comment>
+        <translation>%1-Handout.pdf</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -10117,6 +10153,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Effective</source>
         <translation>Effektiv</translation>
     </message>
+    <message>
+        <source>Select a map to see and edit it here.</source>
+        <translation>Wählen Sie eine Abbildung, um sie hier zu sehen und zu bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Map %1 only, of %2 selected    %3</source>
+        <translation>Nur Abbildung %1, von %2 gewählten    %3</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -10458,6 +10502,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
         <translation>Nichts darf sich ändern, also gibt es keine Abwandlungen. Kreuzen Sie mindestens ein Kästchen an.</translation>
+    </message>
+    <message>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <translation>Alle Abbildungen sind gesperrt und behalten ihre Gewichte: Die Abwandlungen unterscheiden sich nur in den Farben und ab und zu durch eine zusätzliche Abbildung. Viele gleichen dem Elternbild.</translation>
     </message>
 </context>
 <context>
@@ -11596,28 +11644,12 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schnappschüsse des Fraktals</translation>
     </message>
     <message>
-        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
-        <translation>Klicken Sie einen Schnappschuss an, um ihn wiederherzustellen; Rückgängig führt zurück. F2 benennt ihn um, Entf löscht ihn.</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
-        <translation>Zustände dieses Fraktals, die Sie festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen: ein Schritt im Verlauf. Der umrahmte ist der, den die Zeichenfläche zeigt; mit dem, der ein B trägt, wird verglichen. Schnappschüsse bleiben, bis die Datei geschlossen wird; „Als Eintrag hinzufügen“ bewahrt einen in der Datei auf.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>Make the fractal as it was in this snapshot.</source>
         <translation>Das Fraktal so machen, wie es in diesem Schnappschuss war.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare with This One</source>
-        <translation>Mit diesem &amp;vergleichen</translation>
-    </message>
-    <message>
-        <source>Make this snapshot the one to compare with.</source>
-        <translation>Diesen Schnappschuss zu dem machen, mit dem verglichen wird.</translation>
     </message>
     <message>
         <source>&amp;Add as Entry</source>
@@ -11670,6 +11702,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>An entry that could not be read has no snapshots.</source>
         <translation>Ein Eintrag, der nicht gelesen werden konnte, hat keine Schnappschüsse.</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. The arrow keys or a right click select the one to compare with. F2 renames it, Del deletes it.</source>
+        <translation>Klicken Sie einen Schnappschuss an, um ihn wiederherzustellen; Rückgängig führt zurück. Mit den Pfeiltasten oder einem Rechtsklick wählen Sie den aus, mit dem verglichen wird. F2 benennt ihn um, Entf löscht ihn.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>Zustände dieses Fraktals, die Sie festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen: ein Schritt im Verlauf. Der umrahmte ist der, den die Zeichenfläche zeigt. Der, der ein B trägt, ist ausgewählt, und mit ihm wird verglichen: mit dem neuesten, bis Sie mit den Pfeiltasten oder einem Rechtsklick einen anderen auswählen. Schnappschüsse bleiben, bis die Datei geschlossen wird; „Als Eintrag hinzufügen“ bewahrt einen in der Datei auf.</translation>
     </message>
 </context>
 <context>
@@ -12685,10 +12725,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schlüssel verschieben</translation>
     </message>
     <message>
-        <source>Ease of keys</source>
-        <translation>Übergang von Schlüsseln</translation>
-    </message>
-    <message>
         <source>None of these keys fits this fractal.</source>
         <translation>Keiner dieser Schlüssel passt zu diesem Fraktal.</translation>
     </message>
@@ -12761,6 +12797,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Smooth</source>
         <translation>Fließend</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frame %1)</source>
+        <translation>Übergang von Schlüsseln (Bild %1)</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frames %1–%2)</source>
+        <translation>Übergang von Schlüsseln (Bilder %1–%2)</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,13 @@
             <numerusform>%n exports are still in the queue.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <translation>
+            <numerusform>It goes on when you start Barycage the next time. Close it now?</numerusform>
+            <numerusform>They go on when you start Barycage the next time. Close it now?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FlameBanner</name>

@@ -794,13 +794,16 @@
             <numerusform>%n exportaciones siguen en la cola.</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
-        <translation>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</translation>
+        <translation>
+            <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
+            <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
+        <source>&amp;Close</source>
+        <translation>Ce&amp;rrar</translation>
     </message>
 </context>
 <context>
@@ -2463,6 +2466,34 @@
         <source>Show another entry beside this one, to compare and to edit both</source>
         <translation>Mostrar otra entrada junto a esta para comparar y editar ambas</translation>
     </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Copiado.</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <translation>El archivo de sus fractales, «%1», no está en la carpeta de la lección. Quizá se le ha cambiado el nombre o se ha movido.</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Buscar…</translation>
+    </message>
+    <message>
+        <source>Find “%1”</source>
+        <translation>Buscar «%1»</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par)</source>
+        <translation>Colecciones de Fractint (*.ifs *.par)</translation>
+    </message>
+    <message>
+        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <translation>La lección pertenece ahora a %1. Guárdela para que siga así.</translation>
+    </message>
+    <message>
+        <source>The fractal transformation was hidden to show how the attractor is built.</source>
+        <translation>Se ocultó la transformación fractal para mostrar cómo se construye el atractor.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2902,12 +2933,12 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
-        <translation>Mostrar la instantánea marcada con B en lugar del fractal; pulse de nuevo, o mantenga la tecla y suéltela, para volver</translation>
-    </message>
-    <message>
         <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
         <translation>Guardado como «%1». «Ver», «Paneles», «Instantáneas» la muestra.</translation>
+    </message>
+    <message>
+        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Mostrar en lugar del fractal la instantánea seleccionada en el panel «Instantáneas», o la más reciente; pulse de nuevo, o mantenga la tecla y suéltela, para volver</translation>
     </message>
 </context>
 <context>
@@ -8945,6 +8976,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Choose an entry first</source>
         <translation>Elija antes una entrada</translation>
     </message>
+    <message>
+        <source>%1-hand-out.pdf</source>
+        <comment>name of a file</comment>
+        <translation>%1-hoja-para-clase.pdf</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -10117,6 +10153,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Effective</source>
         <translation>Efectivo</translation>
     </message>
+    <message>
+        <source>Select a map to see and edit it here.</source>
+        <translation>Seleccione una aplicación para verla y editarla aquí.</translation>
+    </message>
+    <message>
+        <source>Map %1 only, of %2 selected    %3</source>
+        <translation>Solo la aplicación %1, de %2 seleccionadas    %3</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -10458,6 +10502,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
         <translation>Nada puede cambiar: no hay variaciones. Marque al menos una casilla.</translation>
+    </message>
+    <message>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <translation>Todas las aplicaciones están bloqueadas y conservan sus pesos: las variaciones solo se distinguen por los colores y, de vez en cuando, por una aplicación añadida. Muchas son iguales a su progenitor.</translation>
     </message>
 </context>
 <context>
@@ -11596,28 +11644,12 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Instantáneas del fractal</translation>
     </message>
     <message>
-        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
-        <translation>Haga clic en una instantánea para restaurarla; deshacer vuelve atrás. F2 le cambia el nombre, Supr la elimina.</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
-        <translation>Estados de este fractal que guardó. Haga clic en uno para restaurarlo: un paso del historial. El que tiene marco es el que muestra el lienzo; con el que lleva una B se compara. Las instantáneas duran hasta que se cierra el archivo; «Añadir como entrada» guarda una en el archivo.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Restaurar</translation>
     </message>
     <message>
         <source>Make the fractal as it was in this snapshot.</source>
         <translation>Dejar el fractal como estaba en esta instantánea.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare with This One</source>
-        <translation>&amp;Comparar con esta</translation>
-    </message>
-    <message>
-        <source>Make this snapshot the one to compare with.</source>
-        <translation>Hacer de esta instantánea aquella con la que se compara.</translation>
     </message>
     <message>
         <source>&amp;Add as Entry</source>
@@ -11670,6 +11702,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>An entry that could not be read has no snapshots.</source>
         <translation>Una entrada que no se pudo leer no tiene instantáneas.</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. The arrow keys or a right click select the one to compare with. F2 renames it, Del deletes it.</source>
+        <translation>Haga clic en una instantánea para restaurarla; deshacer vuelve atrás. Con las teclas de flecha o un clic derecho se selecciona aquella con la que se compara. F2 le cambia el nombre, Supr la elimina.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>Estados de este fractal que guardó. Haga clic en uno para restaurarlo: un paso del historial. El que tiene marco es el que muestra el lienzo. El que lleva una B está seleccionado y es con el que se compara: el más reciente, hasta que seleccione otro con las teclas de flecha o un clic derecho. Las instantáneas duran hasta que se cierra el archivo; «Añadir como entrada» guarda una en el archivo.</translation>
     </message>
 </context>
 <context>
@@ -12685,10 +12725,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mover claves</translation>
     </message>
     <message>
-        <source>Ease of keys</source>
-        <translation>Transición de claves</translation>
-    </message>
-    <message>
         <source>None of these keys fits this fractal.</source>
         <translation>Ninguna de estas claves encaja en este fractal.</translation>
     </message>
@@ -12761,6 +12797,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Smooth</source>
         <translation>Suave</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frame %1)</source>
+        <translation>Transición de claves (fotograma %1)</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frames %1–%2)</source>
+        <translation>Transición de claves (fotogramas %1–%2)</translation>
     </message>
 </context>
 <context>

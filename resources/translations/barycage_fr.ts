@@ -794,13 +794,16 @@
             <numerusform>%n exports sont encore dans la file d’attente.</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
-        <translation>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</translation>
+        <translation>
+            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
+            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
     </message>
 </context>
 <context>
@@ -2463,6 +2466,34 @@
         <source>Show another entry beside this one, to compare and to edit both</source>
         <translation>Afficher une autre entrée à côté de celle-ci, pour comparer et modifier les deux</translation>
     </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Copié.</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <translation>Le fichier de ses fractales, « %1 », n’est pas dans le dossier de la leçon. Il a peut-être été renommé ou déplacé.</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Retrouver…</translation>
+    </message>
+    <message>
+        <source>Find “%1”</source>
+        <translation>Retrouver « %1 »</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par)</source>
+        <translation>Collections Fractint (*.ifs *.par)</translation>
+    </message>
+    <message>
+        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <translation>La leçon appartient maintenant à %1. Enregistrez-la pour que cela reste ainsi.</translation>
+    </message>
+    <message>
+        <source>The fractal transformation was hidden to show how the attractor is built.</source>
+        <translation>La transformation fractale a été masquée pour montrer comment l’attracteur se construit.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2902,12 +2933,12 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
-        <translation>Montrer l’instantané marqué B à la place de la fractale ; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
-    </message>
-    <message>
         <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
         <translation>Gardé sous « %1 ». « Affichage », « Panneaux », « Instantanés » le montre.</translation>
+    </message>
+    <message>
+        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Montrer à la place de la fractale l’instantané sélectionné dans le panneau « Instantanés », ou le plus récent ; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
     </message>
 </context>
 <context>
@@ -8945,6 +8976,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Choose an entry first</source>
         <translation>Choisissez d’abord une entrée</translation>
     </message>
+    <message>
+        <source>%1-hand-out.pdf</source>
+        <comment>name of a file</comment>
+        <translation>%1-fiche.pdf</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -10117,6 +10153,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Effective</source>
         <translation>Effectif</translation>
     </message>
+    <message>
+        <source>Select a map to see and edit it here.</source>
+        <translation>Sélectionnez une application pour la voir et la modifier ici.</translation>
+    </message>
+    <message>
+        <source>Map %1 only, of %2 selected    %3</source>
+        <translation>Application %1 seule, sur %2 sélectionnées    %3</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -10458,6 +10502,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
         <translation>Rien ne peut changer : il n’y a pas de variations. Cochez au moins une case.</translation>
+    </message>
+    <message>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <translation>Toutes les applications sont verrouillées et gardent leurs poids : les variations ne diffèrent que par les couleurs et, de temps en temps, par une application ajoutée. Beaucoup sont semblables à leur parent.</translation>
     </message>
 </context>
 <context>
@@ -11596,28 +11644,12 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Instantanés de la fractale</translation>
     </message>
     <message>
-        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
-        <translation>Cliquez sur un instantané pour le rétablir ; annuler revient en arrière. F2 le renomme, Suppr le supprime.</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
-        <translation>États de cette fractale que vous avez gardés. Cliquez sur l’un d’eux pour le rétablir : une étape de l’historique. Celui qui est encadré est ce que montre le canevas ; celui qui porte un B est celui avec lequel on compare. Les instantanés durent jusqu’à la fermeture du fichier ; « Ajouter comme entrée » en garde un dans le fichier.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Rétablir</translation>
     </message>
     <message>
         <source>Make the fractal as it was in this snapshot.</source>
         <translation>Remettre la fractale comme elle était dans cet instantané.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare with This One</source>
-        <translation>&amp;Comparer avec celui-ci</translation>
-    </message>
-    <message>
-        <source>Make this snapshot the one to compare with.</source>
-        <translation>Faire de cet instantané celui avec lequel on compare.</translation>
     </message>
     <message>
         <source>&amp;Add as Entry</source>
@@ -11670,6 +11702,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>An entry that could not be read has no snapshots.</source>
         <translation>Une entrée qui n’a pas pu être lue n’a pas d’instantanés.</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. The arrow keys or a right click select the one to compare with. F2 renames it, Del deletes it.</source>
+        <translation>Cliquez sur un instantané pour le rétablir ; annuler revient en arrière. Les touches fléchées ou un clic droit sélectionnent celui avec lequel on compare. F2 le renomme, Suppr le supprime.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>États de cette fractale que vous avez gardés. Cliquez sur l’un d’eux pour le rétablir : une étape de l’historique. Celui qui est encadré est ce que montre le canevas. Celui qui porte un B est sélectionné, et c’est avec lui que l’on compare : le plus récent, jusqu’à ce que vous en sélectionniez un autre avec les touches fléchées ou un clic droit. Les instantanés durent jusqu’à la fermeture du fichier ; « Ajouter comme entrée » en garde un dans le fichier.</translation>
     </message>
 </context>
 <context>
@@ -12685,10 +12725,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Déplacer des clés</translation>
     </message>
     <message>
-        <source>Ease of keys</source>
-        <translation>Transition de clés</translation>
-    </message>
-    <message>
         <source>None of these keys fits this fractal.</source>
         <translation>Aucune de ces clés ne convient à cette fractale.</translation>
     </message>
@@ -12761,6 +12797,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Smooth</source>
         <translation>Fluide</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frame %1)</source>
+        <translation>Transition de clés (image %1)</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frames %1–%2)</source>
+        <translation>Transition de clés (images %1–%2)</translation>
     </message>
 </context>
 <context>

@@ -797,13 +797,17 @@
             <numerusform>%n извози се сѐ уште во редот.</numerusform>
         </translation>
     </message>
-    <message>
+    <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
-        <translation>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</translation>
+        <translation>
+            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+        </translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Затвори</translation>
+        <source>&amp;Close</source>
+        <translation>&amp;Затвори</translation>
     </message>
 </context>
 <context>
@@ -2470,6 +2474,34 @@
         <source>Show another entry beside this one, to compare and to edit both</source>
         <translation>Прикажи друг запис до овој за споредба и уредување на двата</translation>
     </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Копирано.</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <translation>Датотеката со нејзините фрактали, „%1“, не е во папката на лекцијата. Можеби е преименувана или преместена.</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Најди…</translation>
+    </message>
+    <message>
+        <source>Find “%1”</source>
+        <translation>Најди ја „%1“</translation>
+    </message>
+    <message>
+        <source>Fractint collections (*.ifs *.par)</source>
+        <translation>Збирки на Fractint (*.ifs *.par)</translation>
+    </message>
+    <message>
+        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <translation>Лекцијата сега припаѓа на %1. Зачувајте ја лекцијата за да остане така.</translation>
+    </message>
+    <message>
+        <source>The fractal transformation was hidden to show how the attractor is built.</source>
+        <translation>Фракталната трансформација е сокриена за да се покаже како се гради атракторот.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2909,12 +2941,12 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Show the snapshot marked B in place of the fractal; press again, or hold the key and let go, to come back</source>
-        <translation>Прикажи ја снимката означена со B наместо фракталот; притиснете повторно, или држете го копчето и пуштете го, за да се вратите</translation>
-    </message>
-    <message>
         <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
         <translation>Зачувано како „%1“. Ја покажува „Приказ“, „Панели“, „Снимки“.</translation>
+    </message>
+    <message>
+        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <translation>Прикажи ја наместо фракталот снимката што е избрана во панелот „Снимки“, или најновата; притиснете повторно, или држете го копчето и пуштете го, за да се вратите</translation>
     </message>
 </context>
 <context>
@@ -8969,6 +9001,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Choose an entry first</source>
         <translation>Прво изберете запис</translation>
     </message>
+    <message>
+        <source>%1-hand-out.pdf</source>
+        <comment>name of a file</comment>
+        <translation>%1-лист-за-час.pdf</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -10142,6 +10179,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Effective</source>
         <translation>Ефективен</translation>
     </message>
+    <message>
+        <source>Select a map to see and edit it here.</source>
+        <translation>Изберете пресликување за да го видите и уредите тука.</translation>
+    </message>
+    <message>
+        <source>Map %1 only, of %2 selected    %3</source>
+        <translation>Само пресликувањето %1, од избрани %2    %3</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -10483,6 +10528,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
         <translation>Ништо не смее да се менува: нема варијанти. Означете барем едно поле.</translation>
+    </message>
+    <message>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <translation>Сите пресликувања се заклучени и ги задржуваат тежините: варијантите се разликуваат само по боите и, понекогаш, по некое додадено пресликување. Многу од нив се исти како родителот.</translation>
     </message>
 </context>
 <context>
@@ -11622,28 +11671,12 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Снимки на фракталот</translation>
     </message>
     <message>
-        <source>Click a snapshot to restore it; undo goes back. F2 renames it, Del deletes it.</source>
-        <translation>Кликнете на снимка за да ја вратите; враќањето го поништува тоа. F2 ја преименува, Del ја брише.</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows; the one with a B is the one to compare with. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
-        <translation>Состојби на овој фрактал што сте ги зачувале. Кликнете на една за да ја вратите: еден чекор во историјата. Врамената е онаа што ја покажува платното; со онаа што носи B се споредува. Снимките траат додека не се затвори датотеката; „Додај како запис“ зачувува една во датотеката.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Врати</translation>
     </message>
     <message>
         <source>Make the fractal as it was in this snapshot.</source>
         <translation>Направи го фракталот каков што беше на оваа снимка.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare with This One</source>
-        <translation>&amp;Споредувај со оваа</translation>
-    </message>
-    <message>
-        <source>Make this snapshot the one to compare with.</source>
-        <translation>Направи ја оваа снимка онаа со која се споредува.</translation>
     </message>
     <message>
         <source>&amp;Add as Entry</source>
@@ -11696,6 +11729,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>An entry that could not be read has no snapshots.</source>
         <translation>Запис што не можеше да се прочита нема снимки.</translation>
+    </message>
+    <message>
+        <source>Click a snapshot to restore it; undo goes back. The arrow keys or a right click select the one to compare with. F2 renames it, Del deletes it.</source>
+        <translation>Кликнете на снимка за да ја вратите; враќањето го поништува тоа. Со стрелките или со десен клик се избира онаа со која се споредува. F2 ја преименува, Del ја брише.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <translation>Состојби на овој фрактал што сте ги зачувале. Кликнете на една за да ја вратите: еден чекор во историјата. Врамената е онаа што ја покажува платното. Онаа што носи B е избрана и со неа се споредува: најновата, додека не изберете друга со стрелките или со десен клик. Снимките траат додека не се затвори датотеката; „Додај како запис“ зачувува една во датотеката.</translation>
     </message>
 </context>
 <context>
@@ -12712,10 +12753,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Помести клучеви</translation>
     </message>
     <message>
-        <source>Ease of keys</source>
-        <translation>Премин на клучеви</translation>
-    </message>
-    <message>
         <source>None of these keys fits this fractal.</source>
         <translation>Ниеден од овие клучеви не одговара на овој фрактал.</translation>
     </message>
@@ -12790,6 +12827,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Smooth</source>
         <translation>Мазно</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frame %1)</source>
+        <translation>Премин на клучеви (слика %1)</translation>
+    </message>
+    <message>
+        <source>Ease of keys (frames %1–%2)</source>
+        <translation>Премин на клучеви (слики %1–%2)</translation>
     </message>
 </context>
 <context>
