@@ -797,7 +797,7 @@
     <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
         <translation>
-            <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
+            <numerusform>Er läuft weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
             <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
         </translation>
     </message>

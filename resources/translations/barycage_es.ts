@@ -797,7 +797,7 @@
     <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
         <translation>
-            <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
+            <numerusform>Continuará la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
             <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
         </translation>
     </message>

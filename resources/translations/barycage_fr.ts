@@ -797,7 +797,7 @@
     <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
         <translation>
-            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
+            <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
             <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
         </translation>
     </message>

@@ -800,7 +800,7 @@
     <message numerus="yes">
         <source>They go on when you start Barycage the next time. Close it now?</source>
         <translation>
-            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+            <numerusform>Ќе продолжи кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
             <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
             <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
         </translation>
