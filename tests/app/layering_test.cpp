@@ -159,9 +159,9 @@ void LayeringTest::includesPointDownwards_data() {
     const QStringList io = document + QStringList{QStringLiteral("io")};
     const QStringList view = io + QStringList{QStringLiteral("transformation"), QStringLiteral("bars"),
                                               QStringLiteral("bridges"),        QStringLiteral("canvas"),
-                                              QStringLiteral("desktop"),        QStringLiteral("dialogs"),
-                                              QStringLiteral("panels"),         QStringLiteral("space"),
-                                              QStringLiteral("widgets")};
+                                              QStringLiteral("compare"),        QStringLiteral("desktop"),
+                                              QStringLiteral("dialogs"),        QStringLiteral("panels"),
+                                              QStringLiteral("space"),          QStringLiteral("widgets")};
     QTest::newRow("model/ifs") << "model/ifs" << ifs << qt;
     QTest::newRow("model/attractor") << "model/attractor" << attractor << qt;
     QTest::newRow("model/animation") << "model/animation" << animation << qt;

@@ -179,8 +179,9 @@ void ComparePane::linkPlanes(CanvasView* from, CanvasView* to) {
     attractor::Camera camera = from->camera();
     camera.width = to->camera().width;
     camera.height = to->camera().height;
-    if (camera == to->camera()) return;
-    to->navigation().moveTo(camera);
+    // A fit of the other entry may still be under way, and is not wanted.
+    const bool isToFit = to == m_otherPlane && to->navigation().isFitted();
+    if (camera != to->camera() || isToFit) to->navigation().moveTo(camera);
 }
 
 void ComparePane::linkSpaces(SpaceView* from, SpaceView* to) {

@@ -155,6 +155,7 @@ void LessonTest::playingChangesNothing() {
     const document::FractalFile file = document().file();
     const int index = document().undoStack()->index();
     const QSize size = m_window->size();
+    canvas()->navigation().zoomBy(1.25); // or the view may still be about to be fitted
     const attractor::Camera camera = canvas()->camera();
     auto* maps = m_window->findChild<QDockWidget*>(u"maps"_s);
     auto* bar = m_window->findChild<QToolBar*>(u"arising"_s);

@@ -103,7 +103,7 @@ private slots:
             QCOMPARE(file.entries.size(), 1);
             const Fractal& read = *file.entries.first().fractal;
             QVERIFY2(read.appearance.mapBlends.empty(), wrong);
-            QVERIFY2(io::writeEntry(read).contains(line.trimmed()), wrong);
+            QVERIFY2(io::writeFractint(file).contains(line.trimmed()), wrong);
         }
         // A map that is not there says nothing, and a second blend of a map does not count.
         const Fractal read = readBack("fern {\n ; barycage: map-blend 9 0.5 0.5\n"
