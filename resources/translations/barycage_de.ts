@@ -7162,12 +7162,12 @@
         <translation>Tippen Sie ein paar Buchstaben von dem, was Sie tun möchten. Die Pfeiltasten wählen, die Eingabetaste führt aus.</translation>
     </message>
     <message>
-        <source>The commands whose names contain these letters.</source>
-        <translation>Die Befehle, deren Namen diese Buchstaben haben.</translation>
-    </message>
-    <message>
         <source>No matching commands</source>
         <translation>Keine passenden Befehle</translation>
+    </message>
+    <message>
+        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <translation>Die Befehle, deren Namen diese Wörter haben, dann die, deren Beschreibungen sie haben.</translation>
     </message>
 </context>
 <context>

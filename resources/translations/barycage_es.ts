@@ -7162,12 +7162,12 @@
         <translation>Escriba algunas letras de lo que quiere hacer. Las teclas de flecha eligen, Intro lo ejecuta.</translation>
     </message>
     <message>
-        <source>The commands whose names contain these letters.</source>
-        <translation>Las órdenes cuyo nombre contiene estas letras.</translation>
-    </message>
-    <message>
         <source>No matching commands</source>
         <translation>Ninguna orden coincide</translation>
+    </message>
+    <message>
+        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <translation>Los comandos cuyos nombres contienen estas palabras y, después, aquellos cuyas descripciones las contienen.</translation>
     </message>
 </context>
 <context>

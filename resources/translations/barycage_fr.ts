@@ -2472,7 +2472,7 @@
     </message>
     <message>
         <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
-        <translation>Le fichier de ses fractales, « %1 », n’est pas dans le dossier de la leçon. Il a peut-être été renommé ou déplacé.</translation>
+        <translation>Le fichier de ses fractales, «&#x202f;%1&#x202f;», n’est pas dans le dossier de la leçon. Il a peut-être été renommé ou déplacé.</translation>
     </message>
     <message>
         <source>&amp;Find…</source>
@@ -2480,7 +2480,7 @@
     </message>
     <message>
         <source>Find “%1”</source>
-        <translation>Retrouver « %1 »</translation>
+        <translation>Retrouver «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Fractint collections (*.ifs *.par)</source>
@@ -7162,12 +7162,12 @@
         <translation>Tapez quelques lettres de ce que vous voulez faire. Les touches fléchées choisissent, Entrée exécute.</translation>
     </message>
     <message>
-        <source>The commands whose names contain these letters.</source>
-        <translation>Les commandes dont le nom contient ces lettres.</translation>
-    </message>
-    <message>
         <source>No matching commands</source>
         <translation>Aucune commande correspondante</translation>
+    </message>
+    <message>
+        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <translation>Les commandes dont le nom contient ces mots, puis celles dont la description les contient.</translation>
     </message>
 </context>
 <context>

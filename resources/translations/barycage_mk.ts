@@ -7177,12 +7177,12 @@
         <translation>Напишете неколку букви од она што сакате да го направите. Стрелките избираат, Enter извршува.</translation>
     </message>
     <message>
-        <source>The commands whose names contain these letters.</source>
-        <translation>Наредбите чии имиња ги содржат овие букви.</translation>
-    </message>
-    <message>
         <source>No matching commands</source>
         <translation>Нема соодветни команди</translation>
+    </message>
+    <message>
+        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <translation>Наредбите чии имиња ги содржат овие зборови, а потоа оние чии описи ги содржат.</translation>
     </message>
 </context>
 <context>

@@ -166,7 +166,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     empty.fill(Qt::transparent);
     m_noIcon = QIcon(empty);
     m_list->setAccessibleName(tr("Matching commands"));
-    m_list->setWhatsThis(tr("The commands whose names contain these letters."));
+    m_list->setWhatsThis(tr("The commands whose names have these words, then those whose descriptions do."));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus);
@@ -187,8 +187,9 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
 
 void CommandPalette::filter(const QString& text) {
     m_model->clear();
-    for (const bool enabled : {true, false})
-        if (enabled || !text.isEmpty()) add(text, enabled);
+    for (const SearchIn in : {SearchIn::Names, SearchIn::Descriptions})
+        for (const bool enabled : {true, false})
+            if ((enabled && in == SearchIn::Names) || !text.isEmpty()) add(text, in, enabled);
     if (m_model->rowCount() == 0) {
         auto* none = new QStandardItem(m_noIcon, tr("No matching commands"));
         none->setEnabled(false);
@@ -198,10 +199,14 @@ void CommandPalette::filter(const QString& text) {
 }
 
 // What cannot be done now is shown too, when it is asked for by name.
-void CommandPalette::add(const QString& text, bool enabled) {
+void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
-        if (action->isEnabled() != enabled || !matchesCommand(title, text)) continue;
+        if (action->isEnabled() != enabled) continue;
+        const bool isNamed = matchesCommand(title, text);
+        if (in == SearchIn::Names ? !isNamed
+                                  : isNamed || !matchesCommand(title + u' ' + action->statusTip(), text))
+            continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
                                        keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);

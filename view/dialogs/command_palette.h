@@ -14,7 +14,7 @@ class QStandardItemModel;
 namespace view {
 
 // An action and where it is found: through the menus ("View › Snap To › Grid"), in a panel ("Maps › Add") or
-// in a bar ("How It Arises › Chaos Game"). A button that has no action has one here, which clicks it.
+// in a bar ("How It Is Built › Chaos Game"). A button that has no action has one here, which clicks it.
 struct NamedAction {
     QAction* action;
     QString path;
@@ -35,8 +35,10 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    enum class SearchIn { Names, Descriptions }; // the latter beside the names
+
     void filter(const QString& text);
-    void add(const QString& text, bool enabled);
+    void add(const QString& text, SearchIn in, bool enabled);
     void run();
 
     QList<NamedAction> m_actions;

@@ -54,6 +54,29 @@ private slots:
         QVERIFY(!palette.isVisible());
     }
 
+    // Behind the names.
+    void descriptionsAreSearchedToo() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&Edit"));
+        menu->addAction(QStringLiteral("&Mutate"))
+            ->setStatusTip(QStringLiteral("Breed variations of this fractal"));
+        menu->addAction(QStringLiteral("Vary &Colours"));
+        view::CommandPalette palette(view::actionsOf(&bar));
+        auto* search = palette.findChild<QLineEdit*>();
+        const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
+        const auto titles = [&](const QString& text) {
+            search->setText(text);
+            QStringList all;
+            for (int row = 0; row < model->rowCount(); ++row)
+                all << model->index(row, 0).data().toString().section(QStringLiteral(" › "), -1);
+            return all;
+        };
+        QCOMPARE(titles(QStringLiteral("breed")), QStringList{QStringLiteral("Mutate")});
+        QCOMPARE(titles(QStringLiteral("mutate fractal")), QStringList{QStringLiteral("Mutate")});
+        QCOMPARE(titles(QStringLiteral("var")),
+                 QStringList({QStringLiteral("Vary Colours"), QStringLiteral("Mutate")}));
+    }
+
     void panelsAreSearchedToo() {
         QMainWindow window;
         window.menuBar()->addMenu(QStringLiteral("&Edit"))->addAction(QStringLiteral("&Undo"));
