@@ -110,6 +110,12 @@ StatusLine::StatusLine(QWidget* parent)
     connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
 }
 
+// Never lower than it was: the picture would move.
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    setMinimumHeight(std::max(minimumHeight(), height()));
+}
+
 void StatusLine::showPointer(const view::PointerPosition& position) {
     if (m_toRead.hasExpired()) clearMessage(); // what was said gives way once it could be read
     const view::CoordinateText x(position.camera, 0), y(position.camera, 1);

@@ -28,6 +28,9 @@ public:
     void showRotation(double degrees); // of the view in the plane; nothing for 0
     void showRecovery(bool isLate);    // nothing while it is in time
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QLabel* m_pointer;
     QLabel* m_recovery;

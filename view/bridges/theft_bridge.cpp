@@ -29,7 +29,7 @@ TheftBridge::TheftBridge(document::Document* host, RenderBridge* onHost, documen
     // Without a transformation nothing is wanted of it; the next change may bring one.
     for (const document::Document* of : {host, &partner->document()})
         connect(of, &document::Document::changed, this, [this](const document::Change& change) {
-            if (!m_onHost->isSubstituted()) request(change.live);
+            if (!m_isSubstituting) request(change.live);
         });
     connect(partner, &document::PartnerDocument::partnerChanged, this, [this] { request(false); });
 }
@@ -77,16 +77,17 @@ void TheftBridge::takeFrames() {
     m_flaw = frames->flaw;
     if (m_flaw || hadFlaw) emit flawChanged();
     if (m_flaw) return substitute(false);
-    if (!m_onHost->isSubstituted()) return substitute(true); // which asks for pictures of its own
+    if (!m_isSubstituting) return substitute(true); // which asks for pictures of its own
     if (frames->from) m_onHost->take(frames->from);
     if (frames->to) m_onPartner->take(frames->to);
 }
 
+// Pictures that another has put in place of the density stay.
 void TheftBridge::substitute(bool on) {
-    const bool isChanged = m_onHost->isSubstituted() != on;
+    if (std::exchange(m_isSubstituting, on) == on) return;
     m_onHost->setSubstituted(on);
     m_onPartner->setSubstituted(on);
-    if (isChanged) emit paintedChanged();
+    emit paintedChanged();
 }
 
 } // namespace view

@@ -49,6 +49,7 @@ private:
     std::shared_ptr<const attractor::MipPicture> m_picture;
     std::optional<document::CouplingOutcome> m_flaw;
     bool m_isActive = false;
+    bool m_isSubstituting = false;
     std::unique_ptr<document::TheftThread> m_thread; // last: stops before the rest goes
 };
 

@@ -163,8 +163,10 @@ void CompareTest::entriesChangePlaces() {
     emit entries()->activated(entries()->currentIndex());
     QCOMPARE(shown(), u"b"_s);
     QTest::qWait(50);
-    QCOMPARE(canvas()->camera(), camera);
-    QCOMPARE(pane()->plane()->camera().centre, camera.centre);
+    for (const view::CanvasView* each : {canvas(), pane()->plane()}) {
+        QCOMPARE(each->camera().centre, camera.centre);
+        QCOMPARE(each->camera().pixelsPerUnit, camera.pixelsPerUnit);
+    }
 }
 
 void CompareTest::entriesComeAndGo() {

@@ -30,6 +30,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace view {
@@ -344,9 +345,12 @@ void MapsPanel::showDetails() {
     const int current = m_table->currentIndex().row();
     const int shown = rows.empty() ? -1 : std::ranges::binary_search(rows, current) ? current : rows.front();
     m_shape->setMap(m_model->idAt(shown));
-    m_facts->setText(factsText(*m_model, shown, int(rows.size())));
-    m_facts->setToolTip(
-        m_model->index(shown, m_model->columnOf(MapsModel::Kind)).data(Qt::ToolTipRole).toString());
+    const auto fact = [&](MapsModel::Column column, int role = Qt::DisplayRole) {
+        return m_model->index(shown, m_model->columnOf(column)).data(role).toString();
+    };
+    const std::array facts{fact(MapsModel::Determinant), fact(MapsModel::Contraction), fact(MapsModel::Kind)};
+    m_facts->setText(m_model->rowCount() > 0 ? factsText(facts, shown, int(rows.size())) : QString());
+    m_facts->setToolTip(fact(MapsModel::Kind, Qt::ToolTipRole));
 }
 
 void MapsPanel::updateNotice() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_texts.h"
 
-#include "panels/maps/maps_model.h"
-
 #include <QCoreApplication>
 
 namespace view {
@@ -76,18 +74,12 @@ QString tableWhatsThis(int dimension) {
                      "to move it.");
 }
 
-QString factsText(const MapsModel& model, int row, int selected) {
-    if (row < 0)
-        return model.rowCount() > 0 ? OfPanel::tr("Select a map to see and edit it here.") : QString();
-    const auto text = [&](MapsModel::Column column) {
-        return model.index(row, model.columnOf(column)).data().toString();
-    };
-    const QString facts =
-        OfPanel::tr("det %1    ‖A‖ %2    %3")
-            .arg(text(MapsModel::Determinant), text(MapsModel::Contraction), text(MapsModel::Kind));
-    return selected < 2 ? facts
+QString factsText(const std::array<QString, 3>& facts, int row, int selected) {
+    if (row < 0) return OfPanel::tr("Select a map to see and edit it here.");
+    const QString text = OfPanel::tr("det %1    ‖A‖ %2    %3").arg(facts[0], facts[1], facts[2]);
+    return selected < 2 ? text
                         : OfPanel::tr("Map %1 only, of %2 selected    %3")
-                              .arg(QString::number(row + 1), QString::number(selected), facts);
+                              .arg(QString::number(row + 1), QString::number(selected), text);
 }
 
 } // namespace view

@@ -5,16 +5,17 @@
 
 #include <QString>
 
+#include <array>
+
 // What the table of maps says of kinds, coefficients and itself, and the line below it of one map.
 namespace view {
-
-class MapsModel;
 
 QString kindText(ifs::MapKind kind);
 QString kindTip(ifs::MapKind kind, int dimension);
 QString coefficientTip(int dimension);
 QString tableWhatsThis(int dimension);
-// Of the map of a row, and which of several selected ones it is; a hint where the row is −1.
-QString factsText(const MapsModel& model, int row, int selected);
+// Determinant, norm and kind of the map of a row, and which of several selected ones it is; a hint where the
+// row is −1.
+QString factsText(const std::array<QString, 3>& facts, int row, int selected);
 
 } // namespace view
