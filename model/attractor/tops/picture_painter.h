@@ -40,7 +40,7 @@ private:
     std::span<std::uint32_t> m_pixels;
     std::size_t m_waiting = 0;
     std::array<kernels::PicturePlace, together> m_places;
-    std::array<std::size_t, together> m_targets;
+    std::array<std::size_t, together> m_targets{};
 };
 
 } // namespace attractor
