@@ -3,7 +3,6 @@
 
 #include "attractor/kernels/kernels.h"
 
-#include <algorithm>
 #include <bit>
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
@@ -32,47 +31,60 @@ HWY_ATTR static HWY_INLINE FloatVector affine(float a, float b, float c, FloatVe
                    hn::Set(d, c)); // never fused
 }
 
-// Gather, compare, store the few that are smaller.
-HWY_ATTR void addKeys(const KeyWord& word, const float* xs, const float* ys, std::size_t count,
-                      KeyRows& rows) {
+// What is stored last stays: neither a comparison nor what a pixel held before is needed.
+template <kernels::KeyReach reach>
+HWY_ATTR static void putKeysThat(const KeyWord& word, const float* HWY_RESTRICT xs,
+                                 const float* HWY_RESTRICT ys, std::size_t count, const KeyRows& rows) {
     const Float d;
     const Int di;
     const Unsigned du;
+    const std::size_t n = hn::Lanes(d);
     const FloatVector zero = hn::Zero(d);
     const FloatVector width = hn::Set(d, static_cast<float>(rows.width));
     const FloatVector first = hn::Set(d, static_cast<float>(rows.firstRow));
     const FloatVector end = hn::Set(d, static_cast<float>(rows.endRow));
     const IntVector firstRow = hn::Set(di, rows.firstRow);
     const IntVector stride = hn::Set(di, rows.width);
-    const IntVector outside = hn::Set(di, static_cast<std::int32_t>(rows.keys.size() - 1));
+    const auto last = hn::Set(du, static_cast<std::uint32_t>(rows.keys.size() - 1));
     std::uint32_t* HWY_RESTRICT keys = rows.keys.data();
-    const auto numbers = hn::Iota(du, word.firstKey);
-    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    alignas(64) std::uint32_t cells[mostLanes];
+    const auto storeCells = [&](FloatVector column, FloatVector row) HWY_ATTR {
+        const IntVector rowNumber = hn::Sub(truncated(row), firstRow);
+        const auto cell = hn::BitCast(du, hn::Add(hn::Mul(rowNumber, stride), truncated(column)));
+        hn::Store(hn::Min(cell, last), du, cells); // whatever the numbers are
+    };
+    for (std::size_t k = (count + n - 1) / n * n; k > 0;) {
+        k -= n;
         const FloatVector x = hn::LoadU(d, xs + k);
         const FloatVector y = hn::LoadU(d, ys + k);
         const FloatVector column = affine(word.xx, word.xy, word.x, x, y);
         const FloatVector row = affine(word.yx, word.yy, word.y, x, y);
-        const auto in = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
-                                hn::And(hn::Ge(row, first), hn::Lt(row, end)));
-        const IntVector rowNumber = hn::Sub(truncated(hn::IfThenElse(in, row, first)), firstRow);
-        const IntVector cell = hn::IfThenElse(
-            hn::RebindMask(di, in),
-            hn::Add(hn::Mul(rowNumber, stride), truncated(hn::IfThenElseZero(in, column))), outside);
-        const auto key = hn::Add(numbers, hn::Set(du, static_cast<std::uint32_t>(k)));
-        const auto wins = hn::Lt(key, hn::GatherIndex(du, keys, cell));
-        if (hn::AllFalse(du, wins)) continue;
-        alignas(64) std::uint32_t newKeys[mostLanes];
-        alignas(64) std::int32_t cells[mostLanes];
-        std::uint8_t bits[8] = {};
-        hn::Store(key, du, newKeys);
-        hn::Store(cell, di, cells);
-        hn::StoreMaskBits(du, wins, bits);
-        for (unsigned left = bits[0] | static_cast<unsigned>(bits[1]) << 8; left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            std::uint32_t& old = keys[cells[lane]];
-            old = std::min(old, newKeys[lane]); // several may fall into one cell
+        const std::uint32_t key = word.firstKey + static_cast<std::uint32_t>(k);
+        if constexpr (reach == kernels::KeyReach::Inside) {
+            storeCells(column, row);
+            for (std::size_t lane = n; lane-- > 0;)
+                keys[cells[lane]] = key + static_cast<std::uint32_t>(lane);
+        } else {
+            const auto in = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
+                                    hn::And(hn::Ge(row, first), hn::Lt(row, end)));
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, in, bits);
+            storeCells(hn::IfThenElseZero(in, column), hn::IfThenElse(in, row, first));
+            for (unsigned left = bits[0] | static_cast<unsigned>(bits[1]) << 8; left != 0;) {
+                const auto lane = static_cast<unsigned>(std::bit_width(left)) - 1;
+                keys[cells[lane]] = key + lane;
+                left ^= 1U << lane;
+            }
         }
     }
+}
+
+HWY_ATTR void putKeys(const KeyWord& word, kernels::KeyReach reach, const float* xs, const float* ys,
+                      std::size_t count, const KeyRows& rows) {
+    if (reach == kernels::KeyReach::Inside)
+        putKeysThat<kernels::KeyReach::Inside>(word, xs, ys, count, rows);
+    else
+        putKeysThat<kernels::KeyReach::Across>(word, xs, ys, count, rows);
 }
 
 } // namespace attractor::HWY_NAMESPACE
@@ -81,19 +93,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace attractor::kernels {
 
-HWY_EXPORT(addKeys);
+HWY_EXPORT(putKeys);
 
-void KeyRows::reset(int columns, int first, int end) {
-    width = columns;
-    firstRow = first;
-    endRow = end;
-    keys.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(end - first) + 1, noKey);
-    keys.back() = 0;
-}
-
-void addKeys(const KeyWord& word, const float* x, const float* y, std::size_t count, KeyRows& rows) {
+void putKeys(const KeyWord& word, KeyReach reach, const float* x, const float* y, std::size_t count,
+             const KeyRows& rows) {
     heedEnvironment();
-    HWY_DYNAMIC_DISPATCH(addKeys)(word, x, y, count, rows);
+    HWY_DYNAMIC_DISPATCH(putKeys)(word, reach, x, y, count, rows);
 }
 
 } // namespace attractor::kernels

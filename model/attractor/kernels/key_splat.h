@@ -3,21 +3,18 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace attractor::kernels {
 
 inline constexpr std::uint32_t noKey = 0xFFFFFFFF;
 
-// The smallest key that has fallen into each pixel of some rows of a picture.
+// Keys in some rows of a picture, row by row.
 struct KeyRows {
     int width = 0;
     int firstRow = 0;
     int endRow = 0;
-    // Row by row, and a cell behind them for what falls outside, in which no key is smaller.
-    std::vector<std::uint32_t> keys;
-
-    void reset(int columns, int first, int end); // empty
+    std::span<std::uint32_t> keys; // as many as there are pixels, at least one
 };
 
 // A word as an affine map from the coordinates of the samples to pixels.
@@ -26,8 +23,13 @@ struct KeyWord {
     std::uint32_t firstKey = 0; // of its first sample; the others follow
 };
 
-// The minimum fold of the samples of a word. The arrays are read up to a multiple of 16; the points behind
-// `count` must be copies of the last one. The same bits for every instruction set.
-void addKeys(const KeyWord& word, const float* x, const float* y, std::size_t count, KeyRows& rows);
+// Inside: all samples of the word are known to fall into the rows.
+enum class KeyReach { Inside, Across };
+
+// Lays the keys of the samples of a word over what is there, the largest first, so that of those in a pixel
+// the smallest stays. The arrays are read up to a multiple of 16; the points behind `count` must be copies of
+// the last one. The same bits for every instruction set.
+void putKeys(const KeyWord& word, KeyReach reach, const float* x, const float* y, std::size_t count,
+             const KeyRows& rows);
 
 } // namespace attractor::kernels

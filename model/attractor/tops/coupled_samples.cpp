@@ -5,7 +5,6 @@
 #include "attractor/samples/chaos_game.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 
 namespace attractor {
@@ -26,115 +25,131 @@ public:
 
     void push(std::uint32_t symbol) { m_value = symbol * m_first + m_value / m_maps; }
     std::uint64_t value() const { return m_value; }
-    double coordinate() const { return double(m_value) / double(m_first) / double(m_maps); }
-    // Those of a value, the newest first.
-    void read(std::uint64_t value, std::vector<std::uint32_t>& symbols) const {
-        symbols.clear();
-        std::uint64_t place = m_first;
-        for (int k = 0; k < m_length; ++k, place /= m_maps)
-            symbols.push_back(std::uint32_t(value / place % m_maps));
-    }
+    double coordinate(std::uint64_t value) const { return double(value) / double(m_first) / double(m_maps); }
+
+    std::uint64_t maps() const { return m_maps; }
+    std::uint64_t values() const { return m_first * m_maps; } // how many there are
+    std::size_t length() const { return m_length; }
 
 private:
     std::uint64_t m_maps;
     std::uint64_t m_first = 1; // the place of the newest symbol
     std::uint64_t m_value = 0;
-    int m_length = 1;
+    std::size_t m_length = 1;
 };
 
-struct Sample {
-    std::uint64_t code;
-    ifs::Vector<2> from, to;
-    double address;
-    double stretch;
-};
-
-// By how much T magnifies areas near samples, in the order of their addresses: what their beginnings have in
-// common is worked out once.
-class Stretches {
+// The beginnings of values that come in increasing order. The values of a beginning are neighbours.
+class Beginnings {
 public:
-    Stretches(const CoupledSystem& system, double pieceSize) : m_system(system), m_pieceSize(pieceSize) {
-        m_pieces.push_back({.isSmall = 1 <= pieceSize});
+    Beginnings(const CoupledSystem& system, const AddressRegister& addresses, double pieceSize,
+               CoupledSamples& result)
+        : m_system(system), m_addresses(addresses), m_pieceSize(pieceSize), m_result(result) {
+        m_result.linear.push_back(ifs::Matrix<2>::Identity());
+        m_open.push_back({0, addresses.values(), 0, 1 <= pieceSize});
     }
 
-    double at(const std::vector<std::uint32_t>& symbols) {
-        const auto limit = std::min(m_symbols.size(), symbols.size());
-        const auto first = symbols.begin();
-        const auto common = std::mismatch(first, first + std::ptrdiff_t(limit), m_symbols.begin()).first;
-        m_pieces.resize(std::min(m_pieces.size(), std::size_t(common - first) + 1));
-        m_symbols = symbols;
-        while (m_pieces.size() <= symbols.size() && !m_pieces.back().isSmall) {
-            const Piece& piece = m_pieces.back();
-            const std::uint32_t symbol = symbols[m_pieces.size() - 1];
-            const ifs::Matrix<2> longer = piece.from * m_system.from[symbol].linear;
-            if (!(longer.squaredNorm() > 0)) break; // a point: what is known of the piece before must do
-            m_pieces.push_back({longer, piece.to * m_system.to[symbol].linear,
-                                piece.ratio * m_system.areaRatios[symbol],
-                                ifs::spectralNorm<2>(longer) <= m_pieceSize});
+    // The shortest one whose piece is small, as a number in the tree.
+    std::uint32_t of(std::uint64_t value) {
+        while (m_open.size() > 1 && value - m_open.back().first >= m_open.back().values)
+            m_open.pop_back();
+        while (m_open.size() <= m_addresses.length() && !m_open.back().isSmall) {
+            const Piece piece = m_open.back();
+            const std::uint64_t values = piece.values / m_addresses.maps();
+            const std::uint64_t symbol = (value - piece.first) / values;
+            const ifs::Matrix<2> linear =
+                m_result.linear[piece.word] * m_system.from[std::size_t(symbol)].linear;
+            if (!(linear.squaredNorm() > 0)) break; // a point: what is known of the piece before must do
+            m_open.push_back({piece.first + symbol * values, values,
+                              m_result.tree.longer(piece.word, std::size_t(symbol)),
+                              ifs::spectralNorm<2>(linear) <= m_pieceSize});
+            m_result.linear.push_back(linear);
         }
-        const Piece& found = m_pieces.back();
-        return stretchOf(found.ratio, found.to, found.from);
+        return m_open.back().word;
     }
 
 private:
     struct Piece {
-        ifs::Matrix<2> from = ifs::Matrix<2>::Identity(), to = from;
-        double ratio = 1;
-        bool isSmall = false;
+        std::uint64_t first, values; // those that begin with the word
+        std::uint32_t word;
+        bool isSmall;
     };
     const CoupledSystem& m_system;
+    const AddressRegister& m_addresses;
     double m_pieceSize;
-    std::vector<std::uint32_t> m_symbols; // of the sample before
-    std::vector<Piece> m_pieces;          // of its beginnings, the whole first
+    CoupledSamples& m_result;
+    std::vector<Piece> m_open; // of the value before, the whole first
 };
 
-std::vector<Sample> orbit(const CoupledSystem& system, std::uint64_t seed, std::size_t size,
-                          double pieceSize) {
+struct Sample {
+    std::uint64_t value;
+    std::uint32_t index;
+};
+
+// Fills in the steps; by rank, the values.
+std::vector<Sample> sorted(const CoupledSystem& system, std::uint64_t seed, AddressRegister& newest,
+                           std::vector<CoupledSamples::Step>& orbit) {
     const AliasTable table(system.probabilities);
-    AddressRegister newest(system.from.size());
     std::uint64_t random = mixed(seed);
-    Sample sample{0, system.fromTop, system.toTop, 0, 1};
-    std::vector<Sample> samples;
-    for (std::size_t n = 0; n < size; ++n) {
-        const std::uint32_t i = table.draw(std::uint32_t(mixed(random++) >> 32));
-        sample.from = system.from[i](sample.from);
-        sample.to = system.to[i](sample.to);
-        newest.push(i);
-        sample.code = newest.value();
-        sample.address = newest.coordinate();
-        samples.push_back(sample);
+    std::vector<Sample> samples(orbit.size());
+    for (std::size_t n = 0; n < orbit.size(); ++n) {
+        orbit[n].symbol = table.draw(std::uint32_t(mixed(random++) >> 32));
+        newest.push(orbit[n].symbol);
+        samples[n] = {newest.value(), std::uint32_t(n)};
     }
-    std::ranges::stable_sort(samples, {}, &Sample::code);
-    Stretches stretches(system, pieceSize);
-    std::vector<std::uint32_t> symbols;
-    for (Sample& each : samples) {
-        newest.read(each.code, symbols);
-        each.stretch = stretches.at(symbols);
-    }
+    std::ranges::sort(samples, [](const Sample& a, const Sample& b) {
+        return a.value != b.value ? a.value < b.value : a.index < b.index;
+    });
+    for (std::size_t rank = 0; rank < samples.size(); ++rank)
+        orbit[samples[rank].index].rank = std::uint32_t(rank);
     return samples;
 }
 
 } // namespace
 
+void CoupledSamples::moveTo(const CoupledSystem& system) {
+    ifs::Vector<2> at = system.toTop;
+    for (const Step& step : orbit) {
+        at = system.to[step.symbol](at);
+        images[step.rank].x = at.x();
+        images[step.rank].y = at.y();
+    }
+    std::vector<double> stretches;
+    for (const WordTree::Image& image : tree.images(system))
+        stretches.push_back(stretchOf(image.areaRatio, image.to.linear, linear[stretches.size()]));
+    for (std::size_t rank = 0; rank < size; ++rank)
+        images[rank].stretch = stretches[beginnings[rank]];
+}
+
 CoupledSamples coupledSamples(const CoupledSystem& system, std::uint64_t seed, std::size_t size,
                               double pieceSize) {
-    const auto samples = orbit(system, seed, size, pieceSize);
-    const auto& h = system.around.heights;
     CoupledSamples result;
-    result.size = samples.size();
+    result.size = size;
+    result.orbit.resize(size);
+    AddressRegister addresses(system.from.size());
+    const auto samples = sorted(system, seed, addresses, result.orbit);
+    Beginnings beginnings(system, addresses, pieceSize, result);
+    for (const Sample& sample : samples) {
+        result.images.push_back({0, 0, addresses.coordinate(sample.value), 0});
+        result.beginnings.push_back(beginnings.of(sample.value));
+    }
+    const auto& h = system.around.heights;
     result.centre = {(h[0] - h[8]) / 2, (h[4] - h[12]) / 2};
     const double extent = std::max(h[0] + h[8], h[4] + h[12]) / 2;
     result.scale = extent > 0 ? extent : 1;
-    for (const Sample& sample : samples) {
-        const ifs::Vector<2> inBox = (sample.from - result.centre) / result.scale;
-        result.x.push_back(float(inBox.x()));
-        result.y.push_back(float(inBox.y()));
-        result.images.push_back({sample.to.x(), sample.to.y(), sample.address, sample.stretch});
+    result.x.resize((size + CoupledSamples::lanes - 1) / CoupledSamples::lanes * CoupledSamples::lanes);
+    result.y.resize(result.x.size());
+    ifs::Vector<2> at = system.fromTop;
+    for (const CoupledSamples::Step& step : result.orbit) {
+        at = system.from[step.symbol](at);
+        const ifs::Vector<2> inBox = (at - result.centre) / result.scale;
+        result.x[step.rank] = float(inBox.x());
+        result.y[step.rank] = float(inBox.y());
     }
-    for (; result.x.size() % CoupledSamples::lanes != 0 && !samples.empty();) {
-        result.x.push_back(result.x.back());
-        result.y.push_back(result.y.back());
+    for (std::size_t k = size; k < result.x.size(); ++k) {
+        result.x[k] = result.x[size - 1];
+        result.y[k] = result.y[size - 1];
     }
+    result.moveTo(system);
     return result;
 }
 

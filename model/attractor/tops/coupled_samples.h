@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/tops/coupled_system.h"
+#include "attractor/tops/word_tree.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,18 @@ struct CoupledSamples {
         double stretch;
     };
     std::vector<Image> images;
+
+    // Everything that depends on G, after another one.
+    void moveTo(const CoupledSystem& system);
+
+    // What that needs: in the order of the orbit, and by rank the beginnings.
+    struct Step {
+        std::uint32_t symbol, rank;
+    };
+    std::vector<Step> orbit;
+    std::vector<std::uint32_t> beginnings;
+    WordTree tree;
+    std::vector<ifs::Matrix<2>> linear; // in F, of the words of the tree
 };
 
 // `size` of at most CoupledSamples::most samples, from the point that repeats the first map on.

@@ -46,6 +46,9 @@ struct PixelBox {
     bool meets(int width, int firstRow, int endRow) const {
         return right >= 0 && left < width && bottom >= firstRow && top < endRow;
     }
+    bool isWithin(int width, int firstRow, int endRow) const {
+        return left >= 0 && right < width && top >= firstRow && bottom < endRow;
+    }
 };
 // Around the image of the attractor of F under a map to pixels.
 PixelBox boxOf(const ifs::AffineMap<2>& shown, const ifs::EnclosingPolygon& around);

@@ -3,9 +3,9 @@
 
 #include "attractor/colour/srgb_transfer.h"
 #include "attractor/threads/job_shares.h"
+#include "attractor/tops/key_colours.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -17,7 +17,6 @@ namespace {
 constexpr int bandRows = 32; // coloured at a time by one thread
 // Found at a time by one thread: every word that reaches into a band goes through all of its samples for it.
 constexpr int keyRows = 128;
-constexpr std::size_t together = 256; // pixels, whose points stay near
 
 // work(first row, number of rows) for bands of at most so many rows that cover the picture; false when
 // stopped.
@@ -50,32 +49,31 @@ std::uint32_t over(std::uint32_t pixel, const LinearColour& seen, double opacity
 
 bool DeferredTheft::draw(const CoupledSystem& system, const MipPicture& picture, const TheftRequest& request,
                          std::span<std::uint32_t> pixels, const std::stop_token& stop) {
-    const KeyTops tops(system, request.camera, request.points, request.seed, stop);
-    if (stop.stop_requested() || !keep(tops, system, request, stop)) return false;
+    if (stop.stop_requested() || !keep(system, request, stop)) return false;
+    const KeyColours colours(*m_tops, picture, request);
     const auto width = std::size_t(request.camera.width);
     return inBands(m_workers, request.camera.height, bandRows, stop, [&](int first, int rows) {
-        const std::size_t begin = width * std::size_t(first), end = begin + width * std::size_t(rows);
-        std::array<TopPoint, together> points;
-        for (std::size_t at = begin; at < end; at += together) {
-            const std::size_t count = std::min(together, end - at);
-            tops.decode(std::span(m_keys).subspan(at, count), std::span(points).first(count));
-            colour(std::span(points).first(count), picture, request, pixels.subspan(at, count));
-        }
+        const std::size_t begin = width * std::size_t(first), count = width * std::size_t(rows);
+        colours.paint(std::span(m_keys).subspan(begin, count), pixels.subspan(begin, count));
         return true;
     });
 }
 
-bool DeferredTheft::keep(const KeyTops& tops, const CoupledSystem& system, const TheftRequest& request,
+bool DeferredTheft::keep(const CoupledSystem& system, const TheftRequest& request,
                          const std::stop_token& stop) {
     const auto width = std::size_t(request.camera.width);
     const std::size_t count = width * std::size_t(request.camera.height);
-    m_hasKeptKeys = m_keys.size() == count && m_camera == request.camera && m_points == request.points &&
-                    m_seed == request.seed && m_from == system.from &&
+    m_hasKeptKeys = m_tops && m_keys.size() == count && m_camera == request.camera &&
+                    m_points == request.points && m_seed == request.seed && m_from == system.from &&
                     m_probabilities == system.probabilities;
-    if (m_hasKeptKeys) return true;
+    if (m_hasKeptKeys) {
+        m_tops->moveTo(system);
+        return true;
+    }
     m_keys.resize(count);
+    m_tops.emplace(system, request.camera, request.points, request.seed, stop);
     const bool isDrawn = inBands(m_workers, request.camera.height, keyRows, stop, [&](int first, int rows) {
-        return tops.drawKeys(
+        return m_tops->drawKeys(
             first, std::span(m_keys).subspan(width * std::size_t(first), width * std::size_t(rows)), stop);
     });
     if (!isDrawn) m_keys.clear();

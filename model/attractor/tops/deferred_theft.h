@@ -2,9 +2,11 @@
 #pragma once
 
 #include "attractor/threads/workers.h"
+#include "attractor/tops/key_tops.h"
 #include "attractor/tops/stolen_picture.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -29,8 +31,7 @@ public:
     bool hasKeptKeys() const { return m_hasKeptKeys; } // the last draw() found its keys
 
 private:
-    bool keep(const KeyTops& tops, const CoupledSystem& system, const TheftRequest& request,
-              const std::stop_token& stop);
+    bool keep(const CoupledSystem& system, const TheftRequest& request, const std::stop_token& stop);
 
     Workers m_workers;
     // What the keys belong to; those without a pixel to nothing.
@@ -38,6 +39,7 @@ private:
     std::vector<double> m_probabilities;
     Camera m_camera;
     std::uint64_t m_points = 0, m_seed = 0;
+    std::optional<KeyTops> m_tops;
     std::vector<std::uint32_t> m_keys;
     bool m_hasKeptKeys = false;
 };

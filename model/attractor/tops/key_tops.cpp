@@ -4,6 +4,7 @@
 #include "attractor/tops/top_cut.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace attractor {
 
@@ -30,18 +31,34 @@ KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_
     : m_width(camera.width) {
     const std::uint64_t wanted = std::clamp<std::uint64_t>(points, 1, maxPoints);
     const auto words = std::size_t(std::max<std::uint64_t>(1, wanted / CoupledSamples::usual));
-    const TopCut cut = topCut(system, camera, words, stop);
+    TopCut cut = topCut(system, camera, words, stop);
     if (stop.stop_requested() || cut.words.empty()) return;
     const std::size_t size = std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::most);
     m_samples = coupledSamples(system, seed, size, 1 / std::max(1.0, cut.size));
+    m_tree = std::move(cut.tree);
     constexpr double rounding = 1; // pixels, more than what single precision may do
     for (const TopWord& word : cut.words) {
-        m_rows.push_back({float(word.box.top - rounding), float(word.box.bottom + rounding)});
-        // Without the camera.
-        const ifs::Matrix<2> from = word.shown.linear / camera.pixelsPerUnit;
-        m_pieces.push_back(
-            {word.to, stretchOf(word.areaRatio, word.to.linear, from), word.address, word.step});
+        m_boxes.push_back({word.box.left - rounding, word.box.right + rounding, word.box.top - rounding,
+                           word.box.bottom + rounding});
+        m_sources.push_back({word.number, word.shown.linear / camera.pixelsPerUnit}); // without the camera
+        m_pieces.push_back({{}, 0, word.address, word.step});
         m_words.push_back(keyWord(word, m_samples, m_words.size()));
+    }
+    movePieces(system);
+}
+
+void KeyTops::moveTo(const CoupledSystem& system) {
+    if (m_pieces.empty()) return;
+    m_samples.moveTo(system);
+    movePieces(system);
+}
+
+void KeyTops::movePieces(const CoupledSystem& system) {
+    const auto images = m_tree.images(system);
+    for (std::size_t k = 0; k < m_pieces.size(); ++k) {
+        const WordTree::Image& image = images[m_sources[k].word];
+        m_pieces[k].to = image.to;
+        m_pieces[k].stretch = stretchOf(image.areaRatio, image.to.linear, m_sources[k].from);
     }
 }
 
@@ -52,17 +69,20 @@ bool KeyTops::draw(int firstRow, std::span<TopPoint> points, const std::stop_tok
     return true;
 }
 
+// From the lowest word to the top one.
 bool KeyTops::drawKeys(int firstRow, std::span<std::uint32_t> keys, const std::stop_token& stop) const {
     const int endRow = firstRow + int(keys.size() / std::size_t(m_width));
-    kernels::KeyRows rows;
-    rows.reset(m_width, firstRow, endRow);
+    std::ranges::fill(keys, kernels::noKey);
+    const kernels::KeyRows rows{m_width, firstRow, endRow, keys};
     std::size_t drawn = 0;
-    for (std::size_t k = 0; k < m_words.size(); ++k) {
-        if (m_rows[k].bottom < float(firstRow) || m_rows[k].top >= float(endRow)) continue;
+    for (std::size_t k = m_words.size(); k-- > 0;) {
+        const PixelBox& box = m_boxes[k];
+        if (!box.meets(m_width, firstRow, endRow)) continue;
         if (drawn++ % wordsBetween == 0 && stop.stop_requested()) return false;
-        kernels::addKeys(m_words[k], m_samples.x.data(), m_samples.y.data(), m_samples.size, rows);
+        const auto reach =
+            box.isWithin(m_width, firstRow, endRow) ? kernels::KeyReach::Inside : kernels::KeyReach::Across;
+        kernels::putKeys(m_words[k], reach, m_samples.x.data(), m_samples.y.data(), m_samples.size, rows);
     }
-    std::copy_n(rows.keys.begin(), keys.size(), keys.begin());
     return !stop.stop_requested();
 }
 

@@ -5,6 +5,7 @@
 #include "attractor/request/camera.h"
 #include "attractor/tops/coupled_samples.h"
 #include "attractor/tops/coupled_system.h"
+#include "attractor/tops/word_tree.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,28 +30,37 @@ public:
     bool draw(int firstRow, std::span<TopPoint> points, const std::stop_token& stop) const;
 
     // The same in two steps. Keys depend on F, the camera, the number of points and the seed alone: while
-    // only G moves, they stay, and another KeyTops decodes them.
+    // only G moves, they stay.
     bool drawKeys(int firstRow, std::span<std::uint32_t> keys, const std::stop_token& stop) const;
     void decode(std::span<const std::uint32_t> keys, std::span<TopPoint> points) const;
+    // Decodes as if made from this system, which has the same F.
+    void moveTo(const CoupledSystem& system);
 
-private:
-    TopPoint pointOf(std::uint32_t key) const;
-
-    // What a key is decoded by.
+    // What a key is decoded by: its piece is key / samples().size(), its sample the rest.
     struct Piece {
         ifs::AffineMap<2> to;
         double stretch; // |det v_σ / det w_σ|
         double address, step;
     };
-    struct RowRange {
-        float top, bottom;
+    std::span<const Piece> pieces() const { return m_pieces; }
+    std::span<const CoupledSamples::Image> samples() const { return m_samples.images; }
+
+private:
+    TopPoint pointOf(std::uint32_t key) const;
+    void movePieces(const CoupledSystem& system);
+
+    struct Source {
+        std::uint32_t word; // in the tree
+        ifs::Matrix<2> from;
     };
 
     int m_width;
     CoupledSamples m_samples;
+    WordTree m_tree;
     // By rank:
     std::vector<kernels::KeyWord> m_words;
-    std::vector<RowRange> m_rows;
+    std::vector<PixelBox> m_boxes;
+    std::vector<Source> m_sources;
     std::vector<Piece> m_pieces;
 };
 

@@ -4,26 +4,27 @@
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/colour/srgb_transfer.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 namespace attractor {
 
 namespace {
 
-constexpr double one = 65535;
+using kernels::fullChannel;
+using kernels::PictureLevel;
 
 LinearColour mix(const LinearColour& a, const LinearColour& b, double share) {
     return {a.red + (b.red - a.red) * share, a.green + (b.green - a.green) * share,
             a.blue + (b.blue - a.blue) * share, a.alpha + (b.alpha - a.alpha) * share};
 }
 
-std::uint16_t rounded(double value) {
-    return std::uint16_t(std::clamp(value * one + 0.5, 0.0, one));
+std::int16_t rounded(double value) {
+    return std::int16_t(value * fullChannel + 0.5);
 }
 
-// log₂ x for x ≥ 1 to 3·10⁻⁶, exact for powers of two: straight between 256 values for each of them.
+// log₂ x for x > 0 to 3·10⁻⁶, exact for powers of two: straight between 256 values for each of them.
 double binaryLogarithm(double x) {
     constexpr int tableBits = 8, mantissaBits = 52;
     static const auto table = [] {
@@ -39,79 +40,97 @@ double binaryLogarithm(double x) {
     return int(bits >> mantissaBits) - 1023 + table[index] + (table[index + 1] - table[index]) * share;
 }
 
-} // namespace
-
-MipPicture::MipPicture(int width, int height, std::vector<Rgba> pixels)
-    : m_width(width), m_height(height), m_pixels(std::move(pixels)) {
-    while (widthOf(m_levels.size()) > 1 || heightOf(m_levels.size()) > 1)
-        m_levels.push_back(halved(m_levels.size()));
+std::size_t stride(const PictureLevel& level) {
+    return 4 * (std::size_t(level.columns) + 1);
 }
 
-LinearColour MipPicture::pixel(std::size_t level, int column, int row) const {
-    if (level == 0) {
-        const Rgba& c = m_pixels[std::size_t(row) * std::size_t(m_width) + std::size_t(column)];
-        const double alpha = c.alpha / 255.0;
-        return {linearLight(c.red) * alpha, linearLight(c.green) * alpha, linearLight(c.blue) * alpha, alpha};
-    }
-    const Level& from = m_levels[level - 1];
-    const std::uint16_t* c =
-        from.channels.data() + 4 * (std::size_t(row) * std::size_t(from.width) + std::size_t(column));
-    return {c[0] / one, c[1] / one, c[2] / one, c[3] / one};
+} // namespace
+
+MipPicture::MipPicture(int width, int height, const std::vector<Rgba>& pixels)
+    : m_width(width), m_height(height) {
+    std::array<double, 256> light{};
+    for (std::size_t code = 0; code < light.size(); ++code)
+        light[code] = linearLight(std::uint8_t(code));
+    const auto columns = std::size_t(width), lines = std::size_t(height);
+    m_channels.reserve(6 * columns * lines + 16 * (columns + lines) + 512); // a third more than the picture
+    std::int16_t* to = append(width, height);
+    const Rgba* from = pixels.data();
+    for (int row = 0; row < height; ++row, to += 4)
+        for (int column = 0; column < width; ++column, ++from, to += 4) {
+            const double alpha = from->alpha / 255.0;
+            to[0] = rounded(light[from->red] * alpha);
+            to[1] = rounded(light[from->green] * alpha);
+            to[2] = rounded(light[from->blue] * alpha);
+            to[3] = rounded(alpha);
+        }
+    repeatLast();
+    while (m_levels.back().columns > 1 || m_levels.back().rows > 1)
+        halve();
+    m_lastLevel = std::int32_t(m_levels.size() - 1) << kernels::placeBits;
+}
+
+std::int16_t* MipPicture::append(int columns, int rows) {
+    m_levels.push_back({m_channels.size(), columns, rows});
+    m_channels.resize(m_channels.size() + stride(m_levels.back()) * (std::size_t(rows) + 1));
+    return m_channels.data() + m_levels.back().first;
+}
+
+void MipPicture::repeatLast() {
+    const PictureLevel& level = m_levels.back();
+    std::int16_t* row = m_channels.data() + level.first;
+    for (int k = 0; k < level.rows; ++k, row += stride(level))
+        std::copy_n(row + stride(level) - 8, 4, row + stride(level) - 4);
+    std::copy_n(row - stride(level), stride(level), row);
 }
 
 // Of an odd number of columns or rows, the last is averaged with itself.
-MipPicture::Level MipPicture::halved(std::size_t level) const {
-    const int width = widthOf(level), height = heightOf(level);
-    Level result{(width + 1) / 2, (height + 1) / 2, {}};
-    result.channels.reserve(4 * std::size_t(result.width) * std::size_t(result.height));
-    for (int row = 0; row < result.height; ++row)
-        for (int column = 0; column < result.width; ++column) {
-            const int right = std::min(2 * column + 1, width - 1), below = std::min(2 * row + 1, height - 1);
-            const LinearColour upper =
-                mix(pixel(level, 2 * column, 2 * row), pixel(level, right, 2 * row), 0.5);
-            const LinearColour lower = mix(pixel(level, 2 * column, below), pixel(level, right, below), 0.5);
-            const LinearColour mean = mix(upper, lower, 0.5);
-            for (const double channel : {mean.red, mean.green, mean.blue, mean.alpha})
-                result.channels.push_back(rounded(channel));
-        }
-    return result;
+void MipPicture::halve() {
+    const PictureLevel from = m_levels.back();
+    const int columns = (from.columns + 1) / 2, rows = (from.rows + 1) / 2;
+    std::int16_t* to = append(columns, rows);
+    const std::int16_t* upper = m_channels.data() + from.first;
+    for (int row = 0; row < rows; ++row, upper += 2 * stride(from), to += 4) {
+        const std::int16_t* lower = upper + stride(from);
+        for (std::size_t k = 0; k < 8 * std::size_t(columns); k += 8)
+            for (std::size_t c = k; c < k + 4; ++c)
+                *to++ = std::int16_t((upper[c] + upper[c + 4] + lower[c] + lower[c + 4] + 2) / 4);
+    }
+    repeatLast();
 }
 
 // Between the four nearest pixels.
 LinearColour MipPicture::smooth(std::size_t level, double x, double y) const {
-    const double lastColumn = widthOf(level) - 1, lastRow = heightOf(level) - 1;
-    const double column = std::clamp(x - 0.5, 0.0, lastColumn), row = std::clamp(y - 0.5, 0.0, lastRow);
-    const int left = int(column), top = int(row);
-    const int right = std::min(left + 1, int(lastColumn)), bottom = std::min(top + 1, int(lastRow));
-    const double across = column - left, down = row - top;
-    if (level == 0)
-        return mix(mix(pixel(level, left, top), pixel(level, right, top), across),
-                   mix(pixel(level, left, bottom), pixel(level, right, bottom), across), down);
-    const Level& from = m_levels[level - 1];
-    const auto above = 4 * std::size_t(top) * std::size_t(from.width);
-    const auto below = 4 * std::size_t(bottom) * std::size_t(from.width);
-    const std::uint16_t* channels = from.channels.data();
-    const std::uint16_t* corners[] = {channels + above + 4 * left, channels + above + 4 * right,
-                                      channels + below + 4 * left, channels + below + 4 * right};
-    const double weights[] = {(1 - across) * (1 - down) / one, across * (1 - down) / one,
-                              (1 - across) * down / one, across * down / one};
-    std::array<double, 4> sums{};
-    for (std::size_t corner = 0; corner < 4; ++corner)
-        for (std::size_t channel = 0; channel < 4; ++channel)
-            sums[channel] += weights[corner] * corners[corner][channel];
-    return {sums[0], sums[1], sums[2], sums[3]};
+    const PictureLevel& from = m_levels[level];
+    const double column = std::clamp(x - 0.5, 0.0, double(from.columns - 1));
+    const double row = std::clamp(y - 0.5, 0.0, double(from.rows - 1));
+    const auto left = std::size_t(column), top = std::size_t(row);
+    const double across = column - double(left), down = row - double(top);
+    const std::int16_t* upper = m_channels.data() + from.first + top * stride(from) + 4 * left;
+    const auto pixel = [](const std::int16_t* c) {
+        constexpr double one = fullChannel;
+        return LinearColour{c[0] / one, c[1] / one, c[2] / one, c[3] / one};
+    };
+    const std::int16_t* lower = upper + stride(from);
+    return attractor::mix(attractor::mix(pixel(upper), pixel(upper + 4), across),
+                          attractor::mix(pixel(lower), pixel(lower + 4), across), down);
 }
 
 LinearColour MipPicture::at(double x, double y, double area) const {
-    if (!(x >= 0 && x <= m_width && y >= 0 && y <= m_height)) return {0, 0, 0, 0};
-    const double level = area > 1 ? std::min(binaryLogarithm(area) / 2, double(m_levels.size())) : 0;
+    if (!isInside(x, y)) return {0, 0, 0, 0};
+    const double level = area > 1 ? std::min(binaryLogarithm(area) / 2, double(m_levels.size() - 1)) : 0;
     const auto fine = std::size_t(level);
     const auto at = [&](std::size_t k) {
         const double scale = 1 / double(std::uint64_t{1} << k);
         return smooth(k, x * scale, y * scale);
     };
     const LinearColour first = at(fine);
-    return level > double(fine) ? mix(first, at(fine + 1), level - double(fine)) : first;
+    return level > double(fine) ? attractor::mix(first, at(fine + 1), level - double(fine)) : first;
+}
+
+std::int32_t mipLevel(double area) {
+    constexpr std::int32_t leastLevel = -(1 << 25); // below that of every other number
+    if (!(area > 0)) return leastLevel;
+    return std::int32_t(std::floor(binaryLogarithm(area) * (1 << (kernels::placeBits - 1)) + 0.5));
 }
 
 } // namespace attractor

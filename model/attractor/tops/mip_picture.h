@@ -2,7 +2,9 @@
 #pragma once
 
 #include "attractor/colour/palette.h"
+#include "attractor/kernels/picture_mix.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,7 +17,7 @@ class MipPicture {
 public:
     MipPicture() = default;
     // Pixels row by row from the top left, sRGB, not premultiplied: width·height of them, both positive.
-    MipPicture(int width, int height, std::vector<Rgba> pixels);
+    MipPicture(int width, int height, const std::vector<Rgba>& pixels);
 
     int width() const { return m_width; }
     int height() const { return m_height; }
@@ -24,20 +26,32 @@ public:
     // Premultiplied by its opacity; nothing outside.
     LinearColour at(double x, double y, double area) const;
 
+    // The same for many places, in whole numbers: of places inside, four channels each.
+    bool isInside(double x, double y) const { return x >= 0 && x <= m_width && y >= 0 && y <= m_height; }
+    kernels::PicturePlace place(double x, double y, std::int32_t level) const {
+        return {std::int64_t(x * unit), std::int64_t(y * unit), std::clamp(level, 0, m_lastLevel)};
+    }
+    void mix(std::span<const kernels::PicturePlace> places, std::span<std::int16_t> channels) const {
+        kernels::mixPicture(m_channels.data(), m_levels.data(), places.data(), places.size(),
+                            channels.data());
+    }
+
 private:
-    struct Level {
-        int width = 0, height = 0;
-        std::vector<std::uint16_t> channels; // red, green, blue, alpha: linear, premultiplied, 65535 is 1
-    };
-    LinearColour pixel(std::size_t level, int column, int row) const;
+    static constexpr double unit = 1 << kernels::placeBits;
+
     LinearColour smooth(std::size_t level, double x, double y) const;
-    Level halved(std::size_t level) const;
-    int widthOf(std::size_t level) const { return level == 0 ? m_width : m_levels[level - 1].width; }
-    int heightOf(std::size_t level) const { return level == 0 ? m_height : m_levels[level - 1].height; }
+    std::int16_t* append(int columns, int rows); // room for one more level
+    void halve();                                // the last level
+    void repeatLast();                           // the last pixel of its rows, and the last row
 
     int m_width = 0, m_height = 0;
-    std::vector<Rgba> m_pixels;
-    std::vector<Level> m_levels; // the first is half as large as the picture
+    std::int32_t m_lastLevel = 0; // as in kernels::PicturePlace
+    std::vector<kernels::PictureLevel> m_levels;
+    std::vector<std::int16_t> m_channels; // of all levels
 };
+
+// The level whose pixels are as large as `area`, as in kernels::PicturePlace, below 0 for less than a pixel:
+// half the logarithm to base 2. Factors may be added up.
+std::int32_t mipLevel(double area);
 
 } // namespace attractor

@@ -187,7 +187,7 @@ MipPicture picture(Pattern pattern, int side) {
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
             pixels.push_back(rgba(colourOf(pattern, (column + .5) / side, 1 - (row + .5) / side)));
-    return {side, side, std::move(pixels)};
+    return {side, side, pixels};
 }
 
 } // namespace attractor

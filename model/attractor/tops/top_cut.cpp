@@ -12,12 +12,15 @@ namespace {
 constexpr double finest = 0.5; // pixels
 
 // nullopt when there are more words, or when stopped.
-std::optional<std::vector<TopWord>> wordsOf(const CoupledSystem& system, const Camera& camera, double size,
-                                            std::size_t maxWords, const std::stop_token& stop) {
-    std::vector<TopWord> done, open;
+std::optional<TopCut> cutOf(const CoupledSystem& system, const Camera& camera, double size,
+                            std::size_t maxWords, const std::stop_token& stop) {
+    TopCut result;
+    result.size = size;
+    std::vector<TopWord>& done = result.words;
+    std::vector<TopWord> open;
     const std::size_t maps = system.from.size();
     const std::size_t maxLooks = 64 * (maxWords + maps);
-    open.push_back({worldToPixel(camera), {}});
+    open.push_back({worldToPixel(camera)});
     for (std::size_t looks = 0; !open.empty(); ++looks) {
         if (looks > maxLooks || (looks % 1024 == 0 && stop.stop_requested())) return std::nullopt;
         TopWord word = open.back();
@@ -32,10 +35,10 @@ std::optional<std::vector<TopWord>> wordsOf(const CoupledSystem& system, const C
         if (open.size() + maps > maxLooks) return std::nullopt;
         const double step = word.step / double(maps);
         for (std::size_t i = maps; i-- > 0;) // the first map comes last, on top
-            open.push_back({word.shown * system.from[i], word.to * system.to[i],
-                            word.address + double(i) * step, step, word.areaRatio * system.areaRatios[i]});
+            open.push_back({word.shown * system.from[i], result.tree.longer(word.number, i),
+                            word.address + double(i) * step, step});
     }
-    return done;
+    return result;
 }
 
 } // namespace
@@ -43,14 +46,18 @@ std::optional<std::vector<TopWord>> wordsOf(const CoupledSystem& system, const C
 TopCut topCut(const CoupledSystem& system, const Camera& camera, std::size_t maxWords,
               const std::stop_token& stop) {
     const double whole = boxOf(worldToPixel(camera), system.around).size();
-    TopCut best{{}, whole};
+    TopCut best;
+    best.size = whole;
     for (double size = whole; size >= finest && std::isfinite(size); size /= std::sqrt(2.0)) {
-        auto words = wordsOf(system, camera, size, maxWords, stop);
-        if (!words) break;
-        best = {std::move(*words), size};
+        auto cut = cutOf(system, camera, size, maxWords, stop);
+        if (!cut) break;
+        best = std::move(*cut);
     }
     if (best.words.empty() && !stop.stop_requested())
-        if (auto words = wordsOf(system, camera, std::max(whole, finest), 1, stop)) best.words = *words;
+        if (auto cut = cutOf(system, camera, std::max(whole, finest), 1, stop)) {
+            cut->size = best.size;
+            best = std::move(*cut);
+        }
     return best;
 }
 

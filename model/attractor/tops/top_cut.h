@@ -3,6 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "attractor/tops/coupled_system.h"
+#include "attractor/tops/word_tree.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,12 +12,11 @@
 
 namespace attractor {
 
-// One word of a cut, shown and in G.
+// One word of a cut.
 struct TopWord {
-    ifs::AffineMap<2> shown; // from coordinates of F to pixels
-    ifs::AffineMap<2> to;    // from coordinates of G to coordinates of G
+    ifs::AffineMap<2> shown;  // from coordinates of F to pixels
+    std::uint32_t number = 0; // in the tree
     double address = 0, step = 1;
-    double areaRatio = 1; // the product of those of its maps
     PixelBox box{};
 };
 
@@ -24,6 +24,7 @@ struct TopWord {
 // `size` pixels large and meet the picture: the rank of a word is its index.
 struct TopCut {
     std::vector<TopWord> words;
+    WordTree tree; // of them and their beginnings
     double size = 0;
 };
 

@@ -53,7 +53,7 @@ attractor::MipPicture pictureOf(const std::vector<std::uint32_t>& pixels, int wi
         };
         straight.push_back({channel(16), channel(8), channel(0), std::uint8_t(alpha)});
     }
-    return {width, height, std::move(straight)};
+    return {width, height, straight};
 }
 
 // The picture lies on F, and G shows it through the inverse transformation, in few pixels or shades.

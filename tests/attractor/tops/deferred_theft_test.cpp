@@ -2,6 +2,8 @@
 #include "attractor/tops/deferred_theft.h"
 
 #include "../../ifs/tops/top_systems.h"
+#include "attractor/colour/srgb_transfer.h"
+#include "attractor/kernels/kernels.h"
 #include "attractor/tops/picture_patterns.h"
 #include "ifs/system/iterated_function_system.h"
 
@@ -62,6 +64,50 @@ private slots:
                 QVERIFY(drawn(theft, system, picture, request) == stolen(system, picture, request));
             }
         }
+    }
+
+    // Against doubles: the colour of the picture where the top of the pixel is taken to.
+    void coloursAreThoseOfThePicture() {
+        const auto picture = attractor::picture(attractor::Pattern::Wheel, 64);
+        attractor::TheftRequest request = requested();
+        const CoupledSystem system = coupled(square(.5, .5), square(.3, .6));
+        std::vector<attractor::TopPoint> points(100 * 100);
+        QVERIFY(
+            attractor::KeyTops(system, request.camera, request.points, request.seed, {}).draw(0, points, {}));
+        attractor::DeferredTheft theft(1);
+        const Pixels pixels = drawn(theft, system, picture, request);
+        int filled = 0;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            if (points[k].isEmpty()) continue;
+            const ifs::Vector<2> at = request.toPicture({points[k].x, points[k].y});
+            const auto seen =
+                picture.at(at.x(), at.y(), points[k].stretch * attractor::picturePixels(request));
+            if (seen.alpha < 1) continue; // outside
+            ++filled;
+            const auto differs = [&](int shift, double light) {
+                return std::abs(int(pixels[k] >> shift & 255) - int(attractor::encoded(light))) > 1;
+            };
+            QVERIFY(!differs(16, seen.red) && !differs(8, seen.green) && !differs(0, seen.blue));
+        }
+        QVERIFY(filled > 5000);
+    }
+
+    void everyPictureIsTheSame() {
+        const auto picture = attractor::picture(attractor::Pattern::Glass, 128);
+        const CoupledSystem system = coupled(square(.5, .5), square(.3, .6));
+        const std::string chosen = attractor::simdName();
+        Pixels expected;
+        for (const std::string& set : attractor::simdNames())
+            for (const int threads : {1, 2, 7}) {
+                QVERIFY(attractor::selectSimd(set));
+                attractor::DeferredTheft theft(threads);
+                drawn(theft, coupled(square(.5, .5), square(.7, .2)), picture, requested());
+                const Pixels pixels = drawn(theft, system, picture, requested());
+                QVERIFY(theft.hasKeptKeys());
+                if (expected.empty()) expected = pixels;
+                QVERIFY2(pixels == expected, set.c_str());
+            }
+        QVERIFY(attractor::selectSimd(chosen));
     }
 
     void keepsKeysWhileOnlyThePartnerOrThePictureMoves() {

@@ -2,6 +2,8 @@
 #include "attractor/tops/mip_picture.h"
 
 #include "attractor/colour/srgb_transfer.h"
+#include "attractor/kernels/kernels.h"
+#include "ifs/canonical_systems.h"
 
 #include <QTest>
 
@@ -22,6 +24,9 @@ private slots:
     void largeAreasAreAveraged();
     void nothingOutside();
     void transparentPixelsLendNoColour();
+    void mixesManyAsOne_data();
+    void mixesManyAsOne();
+    void levelsAreHalfTheLogarithm();
 };
 
 void MipPictureTest::pixelsAreThemselvesInTheirMiddles() {
@@ -89,6 +94,60 @@ void MipPictureTest::transparentPixelsLendNoColour() {
     const auto c = picture.at(1, .5, 1e3);
     QCOMPARE(c.red, 0.0);
     QVERIFY(std::abs(c.alpha - .5) < 1e-4 && std::abs(c.blue - .5) < 1e-4);
+}
+
+void MipPictureTest::mixesManyAsOne_data() {
+    oneColourAtEverySize_data();
+}
+
+// In whole numbers, the same for every instruction set: what at() finds, to a few of 32767 parts.
+void MipPictureTest::mixesManyAsOne() {
+    QFETCH(int, width);
+    QFETCH(int, height);
+    canonical::Random random(5);
+    std::vector<Rgba> pixels;
+    for (int k = 0; k < width * height; ++k) {
+        const auto code = [&] { return std::uint8_t(random()); };
+        pixels.push_back({code(), code(), code(), std::uint8_t(k % 3 ? 255 : code())});
+    }
+    const MipPicture picture(width, height, pixels);
+    struct Place {
+        double x, y, area;
+    };
+    std::vector<Place> looked{{0, 0, 0}, {double(width), double(height), 1}, {double(width), 0, 1e9}};
+    for (double area = .1; area < 1e6; area *= 1.1)
+        looked.push_back(
+            {width * double(random() % 10001) / 1e4, height * double(random() % 10001) / 1e4, area});
+    std::vector<attractor::kernels::PicturePlace> places;
+    for (const Place& at : looked)
+        places.push_back(picture.place(at.x, at.y, attractor::mipLevel(at.area)));
+    std::vector<std::int16_t> mixed(4 * places.size()), same(mixed.size());
+    picture.mix(places, mixed);
+    for (std::size_t k = 0; k < looked.size(); ++k) {
+        const auto c = picture.at(looked[k].x, looked[k].y, looked[k].area);
+        const double channels[] = {c.red, c.green, c.blue, c.alpha};
+        for (std::size_t i = 0; i < 4; ++i)
+            QVERIFY(std::abs(channels[i] * attractor::kernels::fullChannel - mixed[4 * k + i]) < 6);
+    }
+    const std::string chosen = attractor::simdName();
+    for (const std::string& set : attractor::simdNames()) {
+        QVERIFY(attractor::selectSimd(set));
+        picture.mix(places, same);
+        QVERIFY2(same == mixed, set.c_str());
+    }
+    QVERIFY(attractor::selectSimd(chosen));
+}
+
+void MipPictureTest::levelsAreHalfTheLogarithm() {
+    constexpr int one = 1 << attractor::kernels::placeBits;
+    QCOMPARE(attractor::mipLevel(1), 0);
+    QCOMPARE(attractor::mipLevel(4), one);
+    QCOMPARE(attractor::mipLevel(1 / 16.0), -2 * one);
+    for (const double area : {1.3, 7.0, 1e-5, 1e200})
+        QVERIFY(std::abs(attractor::mipLevel(area) - std::log2(area) * one / 2) < 1);
+    const int none = attractor::mipLevel(0);
+    QVERIFY(none + attractor::mipLevel(HUGE_VAL) < 0);
+    QCOMPARE(attractor::mipLevel(double(NAN)), none);
 }
 
 QTEST_APPLESS_MAIN(MipPictureTest)

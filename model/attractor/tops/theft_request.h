@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/colour/palette.h"
+#include "attractor/request/camera.h"
+#include "ifs/system/affine_map.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace attractor {
+
+// Colour stealing: a pixel of F has the colour that a picture on G has at T_FG of it.
+// docs/mathematics.md, "Fractal tops".
+struct TheftRequest {
+    Camera camera;               // of F
+    ifs::AffineMap<2> toPicture; // from coordinates of G to pixels of the picture
+    bool isExact = false;        // ExactTops; else KeyTops
+    std::uint64_t points = 10'000'000;
+    std::uint64_t seed = 1;
+    int threads = 1; // never changes a pixel
+    Rgba background{13, 16, 23, 255};
+};
+
+// How many pixels of the picture one of F covers where T keeps areas.
+inline double picturePixels(const TheftRequest& request) {
+    const double pixel = request.camera.pixelsPerUnit;
+    return std::abs(ifs::determinant<2>(request.toPicture.linear)) / (pixel * pixel);
+}
+
+} // namespace attractor
