@@ -19,10 +19,9 @@ constexpr int narrowest = 30; // of a number column
 constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
-constexpr int longestName = 110;
-constexpr int shortestName = 8; // characters of a longer one
+constexpr int shortestName = 48, longestName = 110;
 constexpr int minDecimals = 2;
-constexpr int minDecimalsByNames = 3; // 0.123: four digits; then the table scrolls
+constexpr int minDecimalsByNames = 1; // all of the code stays in sight
 
 } // namespace
 
@@ -44,10 +43,6 @@ int MapsColumns::widthOf(int column) const {
                      m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
 }
 
-int MapsColumns::shortestNameWidth() const {
-    return shortestName * m_table->fontMetrics().averageCharWidth() + 8;
-}
-
 // Whether there is a scroll bar must not depend on the widths that depend on it: it always has its room.
 int MapsColumns::available() const {
     return m_table->width() - 2 * m_table->frameWidth() - m_table->verticalHeader()->sizeHint().width() -
@@ -60,7 +55,7 @@ void MapsColumns::fit() {
     m_table->setColumnWidth(MapsModel::Colour, picture);
     const bool isNamed = !m_table->isColumnHidden(MapsModel::Name);
     const int wantedName = isNamed ? std::min(widthOf(MapsModel::Name), longestName) : 0;
-    const int name = std::min(wantedName, shortestNameWidth());
+    const int name = std::min(wantedName, shortestName);
     const int room = available() - name;
     const int codeEnd = m_model->columnOf(MapsModel::Weight) + 1;
     std::vector<int> code(std::size_t(codeEnd - MapsModel::A)); // coefficients and weight

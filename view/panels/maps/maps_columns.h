@@ -8,8 +8,7 @@ class QTableView;
 namespace view {
 
 // The widths of the columns of the table of maps. Code and weight fit the width of the table: names become
-// shorter first, then the numbers have fewer decimals. Beside names they keep four digits, and what does not
-// fit then is scrolled to, as further columns are.
+// shorter first, then the numbers have fewer decimals. Further columns are scrolled to.
 class MapsColumns : public QObject {
     Q_OBJECT
 
@@ -23,7 +22,6 @@ protected:
 
 private:
     int widthOf(int column) const;
-    int shortestNameWidth() const;
     int available() const;
 
     QTableView* m_table;
