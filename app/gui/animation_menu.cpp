@@ -27,10 +27,9 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
     addKeys();
     addSeparator();
     addMenu(panel->motionMenu());
-    panel->timeline().setViewSource([context]() -> std::optional<attractor::View> {
-        const attractor::Camera& camera = context.canvas->camera();
-        if (context.stage->showsSpace() || camera.height <= 0) return std::nullopt;
-        return attractor::viewOf(camera);
+    panel->timeline().setCameraSource([context]() -> document::SeenCamera {
+        if (!context.stage->showsSpace() && context.canvas->camera().height <= 0) return std::nullopt;
+        return context.stage->camera();
     });
     connect(panel, &view::TimelinePanel::message, context.messages, &WindowMessages::say);
 }

@@ -264,13 +264,6 @@ void MainWindow::createTimeline() {
         if (m_bridge->frame() && m_bridge->frame()->passes == 1) count();
     });
     connect(m_solid, &view::SolidBridge::frameChanged, m_timeline, count);
-    connect(&m_document, &document::Document::changed, m_stage,
-            [this, last = 0.0](const document::Change& change) mutable {
-                const double turned = m_document.orbit() - std::exchange(last, m_document.orbit());
-                if (!(change.parts & document::Change::Time) || turned == 0 || !m_stage->showsSpace()) return;
-                view::SpaceNavigation& navigation = m_stage->space()->navigation();
-                navigation.moveTo(animation::orbited(navigation.camera(), turned), change.live);
-            });
 }
 
 void MainWindow::createLesson() {

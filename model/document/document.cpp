@@ -164,11 +164,12 @@ void Document::setMoment(const animation::Moment& moment, Pace pace) {
 void Document::refresh() {
     const auto& entry = currentEntry().fractal;
     if (!animationFacts(*entry)) {
-        m_shown = {entry, {}, 0};
+        m_shown = {entry, {}, {}, 0};
         return;
     }
     AnimatedFrame frame = frameAt(*entry, m_moment);
-    m_shown = {std::make_shared<const Fractal>(std::move(frame.fractal)), frame.view, frame.orbit};
+    m_shown = {std::make_shared<const Fractal>(std::move(frame.fractal)), frame.view, frame.camera,
+               frame.orbit};
 }
 
 Change::Parts Document::replace(const std::shared_ptr<const Fractal>& entry) {

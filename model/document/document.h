@@ -78,7 +78,9 @@ public:
 
     // The moment that is shown: no part of the file, no step of the history. 0 for another entry.
     const animation::Moment& moment() const { return m_moment; }
-    const std::optional<attractor::View>& view() const { return m_shown.view; } // where keys move it
+    // Where keys move it: in the plane, and in space as AnimatedFrame::camera, without the orbit.
+    const std::optional<attractor::View>& view() const { return m_shown.view; }
+    const std::optional<attractor::OrbitCamera>& camera() const { return m_shown.camera; }
     double orbit() const { return m_shown.orbit; } // degrees that the camera in space has gone round
     enum class Pace { Rest, Running };             // Running: more moments are to come at once
     void setMoment(const animation::Moment& moment, Pace pace = Pace::Rest);
@@ -123,6 +125,7 @@ private:
     struct Shown {
         std::shared_ptr<const Fractal> fractal;
         std::optional<attractor::View> view;
+        std::optional<attractor::OrbitCamera> camera;
         double orbit = 0;
     };
 

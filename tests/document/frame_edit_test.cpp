@@ -71,6 +71,7 @@ private slots:
     void branchesAreKeyed();
     void looksAreKeyed();
     void inSpaceAsInThePlane();
+    void theCameraInSpaceIsThatOfTheFrame();
     void dragsBecomeKeys();
     void dragsGoOnWhileTimeRuns();
     void stepsNameTheFrame();
@@ -231,6 +232,35 @@ void FrameEditTest::inSpaceAsInThePlane() {
     QVERIFY(edit.isKeyed);
     QCOMPARE(system3(frameAt(edit.fractal, animation::moment(10)).fractal)->maps[1].map.translation.z(), 2.0);
     QCOMPARE(system3(frameAt(edit.fractal, animation::moment(0)).fractal)->maps[1].map.translation.z(), 0.0);
+}
+
+void FrameEditTest::theCameraInSpaceIsThatOfTheFrame() {
+    Shape<3> shape;
+    ifs::append<3>(shape.system, {0.5 * ifs::Matrix<3>::Identity(), ifs::Vector<3>(1, 0, 0)}, 1);
+    animation::Animation<3>& moving = shape.animation.emplace();
+    moving.length = length;
+    attractor::OrbitCamera near, far;
+    near.target = {1, 0, 0};
+    far.height = 8;
+    far.orientation = attractor::orbit(70, 10);
+    moving.camera = {{0, near, {}}, {length, far, {}}};
+    moving.motions = {animation::Orbit<3>{1, {0, 0, 0}}};
+    const animation::Animation<3> stored = moving;
+    Fractal entry;
+    entry.shape = shape;
+    Document document;
+    QVERIFY(!document.camera());
+    document.editEntry(QStringLiteral("start"), entry);
+    for (const int frame : {0, 7, length}) {
+        document.setMoment(animation::moment(frame));
+        const animation::Pose<3> pose = stored.at(animation::moment(frame), {shape.system});
+        QVERIFY(document.camera() == pose.camera);
+        QCOMPARE(document.orbit(), pose.orbit);
+        QVERIFY(!document.view());
+    }
+    QVERIFY(document.camera() == far);
+    document.undoStack()->undo();
+    QVERIFY(!document.camera());
 }
 
 void FrameEditTest::dragsBecomeKeys() {

@@ -42,7 +42,15 @@ void SpaceNavigation::set(const attractor::OrbitCamera& camera, bool isMoving) {
 void SpaceNavigation::moveTo(const attractor::OrbitCamera& camera, bool isMoving) {
     m_glide.stop();
     m_isFitted = false;
+    const bool isOtherProjection = camera.projection != m_camera.projection;
     set(camera, isMoving);
+    if (isOtherProjection) emit perspectiveChanged(isPerspective());
+}
+
+void SpaceNavigation::followKeys(attractor::OrbitCamera camera, bool isMoving) {
+    camera.size = m_camera.size;
+    m_wasPerspective = false; // it is the keys' view now
+    moveTo(camera, isMoving);
 }
 
 // A view that jumps is not recognised.

@@ -30,10 +30,11 @@ public:
 
     // By the user: it stays so when the window changes its size. `isMoving`: more of the same is to come.
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
-    void glideTo(const attractor::OrbitCamera& camera); // within a moment
-    void adoptViewport();                               // its size and pixel ratio
-    void fit();                                         // picture and cage into the view
-    bool isFitted() const { return m_isFitted; }        // and the user has not moved the view since
+    void followKeys(attractor::OrbitCamera camera, bool isMoving); // whatever its size
+    void glideTo(const attractor::OrbitCamera& camera);            // within a moment
+    void adoptViewport();                                          // its size and pixel ratio
+    void fit();                                                    // picture and cage into the view
+    bool isFitted() const { return m_isFitted; } // and the user has not moved the view since
     void zoomAt(const QPointF& position, double factor);
     void resetZoom(); // 100 %: one unit at the target is a hundred pixels
     void lookFrom(const attractor::Direction& direction);

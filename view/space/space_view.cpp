@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_view.h"
 
+#include "animation/camera_path.h"
 #include "canvas/geometry/canvas_note.h"
 #include "canvas/items/note_item.h"
 #include "document/space_geometry.h"
@@ -51,7 +52,8 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_maps(document, *m_mapOutlines, *m_mapItem),
       m_definition(*m_definitionLines),
       m_input(document, m_navigation, {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_ball}),
-      m_around(cornersOfCut(document->fractal())) {
+      m_around(cornersOfCut(document->fractal())),
+      m_orbit(document->orbit()) {
     setScene(new QGraphicsScene(this)); // owns the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
@@ -163,8 +165,14 @@ void SpaceView::describeFocus() {
 
 void SpaceView::followDocument(const document::Change& change) {
     using document::Change;
+    if (change.parts & (Change::Current | Change::File | Change::System | Change::Cage | Change::Appearance))
+        followFractal(change);
+    followCamera(change);
+}
+
+void SpaceView::followFractal(const document::Change& change) {
+    using document::Change;
     const bool isAnother = change.parts & (Change::Current | Change::File);
-    if (!isAnother && !(change.parts & (Change::System | Change::Cage | Change::Appearance))) return;
     const auto cage = document::knownSpaceCage(m_document->fractal());
     const bool isKnown = document::isSpaceExtentKnown(m_document->fractal());
     const bool isFound = !std::exchange(m_isExtentKnown, isKnown) && isKnown; // in the background
@@ -175,6 +183,25 @@ void SpaceView::followDocument(const document::Change& change) {
     if (isAnother && m_wasShown) m_navigation.fit();
     if (isFound && m_navigation.isFitted()) m_navigation.fit();
     layOut();
+}
+
+// Keys say where to look, whatever the user has done since; an orbit without keys goes on from there.
+void SpaceView::followCamera(const document::Change& change) {
+    using document::Change;
+    const double turned = m_document->orbit() - std::exchange(m_orbit, m_document->orbit());
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    const bool isLater = !isAnother && change.parts & Change::Time;
+    if (m_document->camera()) {
+        if (isAnother || isLater) lookAsKeyed(change.live);
+    } else if (isLater && turned != 0 && !m_isFixed && document::space(m_document->fractal())) {
+        m_navigation.moveTo(animation::orbited(m_navigation.camera(), turned), change.live);
+    }
+}
+
+void SpaceView::lookAsKeyed(bool isMoving) {
+    const auto& camera = m_document->camera();
+    if (!camera || m_isFixed) return;
+    m_navigation.followKeys(animation::orbited(*camera, m_document->orbit()), isMoving);
 }
 
 void SpaceView::setOverlaysVisible(bool visible) {
@@ -297,8 +324,9 @@ void SpaceView::showEvent(QShowEvent* event) {
         connect(handle, &QWindow::screenChanged, &m_navigation, &SpaceNavigation::adoptViewport,
                 Qt::UniqueConnection);
     m_navigation.adoptViewport();
-    if (!m_wasShown) m_navigation.fit();
-    m_wasShown = true;
+    if (std::exchange(m_wasShown, true)) return;
+    m_navigation.fit();
+    lookAsKeyed(false);
 }
 
 void SpaceView::changeEvent(QEvent* event) {

@@ -68,6 +68,9 @@ protected:
 private:
     void setUpWidget();
     void followDocument(const document::Change& change);
+    void followFractal(const document::Change& change);
+    void followCamera(const document::Change& change);
+    void lookAsKeyed(bool isMoving); // nothing happens where no keys move the camera
     void layOut();
     void layOutSlice();
     bool areOverlaysShown() const;
@@ -98,6 +101,7 @@ private:
     SpaceCageItem::Faces m_faces;              // of the cage
     std::vector<ifs::Vector<3>> m_around;      // corners of the box of what is cut
     QString m_stop;                            // why a drag goes no farther
+    double m_orbit;                            // degrees that the document's camera has gone round
     bool m_overlays = true;
     bool m_isExtentKnown = false;
     bool m_isFixed = false;

@@ -94,7 +94,7 @@ template <int Dim> std::vector<TrackKeys> tracksOfShape(const Shape<Dim>& shape)
     for (const auto& word : words)
         add({Track::Kind::Branch, word});
     add({Track::Kind::Look});
-    if (Dim == 2 || !animation.camera.empty()) add({Track::Kind::Camera});
+    add({Track::Kind::Camera});
     return result;
 }
 
@@ -114,8 +114,8 @@ template <class Value> void addKey(animation::Keys<Value>& keys, int frame, cons
 // The value that each kind of track has.
 template <int Dim> class NewKey {
 public:
-    NewKey(const Fractal& entry, const Track& track, int frame, const std::optional<attractor::View>& view)
-        : m_entry(entry), m_track(track), m_frame(frame), m_view(view) {}
+    NewKey(const Fractal& entry, const Track& track, int frame, const SeenCamera& camera)
+        : m_entry(entry), m_track(track), m_frame(frame), m_camera(camera) {}
 
     void operator()(animation::Keys<animation::CagePose<Dim>>& keys) const {
         const auto cage = keyedShape<Dim>(m_entry, m_frame).cage;
@@ -138,15 +138,21 @@ public:
         addKey(keys, m_frame, animation::lookOf(shown.fractal.appearance));
     }
     void operator()(animation::Keys<animation::CameraPose<Dim>>& keys) const {
-        if constexpr (Dim == 2)
-            if (m_view) addKey(keys, m_frame, *m_view);
+        const auto* seen = m_camera ? std::get_if<animation::CameraPose<Dim>>(&*m_camera) : nullptr;
+        if (!seen) return;
+        animation::CameraPose<Dim> value = *seen;
+        if constexpr (Dim == 3) { // motions come after the keys
+            value = animation::orbited(value, -frameAt(m_entry, animation::moment(m_frame)).orbit);
+            value.size = {};
+        }
+        addKey(keys, m_frame, value);
     }
 
 private:
     const Fractal& m_entry;
     const Track& m_track;
     int m_frame;
-    const std::optional<attractor::View>& m_view;
+    const SeenCamera& m_camera;
 };
 
 // The value that a track keeps when its last keys go.
@@ -226,7 +232,7 @@ Fractal withTiming(Fractal entry, const Timing& timing) {
     return entry;
 }
 
-Fractal withKey(Fractal entry, const Track& track, int frame, const std::optional<attractor::View>& view) {
+Fractal withKey(Fractal entry, const Track& track, int frame, const SeenCamera& camera) {
     if (track.kind == Track::Kind::Cage && plane(entry) && !plane(entry)->cage)
         plane(entry)->cage = canonicalCage(entry);
     const Fractal before = entry;
@@ -234,7 +240,7 @@ Fractal withKey(Fractal entry, const Track& track, int frame, const std::optiona
         auto& animation = animationOf<Dim>(shape);
         const int at =
             int(animation::folded(animation::moment(frame), animation.loop, animation.length).numerator);
-        visitKeys<Dim>(animation, track, NewKey<Dim>(before, track, at, view));
+        visitKeys<Dim>(animation, track, NewKey<Dim>(before, track, at, camera));
     });
     return entry;
 }

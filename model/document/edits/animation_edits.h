@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "document/saved_views.h"
 
 #include <optional>
 #include <span>
@@ -21,8 +22,7 @@ struct Track {
     friend bool operator==(const Track&, const Track&) = default;
 };
 
-// All that keys can move in this entry, with the keys that do, by frame. The camera of an entry in space is
-// there when it has keys.
+// All that keys can move in this entry, with the keys that do, by frame.
 struct TrackKeys {
     struct Key {
         int frame = 0;
@@ -56,9 +56,10 @@ struct KeyAt {
     friend bool operator==(const KeyAt&, const KeyAt&) = default;
 };
 
-// A key at this frame with the value shown there; the first of its track also keys frame 0. `view` is the
-// value of the camera in the plane.
-Fractal withKey(Fractal entry, const Track& track, int frame, const std::optional<attractor::View>& view);
+// A key at this frame with the value shown there; the first of its track also keys frame 0. `camera` is what
+// is seen there, the orbit of an entry in space included; of the other dimension it keys nothing.
+using SeenCamera = std::optional<SavedView::Camera>;
+Fractal withKey(Fractal entry, const Track& track, int frame, const SeenCamera& camera);
 // A track that loses its last keys stays as the first of these had it.
 Fractal withoutKeys(Fractal entry, std::span<const KeyAt> keys);
 Fractal withEase(Fractal entry, std::span<const KeyAt> keys, const animation::Ease& ease);

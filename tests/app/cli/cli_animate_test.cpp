@@ -30,6 +30,7 @@ private slots:
     void staleAndDamagedFramesAreDrawnAgain();
     void existingFilesCanBeReplacedOrRefused();
     void keysMoveTheCamera();
+    void keysMoveTheCameraInSpace();
     void spaceMoves();
     void aShutterBlursWhatMoves();
     void aShutterBlursSolids();
@@ -272,6 +273,27 @@ void CliAnimateTest::keysMoveTheCamera() {
     QCOMPARE(QImage(path("a/f.2.png")), QImage(path("a/half.png")));
     QCOMPARE(run(QByteArray("render zoom.ifs --view 3,0,4 -o a/end.png") + small).status, 0);
     QCOMPARE(QImage(path("a/f.3.png")), QImage(path("a/end.png")));
+}
+
+void CliAnimateTest::keysMoveTheCameraInSpace() {
+    QByteArray maps;
+    for (int k = 0; k < 4; ++k)
+        maps += ".5 0 0 0 .5 0 0 0 .5 " + QByteArray(k & 1 ? ".5 " : "0 ") + (k & 2 ? ".5 " : "0 ") +
+                (k == 3 ? ".5 1\n" : "0 1\n");
+    write("flight.ifs", "flight (3D) {\n; barycage: animation 4 24/1 off\n; barycage: track camera\n"
+                        "; barycage: key 0 linear\n; barycage: value .5 .5 .25 1 0 0 0 3 40 1\n"
+                        "; barycage: key 4 linear\n; barycage: value .5 .5 .5 1 0 0 0 1 60 1\n" +
+                            maps + "}\n");
+    const QByteArray draw = "render flight.ifs --size 48x36 -o ";
+    for (const QByteArray frame : {"0", "2", "4"})
+        QCOMPARE(run(draw + "a/" + frame + ".png --frame " + frame).status, 0);
+    const QImage first(path("a/0.png")), middle(path("a/2.png")), last(path("a/4.png"));
+    QVERIFY(!first.isNull());
+    QVERIFY(first != middle && middle != last && first != last);
+    QCOMPARE(run(draw + "a/from.png --orbit 0,0 --perspective 40 --view .5,.5,.25,3").status, 0);
+    QCOMPARE(QImage(path("a/from.png")), first);
+    QCOMPARE(run(draw + "a/to.png --orbit 0,0 --perspective 60 --view .5,.5,.5,1").status, 0);
+    QCOMPARE(QImage(path("a/to.png")), last);
 }
 
 void CliAnimateTest::spaceMoves() {

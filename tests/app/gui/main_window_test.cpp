@@ -6,6 +6,7 @@
 #include "flame_banner.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/maps/maps_panel.h"
+#include "panels/timeline/timeline_panel.h"
 #include "recovery.h"
 #include "session.h"
 #include "session_fixture.h"
@@ -49,6 +50,7 @@ private slots:
     void theHintGoesWithAnotherTool();
     void aKeyLeadsFromThePanelsToTheCanvasAndBack();
     void mapsInSpaceStaySelected();
+    void theCameraInSpaceIsKeyed();
     void theViewIsRotated();
     void aWindowMayGoInMidDrag_data();
     void aWindowMayGoInMidDrag();
@@ -304,6 +306,38 @@ void MainWindowTest::mapsInSpaceStaySelected() {
         document.edit(QStringLiteral("change"), solid);
         QCOMPARE(maps->selectedMaps(), std::vector{map.id});
     }
+    document.undoStack()->setClean();
+}
+
+// What the window sees becomes the key, and is seen again there.
+void MainWindowTest::theCameraInSpaceIsKeyed() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    document::Document& document = window->document();
+    document.edit(QStringLiteral("solid"), pairOfCubes());
+    view::SpaceNavigation& navigation = window->findChild<Stage*>()->space()->navigation();
+    view::Timeline& timeline = window->findChild<view::TimelinePanel*>()->timeline();
+    const auto keyAt = [&](int frame) {
+        timeline.setFrame(frame);
+        timeline.setRow(timeline.rowCount() - 1); // the camera
+        const attractor::OrbitCamera before = navigation.camera();
+        navigation.setPerspective(true);
+        navigation.orbit(before, before.target, 25, 10);
+        const attractor::OrbitCamera seen = navigation.camera();
+        timeline.keys().set();
+        return seen;
+    };
+    const int steps = document.undoStack()->count();
+    const attractor::OrbitCamera first = keyAt(0), second = keyAt(12);
+    QCOMPARE(document.undoStack()->count(), steps + 2);
+    QVERIFY(first.orientation.coeffs() != second.orientation.coeffs());
+    timeline.setFrame(0);
+    QVERIFY(navigation.camera() == first);
+    timeline.setFrame(12);
+    QVERIFY(navigation.camera() == second);
+    document.undoStack()->undo();
+    QVERIFY(navigation.camera() == second); // the view is the user's while the playhead rests
+    timeline.setFrame(6);
+    QVERIFY(navigation.camera() == first);
     document.undoStack()->setClean();
 }
 

@@ -37,6 +37,7 @@ class AnimationEditsTest : public QObject {
 private slots:
     void rowsAreWhatCanMove();
     void keysHaveTheValueShown();
+    void theCameraInSpaceIsKeyedWithoutTheOrbit();
     void theLastKeyLeavesItsValue();
     void keysMoveWithinTheAnimation();
     void laterKeysComeAlong();
@@ -72,6 +73,37 @@ void AnimationEditsTest::keysHaveTheValueShown() {
     const Fractal seen = withKey(fractal, {Track::Kind::Camera}, 6, view);
     QCOMPARE(frameAt(seen, animation::moment(3)).view, std::optional(view));
     QCOMPARE(withKey(fractal, {Track::Kind::Camera}, 6, std::nullopt), fractal);
+}
+
+void AnimationEditsTest::theCameraInSpaceIsKeyedWithoutTheOrbit() {
+    const Track camera{Track::Kind::Camera};
+    Fractal entry;
+    entry.shape.emplace<Shape<3>>();
+    QVERIFY(tracksOf(entry).back().track == camera);
+    attractor::OrbitCamera seen;
+    seen.target = {1, 2, 3};
+    seen.orientation = attractor::orbit(40, 20, 5);
+    seen.height = 2.5;
+    seen.fieldOfView = 55;
+    seen.projection = attractor::OrbitCamera::Projection::Perspective;
+    seen.size = {640, 480};
+    attractor::OrbitCamera kept = seen;
+    kept.size = {}; // of the window
+    Fractal keyed = withKey(entry, camera, 12, seen);
+    QCOMPARE(framesOf(keyed, camera), (std::vector<int>{0, 12}));
+    QVERIFY(frameAt(keyed, animation::moment(12)).camera == kept);
+    QCOMPARE(withKey(entry, camera, 12, attractor::View()).shape, // of the plane
+             withTiming(entry, timingOf(entry)).shape);
+    QCOMPARE(framesOf(withKey(animated(), camera, 12, seen), camera), std::vector<int>());
+
+    space(entry)->animation.emplace().motions = {animation::Orbit<3>{1, {0, 0, 0}}};
+    keyed = withKey(entry, camera, 12, seen);
+    const AnimatedFrame frame = frameAt(keyed, animation::moment(12));
+    QCOMPARE(frame.orbit, 90.0);
+    const attractor::OrbitCamera again = animation::orbited(*frame.camera, frame.orbit);
+    QVERIFY(again.orientation.angularDistance(seen.orientation) < 1e-12);
+    QVERIFY(again.target == seen.target && again.height == seen.height);
+    QVERIFY(animation::isValid(*space(keyed)->animation));
 }
 
 void AnimationEditsTest::theLastKeyLeavesItsValue() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/animated_fractal.h"
 #include "document/edits/entries_edits.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_writer.h"
 #include "panels/timeline/ease_dialog.h"
 #include "panels/timeline/motion_page.h"
 #include "panels/timeline/space_tap.h"
@@ -44,6 +46,7 @@ private slots:
     void motionsAreShownMoving();
     void morphsAreEntriesOfTheirOwn();
     void diamondsMakeAndDeleteKeys();
+    void theCameraIsKeyedInSpace();
     void theRulerIsScrubbed();
     void editsBecomeKeys();
     void keysAreDragged_data();
@@ -244,6 +247,48 @@ void TimelineTest::diamondsMakeAndDeleteKeys() {
     QCOMPARE(framesOf(0), (std::vector<int>{0, 6}));
     QCOMPARE(framesOf(1), (std::vector<int>{0, 6, 12}));
     QVERIFY(framesOf(2).empty());
+}
+
+void TimelineTest::theCameraIsKeyedInSpace() {
+    document::Fractal solid;
+    solid.name = QStringLiteral("solid");
+    ifs::append<3>(solid.shape.emplace<document::Shape<3>>().system,
+                   {0.5 * ifs::Matrix<3>::Identity(), ifs::Vector<3>(1, 0, 0)}, 1);
+    m_document->setFile(document::fileOf(solid));
+    const document::Fractal before = m_document->entryFractal();
+    attractor::OrbitCamera seen;
+    seen.target = {0.1, 1. / 3, -2};
+    seen.orientation = attractor::orbit(33.3, -12.7, 5);
+    seen.height = 2. / 7;
+    seen.fieldOfView = 35.5;
+    seen.projection = attractor::OrbitCamera::Projection::Perspective;
+    timeline().setCameraSource([&seen] { return document::SeenCamera(seen); });
+    m_panel->showTracks();
+    const int row = timeline().rowCount() - 1;
+    QCOMPARE(timeline().rowName(row), QStringLiteral("Camera"));
+    timeline().setFrame(12);
+    click(tracks().toggleOf(row));
+    QCOMPARE(framesOf(row), (std::vector<int>{0, 12}));
+    QCOMPARE(steps(), 1);
+    const attractor::OrbitCamera first = seen;
+    seen.height = 5;
+    timeline().setFrame(24);
+    timeline().setRow(row);
+    timeline().keys().set();
+    QCOMPARE(framesOf(row), (std::vector<int>{0, 12, 24}));
+    QCOMPARE(steps(), 2);
+
+    const document::FractalFile read = io::readFractint(io::writeFractint(m_document->file()));
+    QCOMPARE(read.entries.size(), 1);
+    QVERIFY(read.entries.front().problems.isEmpty());
+    const document::Fractal& again = *read.entries.front().fractal;
+    QVERIFY(document::frameAt(again, animation::moment(12)).camera == first);
+    QVERIFY(document::frameAt(again, animation::moment(24)).camera == seen);
+    m_document->undoStack()->undo();
+    QCOMPARE(framesOf(row), (std::vector<int>{0, 12}));
+    m_document->undoStack()->undo();
+    QVERIFY(framesOf(row).empty());
+    QCOMPARE(m_document->entryFractal(), before);
 }
 
 void TimelineTest::theRulerIsScrubbed() {

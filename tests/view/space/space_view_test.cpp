@@ -25,6 +25,9 @@ private slots:
     void theWheelZoomsAtThePointer();
     void theBallLooksAlongAnAxis();
     void theKeypadChoosesViews();
+    void keysMoveTheCamera();
+    void anotherEntryIsSeenAsItsKeysSay();
+    void withoutKeysAnOrbitGoesOnFromTheView();
     void zUpTurnsTheViewsAndNotTheFractal();
     void aTrackballGoesOverThePole();
     void bothEyesAreShown_data();
@@ -257,6 +260,88 @@ void SpaceViewTest::theKeypadChoosesViews() {
     QVERIFY(!window.view->navigation().isPerspective());
     window.drag({20, 480}, {80, 400});
     QVERIFY(window.view->navigation().isPerspective());
+}
+
+namespace {
+
+// A cube that is flown into while the camera goes round.
+document::Fractal flight() {
+    document::Fractal fractal = cubeOfEight();
+    attractor::OrbitCamera from, to;
+    from.target = {0.5, 0.5, 0.5};
+    from.height = 3;
+    from.orientation = attractor::orbit(30, 20);
+    to.target = {0.5, 0.5, 1};
+    to.height = 0.5;
+    to.fieldOfView = 60;
+    from.projection = attractor::OrbitCamera::Projection::Perspective;
+    to.projection = from.projection;
+    auto& moving = document::space(fractal)->animation.emplace();
+    moving.length = 24;
+    moving.camera = {{0, from, {}}, {24, to, {}}};
+    moving.motions = {animation::Orbit<3>{1, {0, 0, 0}}};
+    return fractal;
+}
+
+// Of the frame, in the size of the window.
+bool looksAsKeyed(const Window& window) {
+    const document::AnimatedFrame frame =
+        document::frameAt(window.document.entryFractal(), window.document.moment());
+    attractor::OrbitCamera keyed = animation::orbited(*frame.camera, frame.orbit);
+    keyed.size = window.camera().size;
+    return window.camera() == keyed;
+}
+
+} // namespace
+
+void SpaceViewTest::keysMoveTheCamera() {
+    Window window(flight());
+    const QSignalSpy perspective(&window.view->navigation(), &view::SpaceNavigation::perspectiveChanged);
+    QVERIFY(window.rests());
+    QVERIFY(looksAsKeyed(window)); // as soon as it is shown
+    for (const int frame : {6, 24, 11, 0}) {
+        window.document.setMoment(animation::moment(frame));
+        QVERIFY(looksAsKeyed(window));
+    }
+    window.document.setMoment(animation::moment(5), document::Document::Pace::Running);
+    QVERIFY(looksAsKeyed(window));
+    window.document.setMoment(animation::moment(5));
+    QVERIFY(window.rests());
+    const attractor::OrbitCamera drawn = window.bridge->camera();
+    QCOMPARE(drawn.height, window.camera().height);
+    window.drag({20, 480}, {120, 440}, Qt::RightButton); // free while the playhead rests
+    QVERIFY(!looksAsKeyed(window));
+    window.view->resize(500, 500);
+    QVERIFY(!looksAsKeyed(window));
+    window.view->navigation().setPerspective(false);
+    window.document.setMoment(animation::moment(6));
+    QVERIFY(looksAsKeyed(window));
+    QVERIFY(window.view->navigation().isPerspective());
+    QVERIFY(!perspective.isEmpty() && perspective.last().front().toBool());
+}
+
+void SpaceViewTest::anotherEntryIsSeenAsItsKeysSay() {
+    Window window;
+    QVERIFY(window.rests());
+    window.document.setFile(document::fileOf(flight()));
+    QVERIFY(looksAsKeyed(window));
+    window.document.setFile(document::fileOf(cubeOfEight()));
+    QVERIFY(window.view->navigation().isFitted());
+}
+
+void SpaceViewTest::withoutKeysAnOrbitGoesOnFromTheView() {
+    document::Fractal turning = flight();
+    document::space(turning)->animation->camera.clear();
+    Window window(turning);
+    QVERIFY(window.rests());
+    window.drag({20, 480}, {120, 470});
+    const attractor::OrbitCamera before = window.camera();
+    window.document.setMoment(animation::moment(6));
+    const attractor::OrbitCamera turned = animation::orbited(before, 90);
+    QVERIFY(window.camera().orientation.angularDistance(turned.orientation) < 1e-12);
+    QCOMPARE(window.camera().height, before.height);
+    window.document.setMoment(animation::moment(0));
+    QVERIFY(window.camera().orientation.angularDistance(before.orientation) < 1e-12);
 }
 
 void SpaceViewTest::zUpTurnsTheViewsAndNotTheFractal() {

@@ -224,7 +224,7 @@ void KeyCommands::set() {
     const Track track = m_timeline->tracks()[std::size_t(row)].track;
     const int at = m_timeline->frame();
     edit(Timeline::tr("Key of %1 (frame %2)").arg(m_timeline->rowName(row)).arg(at),
-         document::withKey(entry(), track, at, m_timeline->view()));
+         document::withKey(entry(), track, at, m_timeline->camera()));
     m_timeline->select({{track, at}});
 }
 
@@ -236,7 +236,7 @@ void KeyCommands::setInAll() {
     std::vector<KeyAt> made;
     for (const auto& one : tracks) {
         if (one.keys.empty() && !none) continue;
-        after = document::withKey(std::move(after), one.track, at, m_timeline->view());
+        after = document::withKey(std::move(after), one.track, at, m_timeline->camera());
         made.push_back({one.track, at});
     }
     if (made.empty()) return;

@@ -52,8 +52,8 @@ public:
     document::Document& document() const { return *m_document; }
     Playback& playback() { return m_playback; }
     // What a key of the camera holds: what is seen at present.
-    void setViewSource(std::function<std::optional<attractor::View>()> source) { m_view = std::move(source); }
-    std::optional<attractor::View> view() const { return m_view ? m_view() : std::nullopt; }
+    void setCameraSource(std::function<document::SeenCamera()> source) { m_camera = std::move(source); }
+    document::SeenCamera camera() const { return m_camera ? m_camera() : std::nullopt; }
 
     // Rows: all tracks, then all motions.
     const std::vector<document::TrackKeys>& tracks() const { return m_tracks; }
@@ -96,7 +96,7 @@ private:
 
     document::Document* m_document;
     Playback m_playback;
-    std::function<std::optional<attractor::View>()> m_view;
+    std::function<document::SeenCamera()> m_camera;
     std::vector<ifs::MapId> m_maps; // of the entry, in its order
     std::vector<document::TrackKeys> m_tracks;
     std::vector<QString> m_motions;

@@ -203,7 +203,8 @@ void TimelinePanel::addWinds() {
 }
 
 void TimelinePanel::zoomEndlessly() {
-    const auto view = m_timeline.view();
+    const document::SeenCamera seen = m_timeline.camera();
+    const auto* view = seen ? std::get_if<attractor::View>(&*seen) : nullptr;
     const attractor::YAxis yAxis = view ? view->yAxis : attractor::YAxis::Up;
     apply(
         tr("Zoom in endlessly"),
