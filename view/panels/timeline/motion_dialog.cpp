@@ -96,7 +96,7 @@ QWidget* MotionDialog::field(std::size_t index, int ordinal) {
                                      : tr("Cycles"));
     box->setWhatsThis(isTurns ? tr("How many times it goes round in the length of the animation. A negative "
                                    "number goes the other way.")
-                              : tr("How many times it goes to and fro in the length of the animation."));
+                              : tr("How many times it goes back and forth in the length of the animation."));
     connect(box, &QSpinBox::valueChanged, this, [this, index](int value) { take(index, value); });
     return box;
 }
