@@ -260,8 +260,16 @@ void Document::previewGesture(Fractal fractal) {
     if (!m_gesture || m_index < 0) return;
     FrameEdit edit =
         withFrameEdited(*m_gesture->entry, m_gesture->moment, *m_gesture->link->before, std::move(fractal));
-    m_gesture->keyedFrame = edit.isKeyed ? std::optional(edit.frame) : std::nullopt;
-    const Change::Parts parts = replace(std::make_shared<const Fractal>(std::move(edit.fractal)));
+    showInGesture(std::move(edit.fractal), edit.isKeyed ? std::optional(edit.frame) : std::nullopt);
+}
+
+void Document::previewGestureOfEntry(Fractal entry) {
+    if (m_gesture && m_index >= 0) showInGesture(std::move(entry), std::nullopt);
+}
+
+void Document::showInGesture(Fractal entry, std::optional<int> keyedFrame) {
+    m_gesture->keyedFrame = keyedFrame;
+    const Change::Parts parts = replace(std::make_shared<const Fractal>(std::move(entry)));
     m_gesture->previewed |= parts;
     if (parts) announce(parts, Live::Yes);
 }

@@ -138,6 +138,8 @@ private:
 
     // Nothing happens while no gesture is open.
     void previewGesture(Fractal fractal) override;
+    void previewGestureOfEntry(Fractal entry) override;
+    void showInGesture(Fractal entry, std::optional<int> keyedFrame);
     void commitGesture() override;
     void cancelGesture() override;
     void describeGesture(const QString& text, int kind) override;

@@ -19,6 +19,10 @@ void EditGesture::preview(Fractal fractal) {
     if (isOpen()) m_link->host->previewGesture(std::move(fractal));
 }
 
+void EditGesture::previewEntry(Fractal entry) {
+    if (isOpen()) m_link->host->previewGestureOfEntry(std::move(entry));
+}
+
 void EditGesture::describe(const QString& text, int kind) {
     if (isOpen()) m_link->host->describeGesture(text, kind);
 }

@@ -11,6 +11,7 @@ namespace document {
 class GestureHost {
 public:
     virtual void previewGesture(Fractal fractal) = 0;
+    virtual void previewGestureOfEntry(Fractal entry) = 0;
     virtual void commitGesture() = 0;
     virtual void cancelGesture() = 0;
     virtual void describeGesture(const QString& text, int kind) = 0;
@@ -41,9 +42,10 @@ public:
     // The text of the step, now that its values are known. Steps of one `kind` that follow each other within
     // a second become one step; −1: none of them.
     void describe(const QString& text, int kind = -1);
-    void preview(Fractal fractal); // shown at once, not in the history; ignored once the gesture has ended
-    void commit();                 // one step; none when the fractal is as it was
-    void cancel();                 // back to the beginning, exactly
+    void preview(Fractal fractal);    // shown at once, not in the history; ignored once the gesture has ended
+    void previewEntry(Fractal entry); // the same, of Document::entryFractal() with its animation
+    void commit();                    // one step; none when the fractal is as it was
+    void cancel();                    // back to the beginning, exactly
 
 private:
     std::shared_ptr<const Link> m_link; // null in a gesture that was moved away

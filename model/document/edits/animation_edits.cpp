@@ -51,6 +51,28 @@ template <int Dim> animation::Animation<Dim>& animationOf(Shape<Dim>& shape) {
     return *shape.animation;
 }
 
+// Calls `use` with the kind and a reference to each number that motionNumbers() lists.
+template <class Motion, class Use> void visitNumbers(Motion& motion, Use use) {
+    using Kind = MotionNumber::Kind;
+    std::visit(
+        [&](auto& which) {
+            constexpr bool isSway = requires {
+                which.waves;
+            };
+            if constexpr (requires { which.strength; })
+                use(isSway ? Kind::Degrees : Kind::Share, which.strength);
+            if constexpr (requires { which.turns; }) use(Kind::Turns, which.turns);
+            // Those of a palette go either way.
+            if constexpr (requires { which.cycles; })
+                use(
+                    requires { which.reference; } ? Kind::Cycles : Kind::Turns, which.cycles);
+            if constexpr (isSway)
+                for (auto& wave : which.waves)
+                    use(Kind::Cycles, wave.cycles);
+        },
+        motion);
+}
+
 bool isAmong(std::span<const KeyAt> keys, const Track& track, int frame) {
     return std::ranges::find(keys, KeyAt{track, frame}) != keys.end();
 }
@@ -353,6 +375,32 @@ Fractal withoutMotion(Fractal entry, std::size_t motion) {
     inItsDimension(entry, [&]<int Dim>(Shape<Dim>& shape) {
         auto& motions = animationOf<Dim>(shape).motions;
         if (motion < motions.size()) motions.erase(motions.begin() + std::ptrdiff_t(motion));
+    });
+    return entry;
+}
+
+std::vector<MotionNumber> motionNumbers(const Fractal& entry, std::size_t motion) {
+    std::vector<MotionNumber> numbers;
+    inItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        if (!shape.animation || motion >= shape.animation->motions.size()) return;
+        visitNumbers(shape.animation->motions[motion], [&](MotionNumber::Kind kind, const auto& number) {
+            numbers.push_back({kind, double(number)});
+        });
+    });
+    return numbers;
+}
+
+Fractal withMotionNumbers(Fractal entry, std::size_t motion, std::span<const MotionNumber> numbers) {
+    if (numbers.size() != motionNumbers(entry, motion).size()) return entry;
+    inItsDimension(entry, [&]<int Dim>(Shape<Dim>& shape) {
+        if (numbers.empty()) return;
+        animation::Motion<Dim> changed = shape.animation->motions[motion];
+        auto next = numbers.begin();
+        visitNumbers(changed, [&]<class Number>(MotionNumber::Kind, Number& number) {
+            constexpr double beyond = 2 * animation::maxCycles; // fits an int, and is refused
+            number = Number(std::clamp((next++)->value, -beyond, beyond));
+        });
+        if (animation::isValid<Dim>(changed)) shape.animation->motions[motion] = std::move(changed);
     });
     return entry;
 }

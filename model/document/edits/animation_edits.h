@@ -95,4 +95,22 @@ Pasted withKeysPasted(Fractal entry, std::span<const CopiedKey> keys, int frame)
 // Without its motion of this index.
 Fractal withoutMotion(Fractal entry, std::size_t motion);
 
+// A number of a motion that a user may change.
+struct MotionNumber {
+    enum class Kind {
+        Degrees, // the strength of a sway, to 360 either way
+        Share,   // the strength of breathing, below 1 either way
+        Turns,   // in the length of the animation, to animation::maxCycles either way, not 0
+        Cycles,  // the same, but 1 and more; of a sway, those of each of its waves
+    };
+    Kind kind = Kind::Turns;
+    double value = 0;
+
+    friend bool operator==(const MotionNumber&, const MotionNumber&) = default;
+};
+// Always in the same order; none where there is no motion of this index.
+std::vector<MotionNumber> motionNumbers(const Fractal& entry, std::size_t motion);
+// With other values of them all. Where one is out of its range, the entry as it is.
+Fractal withMotionNumbers(Fractal entry, std::size_t motion, std::span<const MotionNumber> numbers);
+
 } // namespace document

@@ -7,8 +7,8 @@
 
 namespace io {
 
-FrameRequestText::FrameRequestText() {
-    add("barycage", BARYCAGE_VERSION);
+FrameRequestText::FrameRequestText(int pixels) {
+    add("pixels", QByteArray::number(pixels));
 }
 
 void FrameRequestText::add(const char* name, const QByteArray& value) {

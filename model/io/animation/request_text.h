@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/request/pixel_version.h"
 #include "document/fractal.h"
 
 #include <QByteArray>
@@ -10,10 +11,10 @@
 namespace io {
 
 // Everything that the bytes of a frame depend on, in lines "name value" in a fixed order; an option that is
-// not given is absent. It begins with the version of the program, and the entry ends it.
+// not given is absent. It begins with the version of the pixels, and the entry ends it.
 class FrameRequestText {
 public:
-    FrameRequestText();
+    explicit FrameRequestText(int pixels = attractor::pixelVersion);
     void add(const char* name, const QByteArray& value);
     void addCount(const char* name, std::uint64_t value);
 

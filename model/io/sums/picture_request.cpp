@@ -15,9 +15,6 @@ namespace io {
 
 namespace {
 
-// Rises when the same request gives other pixels than before.
-constexpr int pixelVersion = 2;
-
 QByteArray line(const char* key, std::initializer_list<QByteArray> words) {
     QByteArray text(key);
     for (const QByteArray& word : words)
@@ -65,9 +62,9 @@ std::optional<attractor::Camera> cameraOf(const RequestLines& lines) {
 
 } // namespace
 
-QByteArray pictureRequest(const PngExport& picture) {
+QByteArray pictureRequest(const PngExport& picture, int pixels) {
     const attractor::Camera& camera = picture.request.camera;
-    QByteArray text = line("pixels", {QByteArray::number(pixelVersion)});
+    QByteArray text = line("pixels", {QByteArray::number(pixels)});
     text += line("centre", {formatNumber(camera.centre.x()), formatNumber(camera.centre.y())});
     text += line("scale", {formatNumber(camera.pixelsPerUnit)});
     text += line("size", {QByteArray::number(camera.width), QByteArray::number(camera.height)});
@@ -86,7 +83,7 @@ std::optional<PngExport> pictureOf(const QByteArray& request) {
     const RequestLines lines(request.left(end));
     const auto camera = cameraOf(lines);
     const document::FractalFile file = readFractint(request.mid(end + divider.size()));
-    if (lines.integer("pixels", pixelVersion, pixelVersion) != pixelVersion || !camera ||
+    if (!lines.integer("pixels", attractor::pixelVersion, attractor::pixelVersion) || !camera ||
         file.entries.size() != 1 || document::plane(*file.entries.first().fractal) == nullptr)
         return std::nullopt;
     PngExport picture;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/request/pixel_version.h"
 #include "io/picture/png_export.h"
 
 #include <QByteArray>
@@ -10,11 +11,11 @@
 namespace io {
 
 // What decides the pixels of a picture of Algorithm::Density, as text: the entry, the view, the size, the
-// seed and the format, not the number of samples and nothing that changes no byte. Equal pictures have equal
-// texts.
-QByteArray pictureRequest(const PngExport& picture);
+// seed, the format and the version of the pixels, not the number of samples and nothing that changes no byte.
+// Equal pictures have equal texts.
+QByteArray pictureRequest(const PngExport& picture, int pixels = attractor::pixelVersion);
 
-// The picture again, its samples 0; nullopt where the text is none.
+// The picture again, its samples 0; nullopt where the text is none, or of another version of the pixels.
 std::optional<PngExport> pictureOf(const QByteArray& request);
 
 } // namespace io

@@ -2,6 +2,7 @@
 #include "document/edits/animation_edits.h"
 
 #include "document/animated_fractal.h"
+#include "document/edits/motion_edits.h"
 
 #include <QtTest>
 
@@ -45,8 +46,45 @@ private slots:
     void keysArePastedWhereTheyFit();
     void easesAreSet();
     void shorterAnimationsLoseKeys();
+    void numbersOfMotionsAreChanged();
     void everyEditIsValid();
 };
+
+void AnimationEditsTest::numbersOfMotionsAreChanged() {
+    using Kind = MotionNumber::Kind;
+    const auto kinds = [](const Fractal& fractal, std::size_t motion) {
+        std::vector<Kind> result;
+        for (const MotionNumber& number : motionNumbers(fractal, motion))
+            result.push_back(number.kind);
+        return result;
+    };
+    Fractal entry = *withWind(sierpinskiTriangle(), animation::swayPresets()[0]);
+    entry = *withOrbit(*withBreathing(entry));
+    entry = *withPaletteCycle(entry);
+    QCOMPARE(kinds(entry, 0), (std::vector{Kind::Degrees, Kind::Cycles, Kind::Cycles, Kind::Cycles}));
+    QCOMPARE(kinds(entry, 1), (std::vector{Kind::Share, Kind::Cycles}));
+    QCOMPARE(kinds(entry, 2), std::vector{Kind::Turns});
+    QCOMPARE(kinds(entry, 3), std::vector{Kind::Turns});
+    QVERIFY(motionNumbers(entry, 4).empty());
+    QVERIFY(motionNumbers(sierpinskiTriangle(), 0).empty());
+    for (std::size_t motion = 0; motion < 4; ++motion) {
+        auto numbers = motionNumbers(entry, motion);
+        QCOMPARE(withMotionNumbers(entry, motion, numbers), entry);
+        for (MotionNumber& number : numbers)
+            number.value = number.kind == Kind::Share ? -0.25 : 5;
+        const Fractal changed = withMotionNumbers(entry, motion, numbers);
+        QCOMPARE(motionNumbers(changed, motion), numbers);
+        QVERIFY(animation::isValid<2>(*plane(changed)->animation));
+        for (std::size_t other = 0; other < 4; ++other)
+            if (other != motion) QCOMPARE(motionNumbers(changed, other), motionNumbers(entry, other));
+        for (const double wrong : {1e9, numbers[0].kind == Kind::Turns ? 0.0 : -1e9}) {
+            numbers[0].value = wrong;
+            QCOMPARE(withMotionNumbers(entry, motion, numbers), entry);
+        }
+        numbers.pop_back();
+        QCOMPARE(withMotionNumbers(entry, motion, numbers), entry);
+    }
+}
 
 void AnimationEditsTest::rowsAreWhatCanMove() {
     const auto rows = tracksOf(sierpinskiTriangle());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_geometry.h"
+#include "io/animation/request_text.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/sums/picture_request.h"
 #include "io/sums/picture_sums.h"
@@ -18,6 +19,7 @@ class PictureSumsTest : public QObject {
 
 private slots:
     void theRequestSaysAll();
+    void otherPixelsAreAnotherRequest();
     void partsAddUpToThePicture_data();
     void partsAddUpToThePicture();
     void bandsAddUpToo();
@@ -104,6 +106,21 @@ void PictureSumsTest::theRequestSaysAll() {
     QVERIFY(turned && turned->request.camera == what.request.camera);
     QVERIFY(!pictureOf("entry\n"));
     QVERIFY(!pictureOf(""));
+}
+
+// Frames and sums that a program with other pixels has written are not taken for ours.
+void PictureSumsTest::otherPixelsAreAnotherRequest() {
+    const PngExport what = picture();
+    const auto hash = [&](const FrameRequestText& request) { return request.hash(what.fractal); };
+    const QByteArray ours = hash(FrameRequestText());
+    QCOMPARE(hash(FrameRequestText(attractor::pixelVersion)), ours);
+    for (const int other : {attractor::pixelVersion - 1, attractor::pixelVersion + 1}) {
+        QVERIFY(hash(FrameRequestText(other)) != ours);
+        const QByteArray text = pictureRequest(what, other);
+        QVERIFY(text != pictureRequest(what));
+        QVERIFY(!pictureOf(text));
+    }
+    QVERIFY(pictureOf(pictureRequest(what)));
 }
 
 void PictureSumsTest::partsAddUpToThePicture_data() {

@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "panels/timeline/ease_dialog.h"
+#include "panels/timeline/motion_dialog.h"
 #include "panels/timeline/motion_page.h"
 #include "panels/timeline/space_tap.h"
 #include "panels/timeline/timeline_panel.h"
@@ -16,6 +17,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMenu>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -42,6 +44,7 @@ private slots:
     void motionsAreOfferedFirst();
     void motionsAreSeenWhole();
     void oneClickMakesALoop();
+    void motionsAreChanged();
     void slowMotionsLeaveTheWindowAtHand();
     void motionsAreShownMoving();
     void morphsAreEntriesOfTheirOwn();
@@ -164,6 +167,56 @@ void TimelineTest::oneClickMakesALoop() {
     QTest::keyClick(&tracks(), Qt::Key_Delete);
     QVERIFY(timeline().motions().empty());
     QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Delete the motion “Wind”"));
+}
+
+// By a double click, live, and as one step of the history or none.
+void TimelineTest::motionsAreChanged() {
+    const auto strength = [this] { return document::motionNumbers(m_document->entryFractal(), 0)[0].value; };
+    m_panel->motions().front()->menu()->actions().front()->trigger(); // Breeze
+    timeline().playback().setPlaying(false);
+    const document::Fractal start = m_document->entryFractal();
+    const double before = strength();
+    const auto doubleClicked = [this] {
+        timeline().setRow(6);
+        tracks().reveal();
+        QTest::mouseDClick(tracks().viewport(), Qt::LeftButton, {}, tracks().keyPosition(6, 12));
+        return m_panel->findChild<view::MotionDialog*>();
+    };
+    QPointer dialog = doubleClicked();
+    QVERIFY(dialog);
+    QCOMPARE(dialog->findChildren<QSpinBox*>().size(), 3); // cycles of its waves
+    auto* field = dialog->findChild<QDoubleSpinBox*>();
+    field->setValue(1.5);
+    QCOMPARE(strength(), 1.5); // seen at once
+    QCOMPARE(steps(), 1);
+    dialog->reject();
+    QTRY_VERIFY(!dialog);
+    QCOMPARE(m_document->entryFractal(), start);
+    QCOMPARE(steps(), 1);
+    dialog = doubleClicked();
+    dialog->findChildren<QSpinBox*>()[0]->setValue(3);
+    QCOMPARE(strength(), before); // exactly, though the field is rounded
+    dialog->findChild<QDoubleSpinBox*>()->setValue(2);
+    dialog->accept();
+    QTRY_VERIFY(!dialog);
+    QCOMPARE(strength(), 2.0);
+    QCOMPARE(document::motionNumbers(m_document->entryFractal(), 0)[1].value, 3.0);
+    QCOMPARE(steps(), 2);
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Change the motion “Wind”"));
+    m_document->undoStack()->undo();
+    QCOMPARE(m_document->entryFractal(), start);
+    m_panel->motions()[1]->trigger(); // Turn
+    timeline().playback().setPlaying(false);
+    timeline().setRow(7);
+    QTest::keyClick(&tracks(), Qt::Key_Return);
+    dialog = m_panel->findChild<view::MotionDialog*>();
+    QVERIFY(dialog);
+    auto* turns = dialog->findChild<QSpinBox*>();
+    QCOMPARE(turns->value(), 1);
+    turns->stepDown(); // never 0
+    QCOMPARE(turns->value(), -1);
+    QCOMPARE(document::motionNumbers(m_document->entryFractal(), 1)[0].value, -1.0);
+    dialog->accept();
 }
 
 // A search that would take minutes runs beside the window, which says so and can end it.

@@ -12,6 +12,11 @@ constexpr double radius = 5; // about as much ink
 
 } // namespace
 
+QColor faded(QColor colour, double share) {
+    colour.setAlphaF(float(colour.alphaF() * share));
+    return colour;
+}
+
 QPolygonF diamond(const QPointF& middle, double half) {
     return QPolygonF({middle + QPointF(0, -half), middle + QPointF(half, 0), middle + QPointF(0, half),
                       middle + QPointF(-half, 0)});

@@ -3,6 +3,7 @@
 
 #include "animation/ease.h"
 
+#include <QColor>
 #include <QPolygonF>
 
 class QPainter;
@@ -10,6 +11,7 @@ class QPainter;
 // How keys look in the timeline.
 namespace view {
 
+QColor faded(QColor colour, double share);
 QPolygonF diamond(const QPointF& middle, double half);
 
 // With the pen and brush of the painter: a diamond, or a circle where the motion goes on without a corner.

@@ -2,6 +2,7 @@
 #include "panels/timeline/track_menu.h"
 
 #include "panels/timeline/ease_dialog.h"
+#include "panels/timeline/motion_dialog.h"
 #include "panels/timeline/timeline.h"
 
 #include <QMenu>
@@ -47,7 +48,26 @@ void askForEase(Timeline& timeline, QWidget* parent) {
     dialog->open();
 }
 
+bool isMotion(const Timeline& timeline) {
+    return !timeline.isTrack(timeline.row()) && timeline.row() < timeline.rowCount();
+}
+
+void askForMotion(Timeline& timeline, QWidget* parent) {
+    const auto motion = std::size_t(timeline.row()) - timeline.tracks().size();
+    auto* dialog =
+        new MotionDialog(timeline.document(), motion, timeline.rowName(timeline.row()), parent->window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
 } // namespace
+
+void activateRow(Timeline& timeline, QWidget* parent) {
+    if (isMotion(timeline))
+        askForMotion(timeline, parent);
+    else
+        timeline.keys().toggle(timeline.row());
+}
 
 void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
     auto* menu = new QMenu(parent);
@@ -74,12 +94,15 @@ void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
     paste->setEnabled(timeline.keys().canPaste());
     if (any)
         menu->addAction(Timeline::tr("Delete Keys"), &timeline, [&timeline] { timeline.keys().remove(); });
-    if (timeline.isTrack(timeline.row()))
+    if (timeline.isTrack(timeline.row())) {
         menu->addAction(Timeline::tr("Key at the Playhead"), &timeline,
                         [&timeline] { timeline.keys().set(); });
-    else if (!any && timeline.rowCount() > 0)
+    } else if (!any && isMotion(timeline)) {
+        menu->addAction(Timeline::tr("Edit the Motion…"), &timeline,
+                        [&timeline, parent] { askForMotion(timeline, parent); });
         menu->addAction(Timeline::tr("Delete the Motion"), &timeline,
                         [&timeline] { timeline.keys().remove(); });
+    }
     menu->popup(global);
 }
 

@@ -12,4 +12,8 @@ class Timeline;
 // itself.
 void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent);
 
+// What Enter or a double click does to the current row: a key at the playhead of a track comes or goes, and
+// the numbers of a motion are asked for.
+void activateRow(Timeline& timeline, QWidget* parent);
+
 } // namespace view

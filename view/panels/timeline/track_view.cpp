@@ -33,11 +33,6 @@ constexpr double reach = 8;                      // of a diamond, for the pointe
 constexpr int snapReach = 6;                     // pixels
 constexpr char unitSetting[] = "timeline/seconds";
 
-QColor faded(QColor colour, double share) {
-    colour.setAlphaF(float(colour.alphaF() * share));
-    return colour;
-}
-
 } // namespace
 
 TrackView::TrackView(Timeline* timeline, QWidget* parent)
@@ -45,12 +40,12 @@ TrackView::TrackView(Timeline* timeline, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Tracks and keys"));
-    setWhatsThis(
-        tr("One row for each part that can move. The diamond on the left sets a key at the "
-           "playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl "
-           "copies. Drag in the ruler to move the playhead, or from an empty place to select keys. "
-           "Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs "
-           "through them without a corner."));
+    setWhatsThis(tr(
+        "One row for each part that can move. The diamond on the left sets a key at the "
+        "playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl "
+        "copies. Drag in the ruler to move the playhead, or from an empty place to select keys. "
+        "Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs "
+        "through them without a corner. Double-click a motion to change its strength or number of turns."));
     viewport()->setMouseTracking(false);
     m_unit->setCheckable(true);
     m_unit->setAutoRaise(true);
@@ -317,6 +312,11 @@ void TrackView::mouseReleaseEvent(QMouseEvent* event) {
     viewport()->update();
 }
 
+void TrackView::mouseDoubleClickEvent(QMouseEvent* event) {
+    const int row = rowAt(event->position().y());
+    if (row == m_timeline->row() && !m_timeline->isTrack(row)) activateRow(*m_timeline, this);
+}
+
 void TrackView::wheelEvent(QWheelEvent* event) {
     const int turned = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
     if (event->modifiers() & Qt::ControlModifier)
@@ -381,7 +381,7 @@ bool TrackView::edit(const QKeyEvent& event) {
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        m_timeline->keys().toggle(m_timeline->row());
+        activateRow(*m_timeline, this);
         return true;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:

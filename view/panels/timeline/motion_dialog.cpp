@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/motion_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace view {
+
+namespace {
+
+using Kind = document::MotionNumber::Kind;
+
+constexpr double maxDegrees = 360;
+constexpr double percent = 100;
+constexpr double maxPercent = 99.9;
+
+// Either way, but never none.
+class TurnsBox : public QSpinBox {
+public:
+    void stepBy(int steps) override {
+        const int wanted = value() + steps;
+        const bool crosses = (value() < 0) != (wanted < 0) || wanted == 0;
+        QSpinBox::stepBy(crosses ? steps + (steps > 0 ? 1 : -1) : steps);
+    }
+
+protected:
+    QValidator::State validate(QString& text, int& position) const override {
+        const QValidator::State state = QSpinBox::validate(text, position);
+        return state == QValidator::Acceptable && valueFromText(text) == 0 ? QValidator::Intermediate : state;
+    }
+};
+
+QDoubleSpinBox* strengthBox(double most, const QString& suffix, double step) {
+    auto* box = new QDoubleSpinBox;
+    box->setRange(-most, most);
+    box->setDecimals(2);
+    box->setSingleStep(step);
+    box->setSuffix(suffix);
+    return box;
+}
+
+} // namespace
+
+MotionDialog::MotionDialog(document::Document& document, std::size_t motion, const QString& name,
+                           QWidget* parent)
+    : QDialog(parent),
+      m_entry(document.entryFractal()),
+      m_motion(motion),
+      m_numbers(document::motionNumbers(m_entry, motion)),
+      m_gesture(document.beginGesture(tr("Change the motion “%1”").arg(name))) {
+    setWindowTitle(tr("Motion: %1").arg(name));
+    auto* form = new QFormLayout(this);
+    int cycles = 0;
+    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
+        if (m_numbers[i].kind == Kind::Cycles) ++cycles;
+        QWidget* box = field(i, cycles);
+        form->addRow(box->accessibleName() + u':', box);
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    form->addRow(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(this, &QDialog::accepted, this, [this] { m_gesture.commit(); });
+    connect(this, &QDialog::rejected, this, [this] { m_gesture.cancel(); });
+}
+
+QWidget* MotionDialog::field(std::size_t index, int ordinal) {
+    const document::MotionNumber& number = m_numbers[index];
+    if (number.kind == Kind::Degrees || number.kind == Kind::Share) {
+        const bool isAngle = number.kind == Kind::Degrees;
+        const double unit = isAngle ? 1 : percent;
+        auto* box = isAngle ? strengthBox(maxDegrees, QStringLiteral("°"), 0.5)
+                            : strengthBox(maxPercent, QStringLiteral(" %"), 1);
+        box->setValue(unit * number.value);
+        box->setAccessibleName(tr("Strength"));
+        box->setWhatsThis(isAngle ? tr("How far the branches swing at most, as an angle about their roots. A "
+                                       "negative strength swings them the other way.")
+                                  : tr("How much the maps swell and shrink at most. With a negative strength "
+                                       "they shrink first."));
+        connect(box, &QDoubleSpinBox::valueChanged, this,
+                [this, index, unit](double value) { take(index, value / unit); });
+        return box;
+    }
+    const bool isTurns = number.kind == Kind::Turns;
+    auto* box = isTurns ? new TurnsBox : new QSpinBox;
+    box->setRange(isTurns ? -animation::maxCycles : 1, animation::maxCycles);
+    box->setValue(int(number.value));
+    const auto all = std::ranges::count(m_numbers, Kind::Cycles, &document::MotionNumber::kind);
+    box->setAccessibleName(isTurns   ? tr("Turns")
+                           : all > 1 ? tr("Cycles of wave %1").arg(ordinal)
+                                     : tr("Cycles"));
+    box->setWhatsThis(isTurns ? tr("How many times it goes round in the length of the animation. A negative "
+                                   "number goes the other way.")
+                              : tr("How many times it goes back and forth in the length of the animation."));
+    connect(box, &QSpinBox::valueChanged, this, [this, index](int value) { take(index, value); });
+    return box;
+}
+
+void MotionDialog::take(std::size_t index, double value) {
+    m_numbers[index].value = value;
+    m_gesture.previewEntry(document::withMotionNumbers(m_entry, m_motion, m_numbers));
+}
+
+} // namespace view

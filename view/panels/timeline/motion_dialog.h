@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/edits/animation_edits.h"
+
+#include <QDialog>
+
+#include <vector>
+
+namespace view {
+
+// The numbers of a motion of the current entry: its strength, turns and cycles. What is chosen is seen at
+// once; OK makes it one step of the history, Cancel takes it back.
+class MotionDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // `name` is that of the motion.
+    MotionDialog(document::Document& document, std::size_t motion, const QString& name,
+                 QWidget* parent = nullptr);
+
+private:
+    // The number of this index, the `ordinal`-th of those of its kind.
+    QWidget* field(std::size_t index, int ordinal);
+    void take(std::size_t index, double value);
+
+    document::Fractal m_entry; // as it was
+    std::size_t m_motion;
+    std::vector<document::MotionNumber> m_numbers; // exact, where the fields show them rounded
+    document::EditGesture m_gesture;
+};
+
+} // namespace view
