@@ -7,8 +7,10 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 using namespace collage;
 
@@ -88,6 +90,30 @@ double lowerBound(const Target& target, const Maps& maps) {
     return distance;
 }
 
+// Cells of images of cells, one set for each map and one for all.
+double overlapOf(const Target& target, const Maps& maps) {
+    using Cells = std::set<std::pair<double, double>>;
+    Cells all;
+    std::size_t sum = 0;
+    for (const auto& map : maps) {
+        Cells own;
+        const auto inside = inGrid(target.grid, map);
+        std::vector<ifs::Vector<2>> offsets{{0, 0}};
+        if (ifs::spectralNorm<2>(map.linear) > 0.7)
+            offsets.insert(offsets.end(), {{-0.25, -0.25}, {-0.25, 0.25}, {0.25, -0.25}, {0.25, 0.25}});
+        for (int y = 0; y < target.grid.height; ++y)
+            for (int x = 0; x < target.grid.width; ++x)
+                for (const auto& offset : offsets) {
+                    if (!target.mask(x, y)) continue;
+                    const ifs::Vector<2> image = inside(ifs::Vector<2>(x + 0.5, y + 0.5) + offset);
+                    own.emplace(std::floor(image.x()), std::floor(image.y()));
+                }
+        sum += own.size();
+        all.insert(own.begin(), own.end());
+    }
+    return double(sum) / double(all.size());
+}
+
 } // namespace
 
 class AgreementTest : public QObject {
@@ -141,6 +167,40 @@ private slots:
         QVERIFY(measure.images.hausdorff <= 2);
         const Mask points = attractorMask(picture(mask).grid, maps);
         QVERIFY(std::abs(double(area(points)) / double(area(mask)) - 1) < 0.05);
+    }
+
+    // Σ |w_i(L)| / |W(L)|, by sets of cells.
+    void overlapAgreesWithSetsOfCells() {
+        std::mt19937 random(5);
+        bool anyOverlaps = false;
+        for (int trial = 0; trial < 100; ++trial) {
+            const Collage collage = randomCollage(random);
+            const double overlap = collageMeasure(picture(collage.mask), collage.maps).overlap;
+            const double expected = overlapOf(picture(collage.mask), collage.maps);
+            QVERIFY2(support::near(overlap, expected, 1e-12),
+                     qPrintable(QStringLiteral("%1: %2, %3").arg(trial).arg(overlap).arg(expected)));
+            anyOverlaps = anyOverlaps || overlap > 1.5;
+        }
+        QVERIFY(anyOverlaps);
+    }
+
+    void overlapIsThatOfTheAreas() {
+        const Target whole = picture(triangle(512, 0.9));
+        const Maps maps = sierpinski(0.9);
+        QVERIFY(support::near(collageMeasure(whole, maps).overlap, 1, 0.01));
+        const auto overlap = [&](const Maps& of) { return collageMeasure(whole, of).overlap; };
+        QCOMPARE(overlap({maps[0]}), 1.0);
+        QCOMPARE(overlap({maps[0], maps[0], maps[0]}), 3.0);
+        const auto far = ifs::affineMap(0.3, 0, 0, 0.3, 40, 0), large = ifs::affineMap(0.9, 0, 0, 0.9, 40, 0);
+        QCOMPARE(overlap({far, far}), 2.0); // off the grid
+        QCOMPARE(overlap({far, maps[0]}), 1.0);
+        QVERIFY(support::near(overlap({far, large}), (0.09 + 0.81) / 0.81, 0.01));
+        // Two copies of a square that have half of each in common.
+        Mask square = emptyMask(64, 64);
+        std::ranges::fill(square.cells, std::uint8_t(1));
+        const Maps shifted{ifs::affineMap(0.5, 0, 0, 0.5, -0.125, 0),
+                           ifs::affineMap(0.5, 0, 0, 0.5, 0.125, 0)};
+        QCOMPARE(collageMeasure(picture(square), shifted).overlap, 4.0 / 3);
     }
 
     void mapsThatStretchHaveNoBound() {

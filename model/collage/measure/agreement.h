@@ -23,6 +23,7 @@ struct Agreement {
 
 struct CollageMeasure {
     Agreement images;       // B = W(L), the union of the images of the target
+    double overlap = 1;     // Σ |w_i(L)| / |W(L)|: 1 where no two images have a cell in common
     double contraction = 0; // s, the largest spectral norm of a map
     // No point of the target is farther from the attractor, nor the other way round: (d_H(L, W(L)) +
     // (2 + s)/√2)/(1 − s), in pixels. For a target made with the factor 1; nullopt unless s < 1.

@@ -67,7 +67,11 @@ std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPict
     const bool isCoarse = detail == Detail::Live && traced.coarse;
     const collage::Target& target = isCoarse ? *traced.coarse : traced.target;
     const collage::MeasuredCollage images = collage::measuredCollage(target, maps->maps);
-    MeasuredFractal result{images.measure.images, images.measure.contraction, images.measure.bound, {}, {}};
+    MeasuredFractal result;
+    result.agreement = images.measure.images;
+    result.overlap = images.measure.overlap;
+    result.contraction = images.measure.contraction;
+    result.bound = images.measure.bound;
     const collage::Grid& grid = target.grid;
     if (compared == Compared::Attractor) {
         if (result.contraction >= 1) return std::nullopt;

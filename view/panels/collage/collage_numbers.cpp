@@ -37,6 +37,9 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         {tr("Coverage"), tr("The share of the target that is covered")},
         {tr("Excess"), tr("How much lies outside the target, as a share of the target")},
         {tr("Overlap (IoU)"), tr("What both have in common, as a share of what either covers")},
+        {tr("Overlap ratio"),
+         tr("How often the images of the maps cover the same places: their areas together, "
+            "divided by the area that they cover. It is 1 where no two of them overlap")},
         {tr("Mean distance"), tr("From each to the nearest point of the other, in pixels of the picture")},
         {tr("95 % within"), tr("95 % of all points are at most so far from the other")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
@@ -65,6 +68,7 @@ void CollageNumbers::show(const document::MeasuredFractal& measured) {
         percent(a.coverage),
         percent(a.excess),
         percent(a.iou),
+        roundedNumber(measured.overlap, 2),
         pixels(a.mean),
         pixels(a.p95),
         pixels(a.hausdorff),
