@@ -168,6 +168,19 @@ bool mayLeaveGaps(const ifs::AffineMap<2>& map) {
     return ifs::spectralNorm<2>(map.linear) > 0.7;
 }
 
+// From ‖·‖ back to |·|: the distance between L and its collage grows by C at most, that between L and the
+// attractor does not shrink.
+void addBound(CollageMeasure& measure, std::span<const ifs::AffineMap<2>> maps, NormSearch search) {
+    const ifs::Existence existence = ifs::classify<2>(maps, search == NormSearch::Hurried ? 2'000 : 20'000);
+    if (existence.verdict != ifs::Verdict::Hyperbolic &&
+        existence.verdict != ifs::Verdict::EventuallyContractive)
+        return;
+    measure.norm = ifs::contractingNorm<2>(maps, existence);
+    measure.bound = measure.norm.equivalence *
+                    (measure.images.hausdorff + (2 + measure.contraction) * std::sqrt(0.5)) /
+                    (1 - measure.norm.contractivity);
+}
+
 } // namespace
 
 double contraction(std::span<const ifs::AffineMap<2>> maps) {
@@ -185,7 +198,8 @@ CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineM
     return measuredCollage(target, maps).measure;
 }
 
-MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps) {
+MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
+                                NormSearch search) {
     const auto inside = inGrid(target.grid, maps);
     Splats splats{Labels(target.mask.cells.size()), {}};
     std::size_t met = 0; // by images without gaps
@@ -215,9 +229,7 @@ MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::Affin
     splats.outside = outside;
     measureAreas(target, splats, result.images);
     result.contraction = contraction(maps);
-    if (result.contraction < 1)
-        result.bound =
-            (result.images.hausdorff + (2 + result.contraction) * std::sqrt(0.5)) / (1 - result.contraction);
+    addBound(result, maps, search);
     MeasuredCollage measured{result, emptyMask(target.grid.width, target.grid.height)};
     std::ranges::transform(splats.labels, measured.images.cells.begin(),
                            [](std::int32_t label) { return std::uint8_t(label != 0); });

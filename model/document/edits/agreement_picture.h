@@ -23,6 +23,7 @@ struct MeasuredFractal {
     double overlap = 1;           // this and what follows, always of the collage
     double contraction = 0;
     std::optional<double> bound;
+    ifs::ContractingNorm<2> norm; // in which the bound holds
     QImage picture; // both grey, too much red and hatched like /, missing blue and hatched like \.
     QRectF area;    // of the picture, in the plane: top is its largest y, its height is positive
 };
