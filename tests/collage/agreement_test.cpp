@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(collageMeasure(picture(square), shifted).overlap, 4.0 / 3);
     }
 
-    void mapsThatStretchHaveNoBound() {
+    void mapsThatDoNotContractHaveNoBound() {
         const Mask mask = triangle(64, 0.8);
         QVERIFY(!collageMeasure(picture(mask), Maps{ifs::affineMap(1.2, 0, 0, 0.5, 0, 0)}).bound);
         QVERIFY(!collageMeasure(picture(mask), Maps{ifs::AffineMap<2>{}}).bound);
