@@ -167,6 +167,7 @@ QByteArray reportOf(const collage::Mask& mask, const collage::Suggestion& found,
     json.member("p95", found.attractor.p95);
     json.member("hausdorff", found.collage.images.hausdorff);
     json.member("iou", found.attractor.iou);
+    json.member("overlap", found.collage.overlap);
     json.member("bound", found.collage.bound);
     json.member("starts", double(starts));
     json.endObject();

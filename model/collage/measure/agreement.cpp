@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace collage {
 
@@ -15,12 +16,15 @@ using Labels = std::vector<std::int32_t>; // of every cell: not 0 where somethin
 struct Place {
     double distance = -1; // in cells
     ifs::Vector<2> point = ifs::Vector<2>::Zero();
+    std::int32_t layer = 0;
 };
 
 // What lies on a grid, or so far outside that only its distance to the target counts.
 struct Splats {
-    Labels labels;
+    Labels labels; // the layer that was the last to meet the cell
     std::vector<Place> outside;
+    std::int32_t layer = 1; // of what comes next, never 0; layers do not return
+    std::size_t met = 0;    // the sum over all layers of the cells of the grid that they meet
 };
 
 std::vector<ifs::AffineMap<2>> inGrid(const Grid& grid, std::span<const ifs::AffineMap<2>> maps) {
@@ -34,13 +38,15 @@ std::vector<ifs::AffineMap<2>> inGrid(const Grid& grid, std::span<const ifs::Aff
 void splat(const Target& target, double x, double y, Splats& splats) {
     const int width = target.grid.width, height = target.grid.height;
     if (x >= 0 && y >= 0 && x < width && y < height) {
-        splats.labels[target.mask.index(int(x), int(y))] = 1;
+        std::int32_t& label = splats.labels[target.mask.index(int(x), int(y))];
+        if (label != splats.layer) ++splats.met;
+        label = splats.layer;
         return;
     }
     const double column = std::floor(x), row = std::floor(y);
     const double c = std::clamp(column, 0.0, width - 1.0), r = std::clamp(row, 0.0, height - 1.0);
     const double inside = std::sqrt(double(target.features.square[target.mask.index(int(c), int(r))]));
-    splats.outside.push_back({inside + std::hypot(column - c, row - r), {x, y}});
+    splats.outside.push_back({inside + std::hypot(column - c, row - r), {x, y}, splats.layer});
 }
 
 class Distances {
@@ -126,6 +132,28 @@ void measureAreas(const Target& target, const Splats& splats, Agreement& agreeme
     agreement.iou = double(both) / (area + double(only));
 }
 
+// How many cells off the grid something meets, and the sum of those that each layer meets.
+struct CellsOutside {
+    std::size_t all = 0;
+    std::size_t met = 0;
+};
+
+CellsOutside cellsOutside(const std::vector<Place>& outside) {
+    using Cell = std::tuple<double, double, std::int32_t>;
+    std::vector<Cell> cells;
+    cells.reserve(outside.size());
+    for (const Place& place : outside)
+        cells.emplace_back(std::floor(place.point.x()), std::floor(place.point.y()), place.layer);
+    std::ranges::sort(cells);
+    cells.erase(std::ranges::unique(cells).begin(), cells.end());
+    CellsOutside result{0, cells.size()};
+    for (std::size_t k = 0; k < cells.size(); ++k)
+        if (k == 0 || std::get<0>(cells[k]) != std::get<0>(cells[k - 1]) ||
+            std::get<1>(cells[k]) != std::get<1>(cells[k - 1]))
+            ++result.all;
+    return result;
+}
+
 void splatImages(const Target& target, const ifs::AffineMap<2>& map, double dx, double dy, Splats& splats) {
     const ifs::Matrix<2>& a = map.linear;
     const ifs::Vector<2>& b = map.translation;
@@ -133,6 +161,24 @@ void splatImages(const Target& target, const ifs::AffineMap<2>& map, double dx, 
         const double x = target.columns[k] + dx, y = target.rows[k] + dy;
         splat(target, a(0, 0) * x + a(0, 1) * y + b.x(), a(1, 0) * x + a(1, 1) * y + b.y(), splats);
     }
+}
+
+// The images of centres are then more than 1/√2 apart; those of four points of each cell are not.
+bool mayLeaveGaps(const ifs::AffineMap<2>& map) {
+    return ifs::spectralNorm<2>(map.linear) > 0.7;
+}
+
+// From ‖·‖ back to |·|: the distance between L and its collage grows by C at most, that between L and the
+// attractor does not shrink.
+void addBound(CollageMeasure& measure, std::span<const ifs::AffineMap<2>> maps, NormSearch search) {
+    const ifs::Existence existence = ifs::classify<2>(maps, search == NormSearch::Hurried ? 2'000 : 20'000);
+    if (existence.verdict != ifs::Verdict::Hyperbolic &&
+        existence.verdict != ifs::Verdict::EventuallyContractive)
+        return;
+    measure.norm = ifs::contractingNorm<2>(maps, existence);
+    measure.bound = measure.norm.equivalence *
+                    (measure.images.hausdorff + (2 + measure.contraction) * std::sqrt(0.5)) /
+                    (1 - measure.norm.contractivity);
 }
 
 } // namespace
@@ -152,27 +198,38 @@ CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineM
     return measuredCollage(target, maps).measure;
 }
 
-MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps) {
+MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
+                                NormSearch search) {
     const auto inside = inGrid(target.grid, maps);
     Splats splats{Labels(target.mask.cells.size()), {}};
-    for (const ifs::AffineMap<2>& map : inside)
+    std::size_t met = 0; // by images without gaps
+    for (const ifs::AffineMap<2>& map : inside) {
+        splats.met = 0;
         splatImages(target, map, 0, 0, splats);
+        if (!mayLeaveGaps(map)) met += splats.met;
+        ++splats.layer;
+    }
     CollageMeasure result;
     measureDistances(target, splats, result.images);
-    // The images of centres may leave gaps when they are more than 1/√2 apart; four points of each cell do
-    // not.
-    const std::size_t outside = splats.outside.size();
-    for (const ifs::AffineMap<2>& map : inside)
-        if (ifs::spectralNorm<2>(map.linear) > 0.7)
-            for (const double dx : {-0.25, 0.25})
-                for (const double dy : {-0.25, 0.25})
-                    splatImages(target, map, dx, dy, splats);
-    splats.outside.resize(outside);
+    const std::vector<Place> outside = splats.outside;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        if (!mayLeaveGaps(inside[i])) continue;
+        std::erase_if(splats.outside, [&](const Place& place) { return place.layer == std::int32_t(i) + 1; });
+        splats.met = 0;
+        splatImages(target, inside[i], 0, 0, splats);
+        for (const double dx : {-0.25, 0.25})
+            for (const double dy : {-0.25, 0.25})
+                splatImages(target, inside[i], dx, dy, splats);
+        met += splats.met;
+        ++splats.layer;
+    }
+    const CellsOutside off = cellsOutside(splats.outside);
+    const auto all = std::size_t(std::ranges::count_if(splats.labels, [](auto label) { return label != 0; }));
+    result.overlap = double(met + off.met) / double(all + off.all);
+    splats.outside = outside;
     measureAreas(target, splats, result.images);
     result.contraction = contraction(maps);
-    if (result.contraction < 1)
-        result.bound =
-            (result.images.hausdorff + (2 + result.contraction) * std::sqrt(0.5)) / (1 - result.contraction);
+    addBound(result, maps, search);
     MeasuredCollage measured{result, emptyMask(target.grid.width, target.grid.height)};
     std::ranges::transform(splats.labels, measured.images.cells.begin(),
                            [](std::int32_t label) { return std::uint8_t(label != 0); });

@@ -3,6 +3,8 @@
 
 #include "collage/target/target.h"
 
+#include "ifs/existence/attractor_existence.h"
+
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,10 +25,14 @@ struct Agreement {
 
 struct CollageMeasure {
     Agreement images;       // B = W(L), the union of the images of the target
+    double overlap = 1;     // Σ |w_i(L)| / |W(L)|: 1 where no two images have a cell in common
     double contraction = 0; // s, the largest spectral norm of a map
-    // No point of the target is farther from the attractor, nor the other way round: (d_H(L, W(L)) +
-    // (2 + s)/√2)/(1 − s), in pixels. For a target made with the factor 1; nullopt unless s < 1.
+    // No point of the target is farther from the attractor, nor the other way round, in pixels: C (d_H(L,
+    // W(L)) + (2 + s)/√2)/(1 − γ), where every map contracts by γ in the norm with |x| ≤ ‖x‖ ≤ C|x|. For a
+    // target made with the factor 1; nullopt where no such norm is known.
     std::optional<double> bound;
+    ifs::ContractingNorm<2>
+        norm; // of the bound; Euclidean, with γ = s and C = 1, unless another one says more
 };
 
 // What a collage measures, and the cells that its images meet.
@@ -34,10 +40,13 @@ struct MeasuredCollage {
     CollageMeasure measure;
     Mask images; // on the grid of the target
 };
+// How long a norm is looked for in which maps contract that do not in the Euclidean one.
+enum class NormSearch { Thorough, Hurried };
 // The maps are those of the plane; there must be one at least, and all must be finite.
-MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps);
+MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
+                                NormSearch search = NormSearch::Thorough);
 CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineMap<2>> maps);
-// B = the attractor of the maps, contractions all of them.
+// B = the attractor of the maps, which must contract in some norm.
 Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMap<2>> maps);
 
 // What a fit of an attractor makes small, in units of the plane: the mean distance, and a little for what is

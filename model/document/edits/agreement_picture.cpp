@@ -66,11 +66,17 @@ std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPict
     if (!maps || maps->maps.empty()) return std::nullopt;
     const bool isCoarse = detail == Detail::Live && traced.coarse;
     const collage::Target& target = isCoarse ? *traced.coarse : traced.target;
-    const collage::MeasuredCollage images = collage::measuredCollage(target, maps->maps);
-    MeasuredFractal result{images.measure.images, images.measure.contraction, images.measure.bound, {}, {}};
+    const auto search = detail == Detail::Live ? collage::NormSearch::Hurried : collage::NormSearch::Thorough;
+    const collage::MeasuredCollage images = collage::measuredCollage(target, maps->maps, search);
+    MeasuredFractal result;
+    result.agreement = images.measure.images;
+    result.overlap = images.measure.overlap;
+    result.contraction = images.measure.contraction;
+    result.bound = images.measure.bound;
+    result.norm = images.measure.norm;
     const collage::Grid& grid = target.grid;
     if (compared == Compared::Attractor) {
-        if (result.contraction >= 1) return std::nullopt;
+        if (!result.bound) return std::nullopt;
         result.agreement = collage::attractorAgreement(target, maps->maps);
         result.picture = pictureOf(target.mask, collage::attractorMask(grid, maps->maps));
     } else {

@@ -20,8 +20,10 @@ enum class Detail { Full, Live };
 // How well a fractal agrees with a target, in numbers and as a picture over the plane.
 struct MeasuredFractal {
     collage::Agreement agreement; // of what was asked for
+    double overlap = 1;           // this and what follows, always of the collage
     double contraction = 0;
-    std::optional<double> bound; // always that of the collage
+    std::optional<double> bound;
+    ifs::ContractingNorm<2> norm; // in which the bound holds
     QImage picture; // both grey, too much red and hatched like /, missing blue and hatched like \.
     QRectF area;    // of the picture, in the plane: top is its largest y, its height is positive
 };

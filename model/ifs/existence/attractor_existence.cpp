@@ -173,7 +173,10 @@ std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> 
         const auto seen = seenFrom<Dim>({root.inverse(), Vector<Dim>::Zero()}, maps);
         if (!seen || !(seen->longest < contractionLimit<Dim>)) return std::nullopt;
     }
-    return Ellipsoidal<Dim>{{root, std::max(norm.value, minContractivity), condition * (1 + 1e-12)},
+    return Ellipsoidal<Dim>{{.root = root,
+                             .contractivity = std::max(norm.value, minContractivity),
+                             .equivalence = condition * (1 + 1e-12),
+                             .norm = NormKind::Ellipsoidal},
                             int(norm.index)};
 }
 
@@ -314,7 +317,9 @@ ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const
     constexpr double tight = 20; // not worth the search for a better one
     const double least = existence.wordLength == 1 ? 0 : minContractivity;
     ContractingNorm<Dim> best{.contractivity = std::max(existence.contractivity, least),
-                              .equivalence = existence.normEquivalence};
+                              .equivalence = existence.normEquivalence,
+                              .norm = existence.norm,
+                              .wordLength = existence.wordLength};
     const auto cost = [](const auto& norm) { return norm.equivalence / (1 - norm.contractivity); };
     const auto offer = [&](const ContractingNorm<Dim>& norm) {
         if (norm.contractivity < contractionLimit<Dim> && cost(norm) < cost(best)) best = norm;
@@ -333,7 +338,10 @@ ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const
         extend(level, generators);
         const double root =
             std::max(std::pow(maxNorm<Dim>(level.products).value, 1.0 / level.length), minContractivity);
-        offer({.contractivity = root, .equivalence = normEquivalence(norms, root)});
+        offer({.contractivity = root,
+               .equivalence = normEquivalence(norms, root),
+               .norm = NormKind::Words,
+               .wordLength = level.length});
     }
     return best;
 }

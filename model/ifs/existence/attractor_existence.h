@@ -46,11 +46,14 @@ struct Existence {
 template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts = 20'000);
 
 // A norm in which every map contracts by `contractivity`, with |x| ≤ ‖x‖ ≤ equivalence·|x| after scaling:
-// ‖x‖ = |root·x| when every root·A_i·root⁻¹ has a norm below 1, and else ‖·‖_* of longer words, root = I.
+// ‖x‖ = |root·x| when every root·A_i·root⁻¹ has a norm below 1, and else ‖·‖_* of longer words, or the norm
+// that decided existence, root = I.
 template <int Dim> struct ContractingNorm {
     Matrix<Dim> root = Matrix<Dim>::Identity();
     double contractivity = 0;
     double equivalence = 1;
+    NormKind norm = NormKind::Euclidean;
+    int wordLength = 1; // of NormKind::Words
 };
 
 // The norm with the smallest equivalence/(1 − contractivity), by which certificates widen, among those of

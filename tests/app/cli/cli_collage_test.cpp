@@ -103,13 +103,15 @@ void CliCollageTest::aPictureBecomesASystem() {
     compare(box[QLatin1String("max")], 0.4, 0.4, 0.06);
     QVERIFY(entry[QLatin1String("mean")].toArray()[1].toDouble() < -0.05); // its foot is at the bottom
     const QJsonObject said = report("r.json");
-    QCOMPARE(said.keys(), (QStringList{QStringLiteral("bound"), QStringLiteral("hausdorff"),
-                                       QStringLiteral("iou"), QStringLiteral("mean"), QStringLiteral("p95"),
-                                       QStringLiteral("size"), QStringLiteral("starts")}));
+    QCOMPARE(said.keys(),
+             (QStringList{QStringLiteral("bound"), QStringLiteral("hausdorff"), QStringLiteral("iou"),
+                          QStringLiteral("mean"), QStringLiteral("overlap"), QStringLiteral("p95"),
+                          QStringLiteral("size"), QStringLiteral("starts")}));
     QCOMPARE(said[QLatin1String("size")], (QJsonValue(QJsonArray{160, 120})));
     QCOMPARE(said[QLatin1String("starts")].toInt(), 64);
     QVERIFY(said[QLatin1String("mean")].toDouble() < 0.5);
     QVERIFY(said[QLatin1String("iou")].toDouble() > 0.7);
+    QVERIFY(said[QLatin1String("overlap")].toDouble() >= 1 && said[QLatin1String("overlap")].toDouble() < 4);
     QVERIFY(said[QLatin1String("bound")].toDouble() > said[QLatin1String("hausdorff")].toDouble());
 }
 

@@ -19,6 +19,34 @@ QString pixels(double distance) {
     return CollageNumbers::tr("%1 px", "pixels").arg(roundedNumber(distance, 2));
 }
 
+// Never “1” for what is less.
+QString factorText(double factor) {
+    const QString text = roundedNumber(factor, 3);
+    return factor < 1 && text.toDouble() >= 1 ? fullNumber(factor) : text;
+}
+
+// With the norm in which the maps contract, by what it is called elsewhere.
+QString guarantee(const document::MeasuredFractal& measured) {
+    using Numbers = CollageNumbers;
+    if (!measured.bound)
+        return Numbers::tr("none: a map stretches by %1").arg(roundedNumber(measured.contraction, 3));
+    const QString bound = pixels(*measured.bound), factor = factorText(measured.norm.contractivity);
+    switch (measured.norm.norm) {
+    case ifs::NormKind::Ellipsoidal:
+        return Numbers::tr("%1 (ellipsoidal norm, γ = %2)").arg(bound, factor);
+    case ifs::NormKind::Polytope:
+        return Numbers::tr("%1 (polytope norm, γ = %2)").arg(bound, factor);
+    case ifs::NormKind::Words:
+        return Numbers::tr("%1 (any %2 maps in a row contract, γ = %3)")
+            .arg(bound)
+            .arg(measured.norm.wordLength)
+            .arg(factor);
+    case ifs::NormKind::Euclidean:
+        break;
+    }
+    return Numbers::tr("%1 (s = %2)").arg(bound, factor);
+}
+
 } // namespace
 
 CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
@@ -37,6 +65,9 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         {tr("Coverage"), tr("The share of the target that is covered")},
         {tr("Excess"), tr("How much lies outside the target, as a share of the target")},
         {tr("Overlap (IoU)"), tr("What both have in common, as a share of what either covers")},
+        {tr("Overlap ratio"),
+         tr("How often the images of the maps cover the same places: their areas together, "
+            "divided by the area that they cover. It is 1 where no two of them overlap")},
         {tr("Mean distance"), tr("From each to the nearest point of the other, in pixels of the picture")},
         {tr("95 % within"), tr("95 % of all points are at most so far from the other")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
@@ -62,15 +93,8 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
 void CollageNumbers::show(const document::MeasuredFractal& measured) {
     const collage::Agreement& a = measured.agreement;
     const QString texts[] = {
-        percent(a.coverage),
-        percent(a.excess),
-        percent(a.iou),
-        pixels(a.mean),
-        pixels(a.p95),
-        pixels(a.hausdorff),
-        measured.bound
-            ? tr("%1 (s = %2)").arg(pixels(*measured.bound), roundedNumber(measured.contraction, 3))
-            : tr("none: a map stretches by %1").arg(roundedNumber(measured.contraction, 3))};
+        percent(a.coverage), percent(a.excess), percent(a.iou),      roundedNumber(measured.overlap, 2),
+        pixels(a.mean),      pixels(a.p95),     pixels(a.hausdorff), guarantee(measured)};
     for (std::size_t row = 0; row < m_labels.size(); ++row)
         m_labels[row]->setText(texts[row]);
     m_sentence->hide();
