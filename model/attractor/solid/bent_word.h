@@ -35,12 +35,17 @@ public:
     WordCoordinates(const ifs::CageCoordinates& rest, const ifs::AffineMap<3>& word);
 
     BentWord bent(const ifs::AffineMap<3>& word, const PixelBend& bend) const; // the same word
-    static std::size_t bytes(std::size_t vertices) { return vertices * terms * sizeof(double); }
+    static std::size_t bytes(std::size_t vertices) {
+        return vertices * (straightTerms * sizeof(double) + bentTerms * sizeof(float));
+    }
 
 private:
-    // Of each vertex: 1 · x y z · x² y² z² · yz zx xy · what remains at the corners: 1 x y z xyz · a zero.
-    static constexpr std::size_t terms = 16;
-    std::vector<double> m_terms;
+    static constexpr std::size_t straightTerms = 4; // of each vertex: 1 · x y z
+    // x² y² z² · yz zx xy · what remains at the corners: 1 x y z xyz · a zero. Small, so that floats say
+    // enough.
+    static constexpr std::size_t bentTerms = 12;
+    std::vector<double> m_straight;
+    std::vector<float> m_bent;
 };
 
 } // namespace attractor

@@ -138,7 +138,7 @@ void SolidBand::openSorted(const SolidScene& scene, int firstRow) {
     m_order.clear();
     for (std::size_t i = 0; i < m_children.size(); ++i) {
         SeenWord& word = m_children[i].seen;
-        word = seen(m_children[i].word, scene.view);
+        word = glimpsed(m_children[i].word, scene.view);
         if (!word.meets(scene.view.size)) continue;
         const double reach = word.half.y() + word.miss + 1;
         const double row = word.onScreen.translation.y() - firstRow;
@@ -183,11 +183,27 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
     return true;
 }
 
+// Behind what there is, or outside the band, wherever its points are as far as is known.
+bool SolidBand::isHidden(const SolidScene& scene, const SeenWord& word, int firstRow) {
+    if (word.reachesEye || !word.onScreen.translation.allFinite()) return false;
+    kernels::SolidWord shown = screenWord(word, 0, firstRow, scene.range);
+    if (scene.view.bend) {
+        const double miss = word.half.z() - word.onScreen.linear.row(2).cwiseAbs().sum();
+        shown.middle[2] -= static_cast<float>(miss * maxDepthCode / (scene.range.far - scene.range.near));
+    }
+    return kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys);
+}
+
 // As one, or else by its children. False when stopped.
 bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop) {
     constexpr std::size_t maxOpen = 1U << 18;
     const double codes = maxDepthCode / (scene.range.far - scene.range.near);
-    const SeenWord& word = open.seen;
+    SeenWord& word = open.seen;
+    if (scene.view.bend && !open.word.follows) { // most are hidden, or small, before it matters how they bend
+        if (isHidden(scene, word, firstRow)) return true;
+        if (word.reachesEye || !(word.miss <= maxBentPixels)) word = seen(open.word, scene.view);
+        if (!word.meets(scene.view.size)) return true;
+    }
     if (!word.onScreen.translation.allFinite()) return true;
     const bool spent =
         m_job.budget == 0 || m_wideBudget == 0 || m_open.size() + scene.boxMaps.size() > maxOpen;
@@ -202,8 +218,7 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
                           (word.isCut ? cover != nullptr && open.colour != kernels::SolidWord::uncoloured
                                       : word.size() <= maxSinglePixels);
     if (!isSingle && !spent) {
-        if (!kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys))
-            expand(scene, open, firstRow);
+        if (!isHidden(scene, word, firstRow)) expand(scene, open, firstRow);
         return true;
     }
     if (!word.isCut) return kernels::drawSolid(shown, m_job, stop);

@@ -68,12 +68,13 @@ private:
     struct Open {
         WalkedWord word; // box → SpaceView::toPixels
         int colour = kernels::SolidWord::uncoloured;
-        SeenWord seen{};
+        SeenWord seen{}; // or glimpsed, as long as the word does not follow
     };
     bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
     bool draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop);
     void expand(const SolidScene& scene, const Open& open, int firstRow);
     void openSorted(const SolidScene& scene, int firstRow);
+    bool isHidden(const SolidScene& scene, const SeenWord& word, int firstRow);
     const kernels::Cover* coverFor(double size) const;
 
     kernels::KeyBand m_keys;

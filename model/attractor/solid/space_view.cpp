@@ -144,35 +144,32 @@ double magnification(const ifs::Vector<3>& middle, const SpaceView& view) {
 } // namespace
 
 WalkedWord WalkedWord::inside(const ifs::AffineMap<3>& map) const {
-    return {word * map, nullptr, bent, bent ? within * map : ifs::AffineMap<3>()};
+    return {word * map, nullptr, bent, bent ? within * map : ifs::AffineMap<3>(), follows};
 }
 
 WalkedWord rootWord(const ifs::AffineMap<3>& box, const SpaceView& view) {
-    return {box, view.bends ? view.bends->root() : nullptr, nullptr, {}};
+    return {box, view.bends ? view.bends->root() : nullptr};
 }
 
 WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::AffineMap<3>& map,
                      const SpaceView& view) {
     WalkedWord result = word.inside(map);
-    if (word.node != nullptr && !word.bent) result.node = view.bends->child(*word.node, index);
+    if (word.node != nullptr && !word.follows) result.node = view.bends->child(*word.node, index);
     return result;
 }
 
 StraightWord straightened(WalkedWord& word, const SpaceView& view) {
     if (!view.bend) return {word.word};
-    if (word.bent) {
+    if (word.follows) {
         StraightWord result = straightened(*word.bent, word.within);
         const double most = 2 * maxModelPixels; // nearer to the eye than the word whose bend is known
         if (word.bent->miss.maxCoeff() * magnification(result.word.translation, view) <= most) return result;
-        word.bent.reset();
     }
-    const std::shared_ptr<const BentWord> model = bentWord(word, view);
-    const StraightWord result = straightened(*model, {});
-    if (model->miss.maxCoeff() * magnification(model->middle, view) <= maxModelPixels) {
-        word.bent = model;
-        word.within = {};
-    }
-    return result;
+    word.bent = bentWord(word, view);
+    word.within = {};
+    const BentWord& model = *word.bent;
+    word.follows = model.miss.maxCoeff() * magnification(model.middle, view) <= maxModelPixels;
+    return straightened(model, {});
 }
 
 namespace {
@@ -237,6 +234,11 @@ SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
 
 SeenWord seen(WalkedWord& word, const SpaceView& view) {
     return seen(straightened(word, view), view);
+}
+
+SeenWord glimpsed(WalkedWord& word, const SpaceView& view) {
+    if (!view.bend || word.follows || !word.bent) return seen(word, view);
+    return seen(straightened(*word.bent, word.within), view);
 }
 
 } // namespace attractor

@@ -62,10 +62,11 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view);
 // A word of a walk down the address tree. Once the bend of a word is known well enough, that of the words in
 // it follows without looking at the cage again.
 struct WalkedWord {
-    ifs::AffineMap<3> word;
-    BendTree::Node* node = nullptr;       // nullptr: not one of SpaceView::bends
-    std::shared_ptr<const BentWord> bent; // of a word it lies in; not longer than the view
-    ifs::AffineMap<3> within;             // this word in coordinates of that one
+    ifs::AffineMap<3> word{};
+    BendTree::Node* node = nullptr;         // nullptr: not one of SpaceView::bends
+    std::shared_ptr<const BentWord> bent{}; // of a word it lies in; not longer than the view
+    ifs::AffineMap<3> within{};             // this word in coordinates of that one
+    bool follows = false;                   // from it, well enough
 
     WalkedWord inside(const ifs::AffineMap<3>& map) const; // word * map
 };
@@ -94,5 +95,7 @@ struct SeenWord {
 };
 SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view);
 SeenWord seen(WalkedWord& word, const SpaceView& view);
+// As far as what is known already tells: in a larger box, but it is in there.
+SeenWord glimpsed(WalkedWord& word, const SpaceView& view);
 
 } // namespace attractor

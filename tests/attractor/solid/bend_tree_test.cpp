@@ -71,7 +71,7 @@ struct Walk {
         alone.bends = nullptr;
         std::vector<StraightWord> result;
         for (const WalkedWord& word : words()) {
-            WalkedWord same{word.word, nullptr, nullptr, {}};
+            WalkedWord same{word.word};
             result.push_back(straightened(same, alone));
         }
         return result;

@@ -164,10 +164,11 @@ private slots:
             for (int start = 0; start < 40; ++start) {
                 const Vector<3> middle(0.5 + 0.4 * side(random), 0.5 + 0.4 * side(random),
                                        0.5 + 0.4 * side(random));
-                WalkedWord word{{0.02 * ifs::Matrix<3>::Identity(), middle}, nullptr, {}};
+                WalkedWord word{{0.02 * ifs::Matrix<3>::Identity(), middle}};
                 for (int depth = 0; depth < 4; ++depth) {
                     const StraightWord straight = straightened(word, view);
-                    if (depth > 0 && word.bent) ++followed;
+                    if (depth > 0 && word.follows && word.within.linear != ifs::Matrix<3>::Identity())
+                        ++followed;
                     for (int n = 0; n < 20; ++n) {
                         const Vector<3> at(side(random), side(random), side(random));
                         const Vector<3> exact = view.afterBend((*view.bend)(word.word(at)));
