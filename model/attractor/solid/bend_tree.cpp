@@ -17,7 +17,7 @@ void BendTree::clear() {
     m_bytes = m_known = 0;
     m_isFull = false;
     m_view = 0;
-    grow(1);
+    m_root = grow(1);
 }
 
 void BendTree::follow(const ifs::CageDeformation& bend, const ifs::AffineMap<3>& after,
@@ -49,10 +49,6 @@ BendTree::Node* BendTree::grow(std::size_t count) {
 
 std::mutex& BendTree::lockOf(const Node& node) {
     return m_locks[std::hash<const Node*>()(&node) / sizeof(Node) % m_locks.size()];
-}
-
-BendTree::Node* BendTree::root() {
-    return m_nodes.empty() ? nullptr : m_nodes.front().data();
 }
 
 BendTree::Node* BendTree::child(Node& node, std::size_t map) {

@@ -40,7 +40,7 @@ public:
                 const ifs::AffineMap<3>& box, std::span<const ifs::AffineMap<3>> maps);
 
     // From any thread. nullptr where the tree is full.
-    Node* root();
+    Node* root() const { return m_root; }
     Node* child(Node& node, std::size_t map);
     // The bend of the word with that address, which lasts until the next follow(); nullptr where the tree is
     // full.
@@ -70,6 +70,7 @@ private:
     std::atomic<std::size_t> m_known = 0; // words
     std::atomic<std::size_t> m_asked = 0; // words, of this view
     std::atomic<bool> m_isFull = false;
+    Node* m_root = nullptr;
     std::mutex m_growth;
     std::deque<std::vector<Node>> m_nodes; // the root, and brothers together
     std::array<std::mutex, 64> m_locks;
