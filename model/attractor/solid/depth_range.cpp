@@ -11,6 +11,7 @@ namespace {
 struct Open {
     double depth = 0; // the nearer to the end that is sought, the larger
     double half = 0;  // of the depths of the word; of two that reach as far, the smaller comes first
+    bool reachesEye = false;
     WalkedWord word;
     friend bool operator<(const Open& a, const Open& b) {
         return a.depth < b.depth || (a.depth == b.depth && a.half > b.half);
@@ -26,7 +27,7 @@ public:
         : m_view(view), m_sign(end == End::Near ? -1 : 1) {
         for (const ifs::AffineMap<3>& map : system.maps)
             m_maps.push_back(system.inBox(map));
-        add({view.toPixels * system.fromBox(), nullptr, {}});
+        add(rootWord(view.toPixels * system.fromBox(), view));
     }
 
     // −HUGE_VAL when nothing is in view.
@@ -36,18 +37,17 @@ public:
         double found = -HUGE_VAL;
         std::size_t words = 0;
         while (!m_open.empty()) {
-            Open best = m_open.front();
+            const Open best = m_open.front();
             words += m_maps.size();
-            const SeenWord word = seen(best.word, m_view);
-            const bool isSmall = !word.reachesEye && 2 * word.half.z() <= small;
+            const bool isSmall = !best.reachesEye && 2 * best.half <= small;
             if (isSmall || !mayDivide || words > maxWords || stop.stop_requested()) {
                 found = best.depth;
                 break;
             }
             std::pop_heap(m_open.begin(), m_open.end());
             m_open.pop_back();
-            for (const ifs::AffineMap<3>& map : m_maps)
-                add(best.word.inside(map));
+            for (std::size_t i = 0; i < m_maps.size(); ++i)
+                add(childWord(best.word, i, m_maps[i], m_view));
         }
         return m_sign * found;
     }
@@ -60,7 +60,7 @@ private:
         double depth = m_sign * it.onScreen.translation.z() + half;
         if (m_view.isPerspective() && m_sign < 0)
             depth = std::min(depth, m_view.eyeDistance * (1 - nearestShare));
-        m_open.push_back({depth, half, std::move(word)});
+        m_open.push_back({depth, half, it.reachesEye, std::move(word)});
         std::push_heap(m_open.begin(), m_open.end());
     }
 

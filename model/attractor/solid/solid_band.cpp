@@ -59,8 +59,10 @@ void SolidScene::setKey(SolidKey newKey) {
     for (std::size_t length = 0; length < maxLength && (length == 0 || words * count <= steps); ++length) {
         std::vector<Root> longer;
         for (const Root& root : roots)
-            for (const ifs::AffineMap<3>& map : boxMaps)
-                longer.push_back({root.word * map, 0});
+            for (std::size_t i = 0; i < count; ++i) {
+                longer.push_back({root.word * boxMaps[i], 0, root.address});
+                longer.back().address.push_back(i);
+            }
         roots = std::move(longer);
         words *= count;
     }
@@ -70,6 +72,11 @@ void SolidScene::setKey(SolidKey newKey) {
 
 void SolidScene::setView(const SpaceView& newView) {
     view = newView;
+    if (view.bend && !system.maps.empty()) {
+        if (!m_bends) m_bends = std::make_shared<BendTree>();
+        m_bends->follow(*view.bend, view.afterBend, view.toPixels * system.fromBox(), boxMaps);
+        view.bends = m_bends;
+    }
     // Bent, its words are seen from as many sides.
     facing = view.bend ? FacingCover() : FacingCover(system, view, covers.ofAtMost(facingPoints));
 }
@@ -115,22 +122,27 @@ SolidBand::Work SolidBand::takeWork() {
             std::exchange(m_cutShort, 0)};
 }
 
-void SolidBand::expand(const SolidScene& scene, const Open& open) {
+void SolidBand::expand(const SolidScene& scene, const Open& open, int firstRow) {
     m_wideBudget -= std::min(m_wideBudget, scene.boxMaps.size());
     m_children.clear();
     for (std::size_t i = 0; i < scene.boxMaps.size(); ++i)
         m_children.push_back(
-            {open.word.inside(scene.boxMaps[i]),
+            {childWord(open.word, i, scene.boxMaps[i], scene.view),
              open.colour == kernels::SolidWord::uncoloured ? scene.colours[i] : open.colour});
-    openSorted(scene);
+    openSorted(scene, firstRow);
 }
 
-// Those children that meet the view, the nearest one on top.
-void SolidBand::openSorted(const SolidScene& scene) {
+// Those children that meet the view, the nearest one on top. Where words bend there are many: those that miss
+// the band are left out at once.
+void SolidBand::openSorted(const SolidScene& scene, int firstRow) {
     m_order.clear();
     for (std::size_t i = 0; i < m_children.size(); ++i) {
-        const SeenWord word = seen(m_children[i].word, scene.view);
+        SeenWord& word = m_children[i].seen;
+        word = glimpsed(m_children[i].word, scene.view);
         if (!word.meets(scene.view.size)) continue;
+        const double reach = word.half.y() + word.miss + 1;
+        const double row = word.onScreen.translation.y() - firstRow;
+        if (scene.view.bend && !word.reachesEye && (row + reach < 0 || row - reach > m_keys.rows())) continue;
         m_order.emplace_back(word.nearest(), i);
     }
     std::sort(m_order.rbegin(), m_order.rend());
@@ -151,9 +163,16 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
     m_open.clear();
     m_children.clear();
     const ifs::AffineMap<3> box = scene.view.toPixels * scene.system.fromBox();
-    for (const SolidScene::Root& root : scene.roots)
-        m_children.push_back({{box * root.word, nullptr, {}}, root.colour});
-    openSorted(scene);
+    for (const SolidScene::Root& root : scene.roots) {
+        WalkedWord word = rootWord(box, scene.view);
+        if (scene.view.bend) // one after the other, so that every walk finds the same words
+            for (const std::size_t i : root.address)
+                word = childWord(word, i, scene.boxMaps[i], scene.view);
+        else
+            word.word = box * root.word;
+        m_children.push_back({std::move(word), root.colour});
+    }
+    openSorted(scene, firstRow);
     while (!m_open.empty()) {
         Open open = std::move(m_open.back());
         m_open.pop_back();
@@ -164,16 +183,32 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
     return true;
 }
 
+// Behind what there is, or outside the band, wherever its points are as far as is known.
+bool SolidBand::isHidden(const SolidScene& scene, const SeenWord& word, int firstRow) {
+    if (word.reachesEye || !word.onScreen.translation.allFinite()) return false;
+    kernels::SolidWord shown = screenWord(word, 0, firstRow, scene.range);
+    if (scene.view.bend) {
+        const double miss = word.half.z() - word.onScreen.linear.row(2).cwiseAbs().sum();
+        shown.middle[2] -= static_cast<float>(miss * maxDepthCode / (scene.range.far - scene.range.near));
+    }
+    return kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys);
+}
+
 // As one, or else by its children. False when stopped.
 bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop) {
     constexpr std::size_t maxOpen = 1U << 18;
     const double codes = maxDepthCode / (scene.range.far - scene.range.near);
-    const SeenWord word = seen(open.word, scene.view);
-    if (!word.meets(scene.view.size) || !word.onScreen.translation.allFinite()) return true;
+    SeenWord& word = open.seen;
+    if (scene.view.bend && !open.word.follows) { // most are hidden, or small, before it matters how they bend
+        if (isHidden(scene, word, firstRow)) return true;
+        if (word.reachesEye || !(word.miss <= maxBentPixels)) word = seen(open.word, scene.view);
+        if (!word.meets(scene.view.size)) return true;
+    }
+    if (!word.onScreen.translation.allFinite()) return true;
     const bool spent =
         m_job.budget == 0 || m_wideBudget == 0 || m_open.size() + scene.boxMaps.size() > maxOpen;
     if (word.reachesEye) {
-        if (!spent && word.half.z() > minEyeShare * scene.view.eyeDistance) expand(scene, open);
+        if (!spent && word.half.z() > minEyeShare * scene.view.eyeDistance) expand(scene, open, firstRow);
         return true;
     }
     const kernels::SolidWord shown = screenWord(word, open.colour, firstRow, scene.range);
@@ -183,8 +218,7 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
                           (word.isCut ? cover != nullptr && open.colour != kernels::SolidWord::uncoloured
                                       : word.size() <= maxSinglePixels);
     if (!isSingle && !spent) {
-        if (!kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys))
-            expand(scene, open);
+        if (!isHidden(scene, word, firstRow)) expand(scene, open, firstRow);
         return true;
     }
     if (!word.isCut) return kernels::drawSolid(shown, m_job, stop);

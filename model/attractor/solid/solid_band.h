@@ -10,6 +10,7 @@
 #include "attractor/solid/space_view.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -28,10 +29,11 @@ struct SolidScene {
     DepthRange range;
     FacingCover facing;
 
-    // A word from which the walk begins, in box coordinates.
+    // A word from which walks begin, in box coordinates.
     struct Root {
         ifs::AffineMap<3> word;
         int colour = kernels::SolidWord::uncoloured;
+        std::vector<std::size_t> address{}; // the maps that lead to it
     };
     std::vector<Root> roots;
 
@@ -42,6 +44,9 @@ struct SolidScene {
     void setSystem(PreparedSpace prepared);
     void setKey(SolidKey newKey);
     void setView(const SpaceView& newView);
+
+private:
+    std::shared_ptr<BendTree> m_bends; // once a view has bent
 };
 
 // Draws rows of a picture, from the root of the address tree. Memory is kept from one call to the next.
@@ -63,11 +68,13 @@ private:
     struct Open {
         WalkedWord word; // box → SpaceView::toPixels
         int colour = kernels::SolidWord::uncoloured;
+        SeenWord seen{}; // or glimpsed, as long as the word does not follow
     };
     bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
     bool draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop);
-    void expand(const SolidScene& scene, const Open& open);
-    void openSorted(const SolidScene& scene);
+    void expand(const SolidScene& scene, const Open& open, int firstRow);
+    void openSorted(const SolidScene& scene, int firstRow);
+    bool isHidden(const SolidScene& scene, const SeenWord& word, int firstRow);
     const kernels::Cover* coverFor(double size) const;
 
     kernels::KeyBand m_keys;

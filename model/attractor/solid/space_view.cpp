@@ -106,48 +106,7 @@ namespace {
 
 constexpr double maxModelPixels = 0x1p-4; // by which a BentWord may be off
 
-// By what the middle, the middles of the sides and the corners say.
-BentWord bentWord(const ifs::AffineMap<3>& word, const SpaceView& view) {
-    const ifs::CageDeformation& bend = *view.bend;
-    const auto at = [&](const ifs::Vector<3>& u) { return view.afterBend(bend(word(u))); };
-    BentWord model;
-    model.middle = at(ifs::Vector<3>::Zero());
-    std::array<ifs::Vector<3>, 3> pure; // half the second derivative along one side
-    for (int side = 0; side < 3; ++side) {
-        const ifs::Vector<3> high = at(ifs::Vector<3>::Unit(side)), low = at(-ifs::Vector<3>::Unit(side));
-        model.linear.col(side) = (high - low) / 2;
-        pure[std::size_t(side)] = (high + low) / 2 - model.middle;
-    }
-    // What remains at the corners: the mixed derivatives, and what is of higher order.
-    std::array<ifs::Vector<3>, 8> rest;
-    for (int k = 0; k < 8; ++k) {
-        const ifs::Vector<3> corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
-        rest[std::size_t(k)] =
-            at(corner) - model.middle - model.linear * corner - pure[0] - pure[1] - pure[2];
-    }
-    std::array<ifs::Vector<3>, 3> mixed; // yz, zx, xy
-    for (int pair = 0; pair < 3; ++pair) {
-        ifs::Vector<3>& value = mixed[std::size_t(pair)];
-        value.setZero();
-        for (int k = 0; k < 8; ++k) {
-            const bool isSame = ((k >> (pair + 1) % 3 ^ k >> (pair + 2) % 3) & 1) == 0;
-            value += (isSame ? 0.125 : -0.125) * rest[std::size_t(k)];
-        }
-    }
-    for (int k = 0; k < 8; ++k) {
-        const double x = (k & 1) != 0 ? 1 : -1, y = (k & 2) != 0 ? 1 : -1, z = (k & 4) != 0 ? 1 : -1;
-        const ifs::Vector<3> off =
-            rest[std::size_t(k)] - y * z * mixed[0] - z * x * mixed[1] - x * y * mixed[2];
-        model.miss = model.miss.cwiseMax(off.cwiseAbs());
-    }
-    model.miss *= 2; // cubes along a side are not seen at its ends
-    for (int row = 0; row < 3; ++row)
-        model.second[std::size_t(row)] << 2 * pure[0][row], mixed[2][row], mixed[1][row], //
-            mixed[2][row], 2 * pure[1][row], mixed[0][row],                               //
-            mixed[1][row], mixed[0][row], 2 * pure[2][row];
-    return model;
-}
-
+// The square of a coordinate runs from 0 to 1: with half of it in the middle, it misses but the other half.
 StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within) {
     StraightWord result;
     result.miss = model.miss;
@@ -157,12 +116,23 @@ StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within
     for (int row = 0; row < 3; ++row) {
         const ifs::Matrix<3>& second = model.second[std::size_t(row)];
         const ifs::Vector<3> slope = second * at;
-        result.word.translation[row] += at.dot(slope) / 2;
-        result.word.linear.row(row) += slope.transpose() * within.linear;
         const ifs::Matrix<3> left = within.linear.transpose() * second * within.linear;
-        result.miss[row] += left.cwiseAbs().sum() / 2;
+        result.word.translation[row] += at.dot(slope) / 2 + left.trace() / 4;
+        result.word.linear.row(row) += slope.transpose() * within.linear;
+        result.miss[row] += left.diagonal().cwiseAbs().sum() / 4 + std::abs(left(0, 1)) +
+                            std::abs(left(0, 2)) + std::abs(left(1, 2));
     }
     return result;
+}
+
+// Of the word itself: from what is known of its address, or from the cage.
+std::shared_ptr<const BentWord> bentWord(const WalkedWord& word, const SpaceView& view) {
+    if (view.bends && word.node != nullptr)
+        if (const BentWord* known = view.bends->bent(*word.node, word.word))
+            return {std::shared_ptr<const void>(), known}; // the tree keeps it
+    const PixelBend bend(*view.bend, view.afterBend);
+    return std::make_shared<const BentWord>(
+        WordCoordinates(*view.bend->rest(), word.word).bent(word.word, bend));
 }
 
 // How much larger what lies there is seen than in the plane of the target.
@@ -174,24 +144,32 @@ double magnification(const ifs::Vector<3>& middle, const SpaceView& view) {
 } // namespace
 
 WalkedWord WalkedWord::inside(const ifs::AffineMap<3>& map) const {
-    return {word * map, bent, bent ? within * map : ifs::AffineMap<3>()};
+    return {word * map, nullptr, bent, bent ? within * map : ifs::AffineMap<3>(), follows};
+}
+
+WalkedWord rootWord(const ifs::AffineMap<3>& box, const SpaceView& view) {
+    return {box, view.bends ? view.bends->root() : nullptr};
+}
+
+WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::AffineMap<3>& map,
+                     const SpaceView& view) {
+    WalkedWord result = word.inside(map);
+    if (word.node != nullptr && !word.follows) result.node = view.bends->child(*word.node, index);
+    return result;
 }
 
 StraightWord straightened(WalkedWord& word, const SpaceView& view) {
     if (!view.bend) return {word.word};
-    if (word.bent) {
+    if (word.follows) {
         StraightWord result = straightened(*word.bent, word.within);
         const double most = 2 * maxModelPixels; // nearer to the eye than the word whose bend is known
         if (word.bent->miss.maxCoeff() * magnification(result.word.translation, view) <= most) return result;
-        word.bent.reset();
     }
-    BentWord model = bentWord(word.word, view);
-    StraightWord result = straightened(model, {});
-    if (model.miss.maxCoeff() * magnification(model.middle, view) <= maxModelPixels) {
-        word.bent = std::make_shared<const BentWord>(std::move(model));
-        word.within = {};
-    }
-    return result;
+    word.bent = bentWord(word, view);
+    word.within = {};
+    const BentWord& model = *word.bent;
+    word.follows = model.miss.maxCoeff() * magnification(model.middle, view) <= maxModelPixels;
+    return straightened(model, {});
 }
 
 namespace {
@@ -256,6 +234,11 @@ SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view) {
 
 SeenWord seen(WalkedWord& word, const SpaceView& view) {
     return seen(straightened(word, view), view);
+}
+
+SeenWord glimpsed(WalkedWord& word, const SpaceView& view) {
+    if (!view.bend || word.follows || !word.bent) return seen(word, view);
+    return seen(straightened(*word.bent, word.within), view);
 }
 
 } // namespace attractor

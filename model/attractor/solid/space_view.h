@@ -3,9 +3,11 @@
 
 #include "attractor/request/orbit_camera.h"
 #include "attractor/request/space_request.h"
+#include "attractor/solid/bend_tree.h"
+#include "attractor/solid/bent_word.h"
 #include "ifs/cage/cage_surface.h"
 
-#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -36,6 +38,8 @@ struct SpaceView {
     // to the pixels by what the camera makes of it to first order.
     std::shared_ptr<const ifs::CageDeformation> bend;
     ifs::AffineMap<3> afterBend;
+    // Follows it for those words of the view that are walked to from the root; none: each is looked at alone.
+    std::shared_ptr<BendTree> bends;
 
     bool isPerspective() const { return eyeDistance > 0; }
 };
@@ -55,24 +59,22 @@ struct StraightWord {
 };
 StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view);
 
-// What a bend makes of a word and of all that lies in it, to second order:
-// u ↦ middle + linear·u + (uᵀ second[r] u)/2 for every coordinate r, off by at most `miss` in [−1, 1]³.
-struct BentWord {
-    ifs::Vector<3> middle = ifs::Vector<3>::Zero();
-    ifs::Matrix<3> linear = ifs::Matrix<3>::Zero();
-    std::array<ifs::Matrix<3>, 3> second;
-    ifs::Vector<3> miss = ifs::Vector<3>::Zero();
-};
-
 // A word of a walk down the address tree. Once the bend of a word is known well enough, that of the words in
 // it follows without looking at the cage again.
 struct WalkedWord {
-    ifs::AffineMap<3> word;
-    std::shared_ptr<const BentWord> bent; // of a word it lies in
-    ifs::AffineMap<3> within;             // this word in coordinates of that one
+    ifs::AffineMap<3> word{};
+    BendTree::Node* node = nullptr;         // nullptr: not one of SpaceView::bends
+    std::shared_ptr<const BentWord> bent{}; // of a word it lies in; not longer than the view
+    ifs::AffineMap<3> within{};             // this word in coordinates of that one
+    bool follows = false;                   // from it, well enough
 
     WalkedWord inside(const ifs::AffineMap<3>& map) const; // word * map
 };
+// The box of a system, from which a walk begins, and the word in a word that one of the system's maps leads
+// to.
+WalkedWord rootWord(const ifs::AffineMap<3>& box, const SpaceView& view);
+WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::AffineMap<3>& map,
+                     const SpaceView& view);
 // As above; remembers in `word` what is to be known of the words in it.
 StraightWord straightened(WalkedWord& word, const SpaceView& view);
 
@@ -93,5 +95,7 @@ struct SeenWord {
 };
 SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view);
 SeenWord seen(WalkedWord& word, const SpaceView& view);
+// As far as what is known already tells: in a larger box, but it is in there.
+SeenWord glimpsed(WalkedWord& word, const SpaceView& view);
 
 } // namespace attractor

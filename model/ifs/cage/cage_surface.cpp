@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace ifs {
 
@@ -107,39 +108,64 @@ std::optional<CageSurface> convexSurface(std::span<const Vector<3>> vertices) {
     return isClosed ? std::optional(std::move(surface)) : std::nullopt;
 }
 
-CageDeformation::CageDeformation(std::span<const Vector<3>> from, std::span<const Vector<3>> to)
-    : m_count(from.size()), m_corners(from.begin(), from.end()), m_fit(affineFit<3>(from, to)) {
-    const std::optional<CageSurface> surface = convexSurface(from);
+CageCoordinates::Surface CageCoordinates::surfaceOf(std::span<const Vector<3>> vertices) {
+    Surface result;
+    result.corners.assign(vertices.begin(), vertices.end());
+    const std::optional<CageSurface> surface = convexSurface(vertices);
     for (const std::vector<int>& face : surface ? surface->faces : std::vector<std::vector<int>>()) {
         if (face.size() == 3) {
-            m_triangles.push_back({face[0], face[1], face[2]});
+            result.triangles.push_back({face[0], face[1], face[2]});
             continue;
         }
         Vector<3> mean = Vector<3>::Zero();
         for (const int corner : face)
-            mean += from[std::size_t(corner)] / double(face.size());
+            mean += vertices[std::size_t(corner)] / double(face.size());
         for (std::size_t k = 0; k < face.size(); ++k)
-            m_triangles.push_back({face[k], face[(k + 1) % face.size()], int(m_corners.size())});
-        m_corners.push_back(mean);
-        m_meanOf.push_back(face);
+            result.triangles.push_back({face[k], face[(k + 1) % face.size()], int(result.corners.size())});
+        result.corners.push_back(mean);
+        result.meanOf.push_back(face);
     }
-    for (std::size_t j = 0; j < m_count; ++j)
-        m_residuals.emplace_back(to[j] - m_fit(from[j]));
+    return result;
+}
+
+CageCoordinates::CageCoordinates(std::span<const Vector<3>> vertices)
+    : CageCoordinates(vertices.size(), surfaceOf(vertices)) {}
+
+CageCoordinates::CageCoordinates(std::size_t count, Surface surface)
+    : m_count(count), m_meanOf(std::move(surface.meanOf)), m_surface(surface.corners, surface.triangles) {}
+
+std::vector<double> CageCoordinates::at(std::span<const Vector<3>> points) const {
+    std::vector<double> weights(points.size() * m_surface.size());
+    m_surface.at(points, weights);
+    std::vector<double> result(points.size() * m_count);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        const double* all = weights.data() + n * m_surface.size();
+        double* own = result.data() + n * m_count;
+        std::copy_n(all, m_count, own);
+        for (std::size_t f = 0; f < m_meanOf.size(); ++f)
+            for (const int corner : m_meanOf[f])
+                own[corner] += all[m_count + f] / double(m_meanOf[f].size());
+    }
+    return result;
+}
+
+CageDeformation::CageDeformation(std::span<const Vector<3>> from, std::span<const Vector<3>> to)
+    : CageDeformation(std::make_shared<const CageCoordinates>(from), to) {}
+
+CageDeformation::CageDeformation(std::shared_ptr<const CageCoordinates> from, std::span<const Vector<3>> to)
+    : m_rest(std::move(from)), m_fit(affineFit<3>(m_rest->vertices(), to)) {
+    for (std::size_t j = 0; j < m_rest->size(); ++j)
+        m_residuals.emplace_back(to[j] - m_fit(m_rest->vertices()[j]));
 }
 
 std::vector<double> CageDeformation::coordinates(const Vector<3>& x) const {
-    std::vector<double> weights = meanValueCoordinates(m_corners, m_triangles, x);
-    for (std::size_t f = 0; f < m_meanOf.size(); ++f)
-        for (const int corner : m_meanOf[f])
-            weights[std::size_t(corner)] += weights[m_count + f] / double(m_meanOf[f].size());
-    weights.resize(m_count);
-    return weights;
+    return m_rest->at({&x, 1});
 }
 
 Vector<3> CageDeformation::operator()(const Vector<3>& x) const {
     Vector<3> result = m_fit(x);
     const std::vector<double> weights = coordinates(x);
-    for (std::size_t j = 0; j < m_count; ++j)
+    for (std::size_t j = 0; j < m_residuals.size(); ++j)
         result += weights[j] * m_residuals[j];
     return result;
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ifs {
 
@@ -245,95 +244,6 @@ std::optional<std::vector<Jet>> coordinateJets(Coordinates kind, std::span<const
         const double all = c.value + c.x + c.y + c.xx + c.xy + c.yy + c.xxx + c.xxy + c.xyy + c.yyy;
         if (!std::isfinite(all)) return std::nullopt;
     }
-    return result;
-}
-
-namespace {
-
-// α/(2 sin α) for the angle α between two directions. The sine of its half is accurate where it is small, the
-// tangent where it is not.
-double halfAngleOverSine(const Vector<3>& a, const Vector<3>& b) {
-    constexpr double maxSine = 0.7;
-    const double square = (a - b).squaredNorm() / 4; // of the sine
-    if (!(square > 0)) return 0.5;
-    if (square < maxSine * maxSine) {
-        const double sine = std::sqrt(square);
-        return std::asin(sine) / (2 * sine * std::sqrt(1 - square));
-    }
-    const double normal = a.cross(b).norm();
-    return normal > 0 ? std::atan2((a - b).norm(), (a + b).norm()) / normal : 0;
-}
-
-// Whether x, in the plane of a triangle, lies in it: the angles at x are a whole turn.
-bool isAround(const std::array<Vector<3>, 3>& directions) {
-    double turn = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vector<3>&a = directions[(k + 1) % 3], &b = directions[(k + 2) % 3];
-        turn += 2 * std::atan2((a - b).norm(), (a + b).norm());
-    }
-    return turn > 2 * std::numbers::pi - 1e-5;
-}
-
-} // namespace
-
-std::vector<double> meanValueCoordinates(std::span<const Vector<3>> vertices,
-                                         std::span<const std::array<int, 3>> triangles, const Vector<3>& x) {
-    constexpr double inPlane = 1e-14;
-    std::vector<double> result(vertices.size(), 0.0);
-    double size = 0;
-    for (const Vector<3>& v : vertices)
-        size = std::max(size, (v - vertices[0]).cwiseAbs().maxCoeff());
-    struct Seen { // a vertex from x
-        Vector<3> direction;
-        double distance;
-    };
-    std::vector<Seen> seen(vertices.size());
-    for (std::size_t j = 0; j < vertices.size(); ++j) {
-        const Vector<3> d = vertices[j] - x;
-        const double distance = d.norm();
-        if (distance <= atCorner * size) {
-            result[j] = 1;
-            return result;
-        }
-        seen[j] = {d / distance, distance};
-    }
-    for (const auto& triangle : triangles) {
-        std::array<Vector<3>, 3> u;
-        std::array<double, 3> r{};
-        std::array<std::size_t, 3> corner{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            corner[k] = static_cast<std::size_t>(triangle[k]);
-            u[k] = seen[corner[k]].direction;
-            r[k] = seen[corner[k]].distance;
-        }
-        const Vector<3> face =
-            (vertices[corner[1]] - vertices[corner[0]]).cross(vertices[corner[2]] - vertices[corner[0]]);
-        // The distance from the plane, which is accurate near it.
-        const double determinant = u[0].dot(face) / (r[1] * r[2]);
-        if (std::abs(determinant) < inPlane) {
-            if (!isAround(u)) continue;
-            std::ranges::fill(result, 0.0);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
-                result[corner[k]] = r[next] * r[last] * u[next].cross(u[last]).dot(face) / face.squaredNorm();
-            }
-            break;
-        }
-        std::array<Vector<3>, 3> normal;
-        Vector<3> mean = Vector<3>::Zero();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vector<3>&a = u[(k + 1) % 3], &b = u[(k + 2) % 3];
-            normal[k] = a.cross(b);
-            mean += halfAngleOverSine(a, b) * normal[k];
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-            result[corner[k]] += normal[k].dot(mean) / (determinant * r[k]);
-    }
-    double sum = 0;
-    for (const double w : result)
-        sum += w;
-    for (double& w : result)
-        w = std::abs(sum) > 0 && std::isfinite(sum) ? w / sum : 1.0 / static_cast<double>(result.size());
     return result;
 }
 

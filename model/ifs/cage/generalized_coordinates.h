@@ -35,11 +35,6 @@ std::vector<double> generalizedCoordinates(Coordinates kind, std::span<const Vec
 std::optional<std::vector<Jet>> coordinateJets(Coordinates kind, std::span<const Vector<2>> polygon,
                                                const Vector<2>& x);
 
-// Mean value coordinates in space with respect to a closed surface of triangles whose corners run
-// counter-clockwise seen from outside.
-std::vector<double> meanValueCoordinates(std::span<const Vector<3>> vertices,
-                                         std::span<const std::array<int, 3>> triangles, const Vector<3>& x);
-
 // The affine map for which Σ|to_j − map(from_j)|² is least; interpolates Dim + 1 points. Points that lie on
 // one line (in one plane) are stretched across it as much as `previous` does.
 template <int Dim>

@@ -3,12 +3,15 @@
 // agree.
 #include "attractor/render/render_queue.h"
 #include "attractor/render/render_thread.h"
+#include "attractor/render/solid_rendering.h"
+#include "attractor/space_systems.h"
 #include "attractor/systems.h"
 
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <vector>
 
 using namespace attractor;
 
@@ -31,6 +34,27 @@ RenderRequest numbered(std::uint64_t revision, int threads) {
 
 bool threadsAgree() {
     return render(numbered(1, 1)).pixels == render(numbered(1, 4)).pixels;
+}
+
+// Under a cage that bends, all threads ask for the bends of the same words.
+bool bentSolidsAgree() {
+    SpaceRequest request = systems::spaceRequest(systems::menger(), 160, 512);
+    std::vector<ifs::Vector<3>> corners;
+    for (int k = 0; k < 8; ++k)
+        corners.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+    request.cage = ifs::polygonAtRest<3>(corners);
+    SolidRendering one(request);
+    request.threads = 4;
+    SolidRendering four(request);
+    for (int frame = 0; frame < 3; ++frame) {
+        request.cage->current[7] += ifs::Vector<3>(0.1, 0.2, 0.1);
+        request.threads = 1;
+        one.restart(request);
+        request.threads = 4;
+        four.restart(request);
+        if (!one.draw() || !four.draw() || one.raster().keys != four.raster().keys) return false;
+    }
+    return true;
 }
 
 bool newestWins() {
@@ -60,7 +84,7 @@ bool queueFinishes() {
 } // namespace
 
 int main() {
-    const bool passed = threadsAgree() && newestWins() && queueFinishes();
+    const bool passed = threadsAgree() && bentSolidsAgree() && newestWins() && queueFinishes();
     std::puts(passed ? "passed" : "failed");
     return passed ? 0 : 1;
 }

@@ -164,10 +164,11 @@ private slots:
             for (int start = 0; start < 40; ++start) {
                 const Vector<3> middle(0.5 + 0.4 * side(random), 0.5 + 0.4 * side(random),
                                        0.5 + 0.4 * side(random));
-                WalkedWord word{{0.02 * ifs::Matrix<3>::Identity(), middle}, nullptr, {}};
+                WalkedWord word{{0.02 * ifs::Matrix<3>::Identity(), middle}};
                 for (int depth = 0; depth < 4; ++depth) {
                     const StraightWord straight = straightened(word, view);
-                    if (depth > 0 && word.bent) ++followed;
+                    if (depth > 0 && word.follows && word.within.linear != ifs::Matrix<3>::Identity())
+                        ++followed;
                     for (int n = 0; n < 20; ++n) {
                         const Vector<3> at(side(random), side(random), side(random));
                         const Vector<3> exact = view.afterBend((*view.bend)(word.word(at)));
@@ -181,6 +182,36 @@ private slots:
             }
             QVERIFY(followed > 60);
         }
+    }
+
+    // Of a word whose bend is not known well, the words in it are where it says, in larger boxes.
+    void aGlimpseHoldsWhatTheWordShows() {
+        const SpaceRequest request = pulled(false);
+        const SpaceView view = spaceView(request, {});
+        const Vector<3> corner(view.size.width / 2.0, view.size.height / 2.0, 0);
+        std::mt19937 random(8);
+        std::uniform_real_distribution<double> side(-1, 1);
+        std::size_t rough = 0;
+        for (int start = 0; start < 60; ++start) {
+            const Vector<3> middle(0.5 + 0.3 * side(random), 0.5 + 0.3 * side(random),
+                                   0.5 + 0.3 * side(random));
+            WalkedWord outer{{0.2 * ifs::Matrix<3>::Identity(), middle}};
+            straightened(outer, view);
+            WalkedWord word = outer.inside({ifs::Matrix<3>::Identity() / 3,
+                                            Vector<3>(side(random), side(random), side(random)) * (2.0 / 3)});
+            rough += !word.follows;
+            const SeenWord glimpse = glimpsed(word, view);
+            QVERIFY(word.bent == outer.bent);
+            for (int n = 0; n < 50; ++n) {
+                const Vector<3> at(side(random), side(random), side(random));
+                const Vector<3> exact = view.afterBend((*view.bend)(word.word(at))) + corner;
+                QVERIFY((glimpse.onScreen(at) - exact).cwiseAbs().maxCoeff() <= glimpse.miss + 1e-6);
+                QVERIFY((glimpse.half.array() - (glimpse.onScreen.translation - exact).cwiseAbs().array() >=
+                         -1e-6)
+                            .all());
+            }
+        }
+        QVERIFY(rough > 30);
     }
 
     void aFoldedAndAFlatCageAreDrawn() {

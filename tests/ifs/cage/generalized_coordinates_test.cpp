@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/generalized_coordinates.h"
+
+#include "ifs/cage/mean_value_coordinates.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/system/barycentric.h"
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/solid/bent_word.h"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace attractor {
+
+// The bends of words near the root of the address tree, each worked out once for a view, whoever asks for it.
+// What depends on the cage at rest alone is kept from one view to the next, and never changes a bit.
+class BendTree {
+    struct Known;
+
+public:
+    static constexpr std::size_t maxBytes = std::size_t{16} << 20;
+
+    // An address. What is known of it is written once for a view.
+    class Node {
+        friend class BendTree;
+        std::atomic<std::uint32_t> view = 0; // the number of the one that `known` is up to date for
+        std::atomic<Node*> children = nullptr;
+        std::unique_ptr<Known> known;
+    };
+
+    explicit BendTree(std::size_t mostBytes = maxBytes);
+    ~BendTree();
+
+    // From now on the views are those of this bend and this map after it, of words of the maps, in
+    // coordinates of the box, that begin with `box`. No other thread may use the tree meanwhile.
+    void follow(const ifs::CageDeformation& bend, const ifs::AffineMap<3>& after,
+                const ifs::AffineMap<3>& box, std::span<const ifs::AffineMap<3>> maps);
+
+    // From any thread. nullptr where the tree is full.
+    Node* root() const { return m_root; }
+    Node* child(Node& node, std::size_t map);
+    // The bend of the word with that address, which lasts until the next follow(); nullptr where the tree is
+    // full.
+    const BentWord* bent(Node& node, const ifs::AffineMap<3>& word);
+
+    std::size_t bytes() const { return m_bytes; }
+    std::size_t looks() const { return m_looks; } // at the cage, since the tree was made
+
+private:
+    struct Known {
+        WordCoordinates coordinates;
+        BentWord bent;
+    };
+    void clear();
+    bool takes(std::size_t bytes); // false when there would be too many
+    Node* grow(std::size_t count);
+    std::mutex& lockOf(const Node& node);
+
+    std::size_t m_mostBytes;
+    std::shared_ptr<const ifs::CageCoordinates> m_rest;
+    ifs::AffineMap<3> m_box;
+    std::vector<ifs::AffineMap<3>> m_maps;
+    PixelBend m_bend;
+    std::uint32_t m_view = 0;
+    std::atomic<std::size_t> m_bytes = 0;
+    std::atomic<std::size_t> m_looks = 0;
+    std::atomic<std::size_t> m_known = 0; // words
+    std::atomic<std::size_t> m_asked = 0; // words, of this view
+    std::atomic<bool> m_isFull = false;
+    Node* m_root = nullptr;
+    std::mutex m_growth;
+    std::deque<std::vector<Node>> m_nodes; // the root, and brothers together
+    std::array<std::mutex, 64> m_locks;
+};
+
+} // namespace attractor
