@@ -9,7 +9,7 @@
 
 namespace io {
 
-// JPEG of 8 bits a channel, with colours at full resolution: opaque, at most 65,500 pixels along a side. The
+// JPEG of 8 bits per channel, with colours at full resolution: opaque, at most 65,500 pixels along a side. The
 // system is in comments of at most 64 KB each, one after the other.
 class JpegWriter final : public PictureWriter {
 public:
