@@ -136,7 +136,7 @@ void EditMenu::addDimensions() {
         add({nullptr,
              tr("&Lift to Space"),
              {},
-             tr("Give every map a third direction; the picture lies in a plane until maps are moved")},
+             tr("Add a third dimension to every map; the picture stays flat until you move a map")},
             [document] {
                 if (auto lifted = document::lifted(document->fractal()))
                     document->edit(tr("Lift to Space"), *std::move(lifted));

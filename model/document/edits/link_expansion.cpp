@@ -89,11 +89,11 @@ QString linkExpansionObstacle(const Fractal& fractal) {
             .arg(fractal.name);
     const auto plain = wordsOf(shape.system);
     if (!plain)
-        return Text::
-            tr("The links of “%1” cannot be written as plain maps: some maps follow one another for ever, "
-               "and none of them may follow every map. Keep the links in an .ifs or .flame file, or "
-               "remove them.")
-                .arg(fractal.name);
+        return Text::tr(
+                   "The links of “%1” cannot be written as plain maps: they allow an endless sequence "
+                   "of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or "
+                   "remove them.")
+            .arg(fractal.name);
     if (isEachOneMap(*plain)) return {};
     const bool moves =
         shape.animation && !(shape.animation->maps.empty() && shape.animation->motions.empty());

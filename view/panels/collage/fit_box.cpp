@@ -158,7 +158,7 @@ QWidget* FitBox::makeProgress() {
     m_progress = new QProgressBar(m_busy);
     m_progress->setAccessibleName(tr("Progress"));
     auto* cancel = new QPushButton(tr("Cancel"), m_busy);
-    cancel->setToolTip(tr("Stop what is under way; nothing changes"));
+    cancel->setToolTip(tr("Stop without changing anything"));
     connect(cancel, &QPushButton::clicked, this, &FitBox::cancelled);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);

@@ -119,7 +119,7 @@ void TargetBox::createSources() {
     QToolButton* paste = button(tr("Paste"), tr("Use the picture on the clipboard"), this);
     connect(paste, &QToolButton::clicked, this, &TargetBox::paste);
     row->addWidget(paste);
-    m_remove = button(tr("Remove"), tr("Work without a target again"), this);
+    m_remove = button(tr("Remove"), tr("Remove the target and work without one"), this);
     connect(m_remove, &QToolButton::clicked, this, &TargetBox::remove);
     row->addWidget(m_remove);
     row->addStretch();
@@ -138,10 +138,10 @@ void TargetBox::createShape() {
         grid->addWidget(field, row, 1);
     };
     m_shape = new QComboBox(m_controls);
-    m_shape->addItems({tr("Automatic"), tr("What is dark"), tr("What is opaque")});
+    m_shape->addItems({tr("Automatic"), tr("Dark pixels"), tr("Opaque pixels")});
     m_shape->setAccessibleName(tr("Shape"));
-    m_shape->setToolTip(tr("Which pixels belong to the shape; automatic takes what is opaque where the "
-                           "picture is transparent anywhere, else what is dark"));
+    m_shape->setToolTip(tr("Which pixels belong to the shape. Automatic takes the opaque pixels if any part "
+                           "of the picture is transparent, otherwise the dark ones"));
     add(0, tr("Shape:"), m_shape);
     m_inverted = new QCheckBox(tr("Invert"), m_controls);
     m_inverted->setToolTip(tr("Trace the background instead"));
