@@ -46,7 +46,7 @@ struct CollageArguments {
     Verbosity verbosity;
 };
 
-constexpr int fewestMaps = 2, mostMaps = 16;
+constexpr int minMaps = 2, maxMaps = 16;
 
 // "4", or "2-8".
 void readMaps(const std::string& text, collage::SearchOptions& options) {
@@ -55,7 +55,7 @@ void readMaps(const std::string& text, collage::SearchOptions& options) {
     for (const QString& part : parts) {
         bool isNumber = false;
         const int maps = part.toInt(&isNumber);
-        areNumbers = areNumbers && isNumber && maps >= fewestMaps && maps <= mostMaps;
+        areNumbers = areNumbers && isNumber && maps >= minMaps && maps <= maxMaps;
     }
     options.minMaps = parts.front().toInt();
     options.maxMaps = parts.back().toInt();

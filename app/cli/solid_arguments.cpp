@@ -64,9 +64,9 @@ io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool
             integerArgument("--resolution", *arguments.resolution, 1, io::SolidOptions::maxResolution);
     if (arguments.wall) options.wall = positiveArgument("--wall", *arguments.wall);
     if (arguments.longest) {
-        constexpr double least = 1e-3, most = 1e6;
+        constexpr double minLength = 1e-3, maxLength = 1e6;
         options.longest = positiveArgument("--longest", *arguments.longest);
-        if (options.longest < least || options.longest > most)
+        if (options.longest < minLength || options.longest > maxLength)
             throw UsageError{tr("--longest must be from 0.001 to 1000000 mm.")};
     }
     options.fillsCavities = arguments.fill;

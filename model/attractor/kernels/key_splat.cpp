@@ -23,8 +23,8 @@ using kernels::KeyRows;
 using kernels::KeyWord;
 
 using Unsigned = hn::RebindToUnsigned<Float>;
-constexpr std::size_t mostLanes = 16;
-static_assert(hn::MaxLanes(Float()) <= mostLanes);
+constexpr std::size_t maxLanes = 16;
+static_assert(hn::MaxLanes(Float()) <= maxLanes);
 
 HWY_ATTR static HWY_INLINE FloatVector affine(float a, float b, float c, FloatVector x, FloatVector y) {
     const Float d;
@@ -61,8 +61,8 @@ HWY_ATTR void addKeys(const KeyWord& word, const float* xs, const float* ys, std
         const auto key = hn::Add(numbers, hn::Set(du, static_cast<std::uint32_t>(k)));
         const auto wins = hn::Lt(key, hn::GatherIndex(du, keys, cell));
         if (hn::AllFalse(du, wins)) continue;
-        alignas(64) std::uint32_t newKeys[mostLanes];
-        alignas(64) std::int32_t cells[mostLanes];
+        alignas(64) std::uint32_t newKeys[maxLanes];
+        alignas(64) std::int32_t cells[maxLanes];
         std::uint8_t bits[8] = {};
         hn::Store(key, du, newKeys);
         hn::Store(cell, di, cells);

@@ -18,10 +18,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(document::LinkEdits)
 };
 
-constexpr std::size_t mostWords = 4096;
+constexpr std::size_t maxWords = 4096;
 
 std::optional<ifs::PlainWords> wordsOf(const System2& system) {
-    return ifs::plainWords(ifs::activeMaps(system), mostWords);
+    return ifs::plainWords(ifs::activeMaps(system), maxWords);
 }
 
 bool isEachOneMap(const ifs::PlainWords& plain) {
@@ -109,7 +109,7 @@ Fractal withLinksExpanded(Fractal fractal) {
     if (!isLinked(fractal)) return fractal;
     System2& system = plane(fractal)->system;
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
-    const auto plain = ifs::plainWords(active, mostWords);
+    const auto plain = ifs::plainWords(active, maxWords);
     if (!plain) return fractal;
     if (isEachOneMap(*plain))
         unlinkMaps(system, active, *plain);
