@@ -40,7 +40,7 @@ void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
         "Take systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
         "Dimension");
     add("--flatten", arguments.flatten, "X,Y,Z",
-        "Take systems in space to the plane: the shadow along a direction that every map keeps", "",
+        "Take systems in space to the plane: the projection along a direction that every map keeps", "",
         "Dimension");
 }
 
