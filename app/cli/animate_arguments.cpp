@@ -61,7 +61,7 @@ void refuseForVideo(const AnimateArguments& arguments) {
                 "them with encode."));
     refuseIf(arguments.existing == "skip", "--existing skip",
              tr("a video is written in one piece. Frames written as NAME.####.png can be skipped."));
-    refuseIf(is16Bit(arguments.picture), "--bits 16", tr("videos have 8 bits a channel."));
+    refuseIf(is16Bit(arguments.picture), "--bits 16", tr("videos have 8 bits per channel."));
     refuseIf(arguments.picture.dpi.has_value(), "--dpi", tr("videos have no resolution."));
 }
 

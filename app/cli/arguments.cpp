@@ -159,9 +159,9 @@ double positiveArgument(const std::string& option, const std::string& text) {
 }
 
 double secondsArgument(const std::string& option, const std::string& text) {
-    constexpr double most = 1e6;
+    constexpr double maxSeconds = 1e6;
     const auto number = io::parseNumber(QString::fromStdString(text));
-    if (!number || !(*number > 0 && *number <= most))
+    if (!number || !(*number > 0 && *number <= maxSeconds))
         refuse(option, text, tr("it must be a number of seconds above 0, at most 1000000."));
     return *number;
 }
@@ -245,10 +245,10 @@ document::ShutterAngle shutterArgument(const std::string& option, const std::str
 }
 
 animation::FrameRate rateArgument(const std::string& option, const std::string& text) {
-    constexpr std::int64_t most = 1'000'000;
+    constexpr std::int64_t maxTerm = 1'000'000;
     const auto rate = animation::parseMoment(text); // the same form
-    const bool isRate = rate && rate->numerator > 0 && rate->numerator <= most && rate->denominator <= most &&
-                        rate->numerator <= 1000 * rate->denominator;
+    const bool isRate = rate && rate->numerator > 0 && rate->numerator <= maxTerm &&
+                        rate->denominator <= maxTerm && rate->numerator <= 1000 * rate->denominator;
     if (!isRate)
         refuse(
             option, text,
@@ -257,9 +257,9 @@ animation::FrameRate rateArgument(const std::string& option, const std::string& 
 }
 
 double rotationArgument(const std::string& option, const std::string& text) {
-    constexpr double most = 360;
+    constexpr double maxDegrees = 360;
     const auto degrees = io::parseNumber(QString::fromStdString(text));
-    if (!degrees || !(std::abs(*degrees) <= most))
+    if (!degrees || !(std::abs(*degrees) <= maxDegrees))
         refuse(option, text, tr("it must be an angle from -360 to 360 degrees."));
     return attractor::rotationOf(*degrees);
 }

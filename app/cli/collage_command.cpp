@@ -46,7 +46,7 @@ struct CollageArguments {
     Verbosity verbosity;
 };
 
-constexpr int fewestMaps = 2, mostMaps = 16;
+constexpr int minMaps = 2, maxMaps = 16;
 
 // "4", or "2-8".
 void readMaps(const std::string& text, collage::SearchOptions& options) {
@@ -55,7 +55,7 @@ void readMaps(const std::string& text, collage::SearchOptions& options) {
     for (const QString& part : parts) {
         bool isNumber = false;
         const int maps = part.toInt(&isNumber);
-        areNumbers = areNumbers && isNumber && maps >= fewestMaps && maps <= mostMaps;
+        areNumbers = areNumbers && isNumber && maps >= minMaps && maps <= maxMaps;
     }
     options.minMaps = parts.front().toInt();
     options.maxMaps = parts.back().toInt();
@@ -208,7 +208,7 @@ void addSearchOptions(CLI::App& command, CollageArguments& arguments) {
         "Number of maps, 2 to 16, or a range in which each map must pay for itself", "2-8");
     add("--seconds", "S", arguments.seconds, "How long to search", "2");
     add("--starts", "K", arguments.starts,
-        "How many random starts to make instead; the same result on every run");
+        "Number of random starts, instead of a time; the result is then the same on every run");
     add("--seed", "K", arguments.seed, "Seed of the random starts", "1");
     command.add_flag("--similarities", arguments.similarities, "Only maps that keep all angles")
         ->group("Search");
@@ -243,7 +243,7 @@ Command collageCommand(CLI::App& program) {
     add("--report", "R.json", arguments->report, "Write how well it fits, in pixels of the picture", "Files");
     add("--threshold", "T", arguments->threshold,
         "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Shape", "Otsu's");
-    command->add_flag("--invert", arguments->invert, "Trace what is light, or transparent, instead")
+    command->add_flag("--invert", arguments->invert, "Trace the light or transparent part instead")
         ->group("Shape");
     addSearchOptions(*command, *arguments);
     addVerbosityOptions(*command, arguments->verbosity);

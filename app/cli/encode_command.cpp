@@ -78,7 +78,7 @@ std::vector<int> numbersThere(const QString& pattern) {
 
 // "3, 7-9 and 12"; the first few.
 QString listed(const std::vector<int>& numbers) {
-    constexpr qsizetype most = 8;
+    constexpr qsizetype maxRuns = 8;
     QStringList runs;
     for (std::size_t i = 0; i < numbers.size();) {
         std::size_t end = i + 1;
@@ -88,7 +88,7 @@ QString listed(const std::vector<int>& numbers) {
                               : QStringLiteral("%1-%2").arg(numbers[i]).arg(numbers[end - 1]));
         i = end;
     }
-    if (runs.size() > most) runs = runs.first(most) << QStringLiteral("…");
+    if (runs.size() > maxRuns) runs = runs.first(maxRuns) << QStringLiteral("…");
     return runs.join(QStringLiteral(", "));
 }
 

@@ -78,13 +78,13 @@ QPageSize pageArgument(const std::string& text) {
     if (name == u"a5") return QPageSize(QPageSize::A5);
     if (name == u"letter") return QPageSize(QPageSize::Letter);
     if (name == u"legal") return QPageSize(QPageSize::Legal);
-    constexpr double least = 50, most = 5000; // mm
+    constexpr double minPageSide = 50, maxPageSide = 5000; // mm
     const QStringList sides = name.split(u'x');
     bool areNumbers[2] = {false, false};
     QSizeF size;
     if (sides.size() == 2) size = {sides[0].toDouble(&areNumbers[0]), sides[1].toDouble(&areNumbers[1])};
-    if (!areNumbers[0] || !areNumbers[1] || !(std::min(size.width(), size.height()) >= least) ||
-        !(std::max(size.width(), size.height()) <= most))
+    if (!areNumbers[0] || !areNumbers[1] || !(std::min(size.width(), size.height()) >= minPageSide) ||
+        !(std::max(size.width(), size.height()) <= maxPageSide))
         throw UsageError{
             tr("--page “%1” is not valid: it must be A3, A4, A5, letter, legal, or width and height "
                "from 50 to 5000 millimetres, such as 297x210.")

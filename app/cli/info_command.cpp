@@ -135,9 +135,9 @@ void dropEntriesEndedBefore(const std::string& frame, Selection& selection, cons
 
 std::optional<double> budgetArgument(const std::string& text) {
     if (text == "none") return std::nullopt;
-    constexpr double most = 1e6;
+    constexpr double maxSeconds = 1e6;
     const double seconds = positiveArgument("--budget", text);
-    if (seconds > most)
+    if (seconds > maxSeconds)
         throw UsageError{
             QCoreApplication::translate("cli", "--budget must be none, or at most 1000000 seconds.")};
     return seconds;

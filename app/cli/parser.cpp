@@ -215,13 +215,13 @@ private:
         std::size_t at = 0;
         for (CLI::Option* option :
              m_command.get_options([](CLI::Option* candidate) { return candidate->get_positional(); })) {
-            const auto least = std::size_t(option->get_items_expected_min());
-            const auto most = std::size_t(option->get_items_expected_max());
+            const auto minItems = std::size_t(option->get_items_expected_min());
+            const auto maxItems = std::size_t(option->get_items_expected_max());
             const std::size_t left = m_arguments.size() - at;
-            if (left < least && option->get_required() && !isAnswered())
+            if (left < minItems && option->get_required() && !isAnswered())
                 throw UsageError{tr("%1 is missing. Usage: barycage-cli %2")
                                      .arg(missing(*option, left), shown(m_command.get_footer()))};
-            for (const std::size_t end = at + std::min(left, most); at < end; ++at) {
+            for (const std::size_t end = at + std::min(left, maxItems); at < end; ++at) {
                 if (m_arguments[at].empty()) throw UsageError{tr("The name of a file is empty.")};
                 option->add_result(m_arguments[at]);
             }

@@ -149,9 +149,9 @@ bool is16Bit(const RenderArguments& arguments) {
 std::optional<int> qualityArgument(const std::optional<std::string>& quality,
                                    std::optional<io::PictureFile> file) {
     if (!quality) return std::nullopt;
-    constexpr int most = 100;
+    constexpr int maxQuality = 100;
     const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
-    const int number = integerArgument("--quality", *quality, 1, most);
+    const int number = integerArgument("--quality", *quality, 1, maxQuality);
     refuseIf(!hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
     return number;
 }
@@ -162,9 +162,9 @@ std::optional<int> qualityOf(const RenderArguments& arguments) {
 
 std::optional<double> dotsPerInch(const RenderArguments& arguments) {
     if (!arguments.dpi) return std::nullopt;
-    constexpr double most = 100'000;
+    constexpr double maxDots = 100'000;
     const double dots = positiveArgument("--dpi", *arguments.dpi);
-    if (dots < 1 || dots > most) throw UsageError{tr("--dpi must be a number from 1 to 100000.")};
+    if (dots < 1 || dots > maxDots) throw UsageError{tr("--dpi must be a number from 1 to 100000.")};
     return dots;
 }
 
@@ -174,9 +174,11 @@ std::optional<std::chrono::duration<double>> timeLimitOf(const RenderArguments& 
 }
 
 std::optional<std::uint64_t> memoryLimitOf(const RenderArguments& arguments) {
-    constexpr int least = 64, most = 1'000'000;
+    constexpr int minMegabytes = 64, maxMegabytes = 1'000'000;
     if (!arguments.memoryLimit) return std::nullopt;
-    return std::uint64_t(integerArgument("--memory-limit", *arguments.memoryLimit, least, most)) << 20;
+    const int megabytes =
+        integerArgument("--memory-limit", *arguments.memoryLimit, minMegabytes, maxMegabytes);
+    return std::uint64_t(megabytes) << 20;
 }
 
 io::PictureOverlay overlayOf(const RenderArguments& arguments) {

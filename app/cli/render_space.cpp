@@ -9,9 +9,8 @@
 #include "usage_error.h"
 
 #include "attractor/samples/prepared_space.h"
+#include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
-#include "ifs/cage/space_hull_cage.h"
-#include "ifs/extent/extent.h"
 #include "io/fractint/space_comments.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
@@ -162,7 +161,8 @@ std::optional<int> hullCorners(const std::string& text) {
     return corners;
 }
 
-Corners restOf(const RenderArguments& options, const ifs::SupportFunction<3>* support) {
+Corners restOf(const RenderArguments& options, const document::System3& system,
+               const ifs::SupportFunction<3>* support) {
     const std::string text = options.restCage.value_or("canonical");
     const std::optional<int> hull = hullCorners(text);
     if (text != "canonical" && text != "box" && text != "octahedron" && !hull)
@@ -170,21 +170,21 @@ Corners restOf(const RenderArguments& options, const ifs::SupportFunction<3>* su
     if (support == nullptr)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(quoted(text))};
-    const double tolerance = 1e-9 * support->radius();
-    if (text == "box") return ifs::boxCage(*support, tolerance);
-    if (text == "octahedron") return ifs::octahedronCage(*support, tolerance);
-    if (hull) return ifs::hullCage(*support, *hull, 1e3 * tolerance);
-    const auto simplex = ifs::minimalCanonicalSimplex(*support);
-    return {simplex.vertices.begin(), simplex.vertices.end()};
+    using enum document::SpacePolyhedron;
+    if (hull) return document::verticesAround(system, *support, Hull, *hull);
+    return document::verticesAround(system, *support,
+                                    text == "box"          ? Box
+                                    : text == "octahedron" ? Octahedron
+                                                           : Simplex);
 }
 
 // The stored one where none is asked for.
-std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options,
-                                          const std::optional<ifs::ControlCage<3>>& stored,
+std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options, const document::Shape<3>& shape,
                                           const ifs::SupportFunction<3>* support) {
+    const std::optional<ifs::ControlCage<3>>& stored = shape.cage;
     if (!options.cage && !options.restCage) return stored;
     ifs::ControlCage<3> cage;
-    cage.rest = stored && !options.restCage ? stored->rest : restOf(options, support);
+    cage.rest = stored && !options.restCage ? stored->rest : restOf(options, shape.system, support);
     cage.current = options.cage ? cornersArgument("--cage", *options.cage) : cage.rest;
     if (cage.current.size() != cage.rest.size())
         throw UsageError{tr("The cage has %1 corners and the rest cage %2: they must have the same number.")
@@ -259,7 +259,7 @@ attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& f
                                       : io::threadsOfThisMachine();
     const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
     const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
-    request.cage = cageOf(options, request.cage, support ? &*support : nullptr);
+    request.cage = cageOf(options, *document::space(fractal), support ? &*support : nullptr);
     request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, request.cage, fileName);
     const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
     request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)

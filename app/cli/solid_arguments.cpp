@@ -40,7 +40,7 @@ void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
         "Take systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
         "Dimension");
     add("--flatten", arguments.flatten, "X,Y,Z",
-        "Take systems in space to the plane: the shadow along a direction that every map keeps", "",
+        "Take systems in space to the plane: the projection along a direction that every map keeps", "",
         "Dimension");
 }
 
@@ -64,9 +64,9 @@ io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool
             integerArgument("--resolution", *arguments.resolution, 1, io::SolidOptions::maxResolution);
     if (arguments.wall) options.wall = positiveArgument("--wall", *arguments.wall);
     if (arguments.longest) {
-        constexpr double least = 1e-3, most = 1e6;
+        constexpr double minLength = 1e-3, maxLength = 1e6;
         options.longest = positiveArgument("--longest", *arguments.longest);
-        if (options.longest < least || options.longest > most)
+        if (options.longest < minLength || options.longest > maxLength)
             throw UsageError{tr("--longest must be from 0.001 to 1000000 mm.")};
     }
     options.fillsCavities = arguments.fill;

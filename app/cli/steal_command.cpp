@@ -189,9 +189,9 @@ public:
 private:
     // Digits where there are at most nine maps, else numbers with spaces between them.
     QString addressOf(const ifs::TopAddress& top) const {
-        constexpr std::size_t least = 40;
+        constexpr std::size_t minSymbols = 40;
         const std::size_t known = top.word.size();
-        ifs::Word word = ifs::symbols(top, top.period > 0 ? std::max(known, least) : known);
+        ifs::Word word = ifs::symbols(top, top.period > 0 ? std::max(known, minSymbols) : known);
         for (int& symbol : word)
             symbol = int(m_numbers[std::size_t(symbol)]);
         QString text = document::addressText(word, word.size());

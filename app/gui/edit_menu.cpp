@@ -20,7 +20,7 @@
 
 namespace {
 
-// The axis along which the shadow of a solid is a system: z, else y, else x.
+// The axis along which the projection of a solid is a system: z, else y, else x.
 std::optional<ifs::Vector<3>> flatAxis(const document::Fractal& fractal) {
     for (const int axis : {2, 1, 0}) {
         const ifs::Vector<3> direction = ifs::Vector<3>::Unit(axis);
@@ -29,7 +29,7 @@ std::optional<ifs::Vector<3>> flatAxis(const document::Fractal& fractal) {
     return std::nullopt;
 }
 
-QString shadowObstacle(const document::Fractal& fractal) {
+QString projectionObstacle(const document::Fractal& fractal) {
     return flatAxis(fractal) ? QString() : document::flattenObstacle(fractal, ifs::Vector<3>::UnitZ());
 }
 
@@ -136,23 +136,23 @@ void EditMenu::addDimensions() {
         add({nullptr,
              tr("&Lift to Space"),
              {},
-             tr("Give every map a third direction; the picture lies in a plane until maps are moved")},
+             tr("Add a third dimension to every map; the picture stays flat until you move a map")},
             [document] {
                 if (auto lifted = document::lifted(document->fractal()))
                     document->edit(tr("Lift to Space"), *std::move(lifted));
             });
-    QAction* flatten = add({nullptr,
-                            tr("&Flatten to the Plane"),
-                            {},
-                            tr("Replace the solid by its shadow along the first axis that every map keeps")},
-                           [document] {
-                               const auto axis = flatAxis(document->fractal());
-                               auto shadow =
-                                   axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
-                               if (shadow) document->edit(tr("Flatten to the Plane"), *std::move(shadow));
-                           });
+    QAction* flatten =
+        add({nullptr,
+             tr("&Flatten to the Plane"),
+             {},
+             tr("Replace the solid by its projection along the first axis that every map keeps")},
+            [document] {
+                const auto axis = flatAxis(document->fractal());
+                auto projection = axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
+                if (projection) document->edit(tr("Flatten to the Plane"), *std::move(projection));
+            });
     disableWhen(lift, &document::liftObstacle);
-    disableWhen(flatten, &shadowObstacle);
+    disableWhen(flatten, &projectionObstacle);
 }
 
 void EditMenu::openTransform() {

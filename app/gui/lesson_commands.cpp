@@ -271,8 +271,8 @@ void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*
         QAction* action = menu->addAction(tr(title));
         action->setStatusTip(tr("Play this lesson, in a window of its own if this one is in use"));
         action->setWhatsThis(
-            tr("Plays this lesson on the whole screen: its text stands beside the picture, and "
-               "Page Down and Page Up lead from step to step. Esc leaves it."));
+            tr("Plays this lesson in full screen, with its text next to the picture. Page Down and "
+               "Page Up go to the next and the previous step. Esc ends the lesson."));
         action->setToolTip(action->statusTip());
         connect(action, &QAction::triggered, this, [this, window, name = QLatin1String(name)] {
             (isUnused() ? this : window())->showBuiltIn(name);

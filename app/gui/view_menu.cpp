@@ -87,7 +87,7 @@ void ViewMenu::addCamera() {
     QAction* perspective = menu->addToggle({nullptr,
                                             tr("&Perspective"),
                                             {},
-                                            tr("Show what is far away smaller (5 on the keypad)"),
+                                            tr("Make distant parts look smaller (5 on the keypad)"),
                                             "space/perspective",
                                             false},
                                            [&space](bool on) { space.setPerspective(on); });

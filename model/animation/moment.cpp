@@ -34,9 +34,9 @@ Moment moment(std::int64_t numerator, std::int64_t denominator) {
 }
 
 std::optional<Moment> parseMoment(std::string_view text) {
-    constexpr std::int64_t most = maxDenominator * maxLength * 2;
+    constexpr std::int64_t maxNumerator = maxDenominator * maxLength * 2;
     if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
-        const auto above = whole(text.substr(0, slash), most);
+        const auto above = whole(text.substr(0, slash), maxNumerator);
         const auto below = whole(text.substr(slash + 1), maxDenominator);
         if (!above || !below || *below == 0) return std::nullopt;
         return within(moment(*above, *below));

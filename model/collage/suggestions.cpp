@@ -32,7 +32,7 @@ constexpr std::size_t finalCounts = 3;  // before so many of them go on
 constexpr std::size_t poolSize = 24;    // of each number of maps
 constexpr double searchShare = 0.5;     // of the time; the rest makes the best fit better
 constexpr double pricePerMap = 0.0004;  // of the size of the target
-constexpr double largestNorm = 0.9;     // of a map in a result
+constexpr double maxNorm = 0.9;         // of a map in a result
 constexpr double alike = 0.05;          // of the size: what systems that count as one differ by
 
 struct Candidate {
@@ -232,7 +232,7 @@ double Search::price(const Target& target, const Maps& maps) const {
 std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
     inParallel(candidates.size(), [&](std::size_t job, std::size_t thread) {
         Candidate& one = candidates[job];
-        one.maps = fittedAttractor(m_medium, one.maps, {m_options.constraints, 8, largestNorm});
+        one.maps = fittedAttractor(m_medium, one.maps, {m_options.constraints, 8, maxNorm});
         one.score = price(m_medium, one.maps);
         if (thread == 0) report(searchShare + 0.2 * double(job + 1) / double(candidates.size()));
     });
@@ -240,7 +240,7 @@ std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
     candidates.resize(std::min(candidates.size(), m_options.maxResults));
     inParallel(candidates.size(), [&](std::size_t job, std::size_t) {
         Candidate& one = candidates[job];
-        one.maps = fittedAttractor(m_fine, one.maps, {m_options.constraints, 3, largestNorm});
+        one.maps = fittedAttractor(m_fine, one.maps, {m_options.constraints, 3, maxNorm});
         one.score = price(m_fine, one.maps);
     });
     std::ranges::sort(candidates, std::less<>());

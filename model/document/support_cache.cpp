@@ -28,14 +28,9 @@ template <int Dim> Support<Dim> computed(const System<Dim>& system) {
     return support ? std::make_shared<const ifs::SupportFunction<Dim>>(*std::move(support)) : nullptr;
 }
 
-ifs::ControlCage<3> simplexAround(const Support<3>& support, double tolerance) {
+ifs::ControlCage<3> restingSimplex(const System<3>& system, const Support<3>& support) {
     if (!support) return ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    auto simplex = ifs::minimalCanonicalSimplex(*support, tolerance * support->radius());
-    constexpr double rounding = 1e-14; // numbers that should be none are no sight in a table
-    for (ifs::Vector<3>& vertex : simplex.vertices)
-        vertex =
-            vertex.unaryExpr([&](double x) { return std::abs(x) <= rounding * support->radius() ? 0 : x; });
-    return ifs::cageAtRest<3>(simplex.vertices);
+    return ifs::cageAtRest<3>(simplexAround(system, *support));
 }
 
 // What is known of one system, or being found out: who asks second waits for the first.
@@ -50,7 +45,7 @@ public:
     }
     ifs::ControlCage<3> simplex() requires(Dim == 3) {
         std::call_once(m_simplexOnce, [this] {
-            m_simplex = simplexAround(support(), extentTolerance(m_system));
+            m_simplex = restingSimplex(m_system, support());
             m_isSimplexKnown = true;
         });
         return m_simplex;
@@ -112,7 +107,7 @@ Support<3> SupportCache::support(const System<3>& system) const {
 
 ifs::ControlCage<3> SupportCache::simplexInSpace(const System<3>& system) const {
     if (m_newest && system.maps.size() > fewMaps) return m_newest->space.of(system)->simplex();
-    return simplexAround(computed(system), extentTolerance(system));
+    return restingSimplex(system, computed(system));
 }
 
 bool SupportCache::isSimplexKnown(const System<3>& system) const {
@@ -123,6 +118,15 @@ bool SupportCache::isSimplexKnown(const System<3>& system) const {
 
 double extentTolerance(const System<3>& system) {
     return system.maps.size() > manyMapsInSpace ? 1e-2 : 1e-6;
+}
+
+ifs::Simplex<3> simplexAround(const System<3>& system, const ifs::SupportFunction<3>& support) {
+    const double radius = support.radius();
+    auto simplex = ifs::minimalCanonicalSimplex(support, extentTolerance(system) * radius);
+    constexpr double rounding = 1e-14; // rounding errors would stand in the table in place of zeros
+    for (ifs::Vector<3>& vertex : simplex.vertices)
+        vertex = vertex.unaryExpr([&](double x) { return std::abs(x) <= rounding * radius ? 0 : x; });
+    return simplex.vertices;
 }
 
 } // namespace document

@@ -39,5 +39,8 @@ private:
 constexpr std::size_t manyMapsInSpace = 10'000;
 // How far extents in space may be off, as a part of their size: nobody sees more digits.
 double extentTolerance(const ifs::IteratedFunctionSystem<3>& system);
+// The minimal canonical simplex around an attractor with that extent, to this tolerance.
+ifs::Simplex<3> simplexAround(const ifs::IteratedFunctionSystem<3>& system,
+                              const ifs::SupportFunction<3>& support);
 
 } // namespace document

@@ -133,7 +133,7 @@ int replay(const fuzz::Reader& reader, const QStringList& files) {
 }
 
 int mutate(const fuzz::Reader& reader, int seconds) {
-    constexpr int fewest = 2000; // also where everything is slow: under a sanitizer, on a busy machine
+    constexpr int minRuns = 2000; // also where everything is slow: under a sanitizer, on a busy machine
 
     const QByteArrayList seeds = fuzz::seedsOf(reader);
     for (const QByteArray& seed : seeds)
@@ -141,7 +141,7 @@ int mutate(const fuzz::Reader& reader, int seconds) {
     Mutator mutator(seeds);
     const QDeadlineTimer end(std::chrono::seconds{seconds});
     int count = 0;
-    for (; count < fewest || !end.hasExpired(); ++count)
+    for (; count < minRuns || !end.hasExpired(); ++count)
         give(reader, mutator.next());
     std::printf("%s: %d seeds, %d inputs made of them\n", reader.name, int(seeds.size()), count);
     return 0;

@@ -18,8 +18,8 @@ using State = QueuedExport::State;
 
 const QString pausedKey = QStringLiteral("exports/paused");
 constexpr int maxBegun = 2;                           // a third time would end the program, too
-constexpr double leastShare = 0.02;                   // done before the time left is told
-constexpr qint64 leastPatience = 700;                 // milliseconds
+constexpr double minShare = 0.02;                     // done before the time left is told
+constexpr qint64 minPatience = 700;                   // milliseconds
 constexpr std::chrono::milliseconds oftenEnough{100}; // to tell how far it is
 
 } // namespace
@@ -152,7 +152,7 @@ void ExportQueue::advance(const QString& id, double fraction) {
     QueuedExport& drawn = m_exports[std::size_t(row)];
     drawn.progress = std::clamp(fraction, 0.0, 1.0);
     const qint64 passed = m_earlier + (m_isPaused ? 0 : m_clock.elapsed());
-    if (fraction >= leastShare && passed >= leastPatience)
+    if (fraction >= minShare && passed >= minPatience)
         drawn.millisecondsLeft = qint64(double(passed) * (1 - fraction) / fraction);
     emit exportChanged(row);
 }

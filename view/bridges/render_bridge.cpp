@@ -15,11 +15,11 @@ namespace view {
 
 namespace {
 
-constexpr std::uint64_t fewest = 1'000'000;
-constexpr std::uint64_t most = 10'000'000; // in the first pass
-constexpr double fluid = 14;               // milliseconds for one frame of a gesture
-constexpr int maxThreads = 4;              // each has counters of its own, 8 MB for a large canvas
-constexpr int patience = 400;              // milliseconds that a change waits for the frame before it
+constexpr std::uint64_t minSamples = 1'000'000;
+constexpr std::uint64_t maxSamples = 10'000'000; // in the first pass
+constexpr double fluid = 14;                     // milliseconds for one frame of a gesture
+constexpr int maxThreads = 4;                    // each has counters of its own, 8 MB for a large canvas
+constexpr int patience = 400;                    // milliseconds that a change waits for the frame before it
 
 } // namespace
 
@@ -136,7 +136,7 @@ void RenderBridge::submit() {
                                  : document::renderRequest(document::soloed(fractal, solo), m_camera);
     request.revision = ++m_requested;
     request.threads = std::min(attractor::hardwareThreads(), maxThreads);
-    request.samples = m_live ? m_liveSamples : most;
+    request.samples = m_live ? m_liveSamples : maxSamples;
     std::uint64_t quality = m_quality;
     if (m_shown.algorithm != attractor::Algorithm::Density) {
         request.algorithm = m_shown.algorithm;
@@ -197,8 +197,8 @@ void RenderBridge::adaptBudget(const attractor::Frame& frame) {
     if (!m_adapting || frame.milliseconds <= 0 || frame.samples == 0) return;
     const double affordable = double(frame.samples) * fluid / frame.milliseconds;
     // Half way each time: one slow frame on a busy machine must not make the grain jump.
-    m_liveSamples =
-        std::clamp(std::uint64_t((double(m_liveSamples) + std::min(affordable, 1e12)) / 2), fewest, most);
+    m_liveSamples = std::clamp(std::uint64_t((double(m_liveSamples) + std::min(affordable, 1e12)) / 2),
+                               minSamples, maxSamples);
 }
 
 } // namespace view

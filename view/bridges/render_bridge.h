@@ -63,9 +63,10 @@ private:
     enum class Exposing { Kept, Eased, Measured };
 
     enum class Haste {
-        Now,    // an older request is abandoned
-        InTurn, // one of many: when the frame under way has come, so that a stream of changes starves no
-                // frame
+        // An older request is abandoned.
+        Now,
+        // One of many: when the frame under way has come, so that a stream of changes starves no frame.
+        InTurn,
     };
 
     struct Shown {

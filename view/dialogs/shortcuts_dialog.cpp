@@ -74,7 +74,7 @@ QList<QStringList> onGradient() {
         {ShortcutsDialog::tr("Move the stop"), ShortcutsDialog::tr("Left, Right; Shift ×10")},
         {ShortcutsDialog::tr("Add a stop"), ShortcutsDialog::tr("Ins or +, or double-click")},
         {ShortcutsDialog::tr("Delete the stop"), ShortcutsDialog::tr("Del or Backspace")},
-        {ShortcutsDialog::tr("Change the colour of the stop"),
+        {ShortcutsDialog::tr("Change the stop colour"),
          ShortcutsDialog::tr("Enter or Space, or double-click it")},
         {ShortcutsDialog::tr("Cancel the change"), ShortcutsDialog::tr("Esc")},
     };

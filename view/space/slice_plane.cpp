@@ -10,7 +10,7 @@ namespace view {
 
 namespace {
 
-constexpr double smallestSine = 0.14; // of 8°: below, a line of sight says little of where on the line it is
+constexpr double minSine = 0.14; // of 8°: below, a line of sight says little of where on the line it is
 
 // Where on the line through the centre the line of sight through a pixel comes closest.
 double closest(const attractor::OrbitCamera& camera, const SlicePlane& plane, const ifs::Vector<2>& pixel) {
@@ -58,7 +58,7 @@ double slideBetween(const attractor::OrbitCamera& camera, const SlicePlane& plan
                     const ifs::Vector<2>& to) {
     const ifs::Vector<3> towardsEye = camera.orientation * ifs::Vector<3>::UnitZ();
     const double along = plane.normal.dot(towardsEye);
-    if (1 - along * along < smallestSine * smallestSine)
+    if (1 - along * along < minSine * minSine)
         return (to.y() - from.y()) / pixelsPerUnit(camera) * (along < 0 ? -1 : 1);
     return closest(camera, plane, to) - closest(camera, plane, from);
 }

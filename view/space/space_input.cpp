@@ -491,10 +491,10 @@ bool SpaceInput::cancelGesture() {
         emit defined();
         return true;
     }
-    return letGo();
+    return cancelDrag();
 }
 
-bool SpaceInput::letGo() {
+bool SpaceInput::cancelDrag() {
     if (isIdle()) return false;
     if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) m_navigation.moveTo(orbiting->before);
     if (auto* panning = std::get_if<Panning>(&m_gesture)) m_navigation.moveTo(panning->before);

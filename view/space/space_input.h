@@ -62,7 +62,7 @@ public:
     bool keyPress(const QKeyEvent& event);       // false when it means nothing here
     void keyRelease(const QKeyEvent& event);
     bool cancelGesture();          // a definition, too; false when none was under way
-    bool letGo();                  // of what is dragged
+    bool cancelDrag();             // false when nothing was dragged
     bool focusVertex(bool next);   // the next or previous one; false past the last
     void forgetFocus();            // of another fractal
     void setEnabled(bool enabled); // handles and ball can be held

@@ -366,7 +366,7 @@ void SpaceView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SpaceView::hideEvent(QHideEvent* event) {
-    m_input.letGo();
+    m_input.cancelDrag();
     QGraphicsView::hideEvent(event);
 }
 

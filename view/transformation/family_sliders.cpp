@@ -13,7 +13,7 @@ namespace view {
 
 namespace {
 
-constexpr double least = 0.02, largest = 0.98;
+constexpr double minParameter = 0.02, maxParameter = 0.98;
 
 std::optional<std::vector<double>> parametersOf(const document::Fractal& fractal) {
     const document::System2* system = document::system2(fractal);
@@ -37,8 +37,8 @@ FamilySliders::FamilySliders(document::Document* document, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     for (std::size_t k = 0; k < 3; ++k) {
         auto* name = new QLabel(this);
-        auto* slider = new AppearanceSlider(tr("Parameter %1 of the family").arg(k + 1), least, largest,
-                                            AppearanceSlider::Scale::Linear, this);
+        auto* slider = new AppearanceSlider(tr("Parameter %1 of the family").arg(k + 1), minParameter,
+                                            maxParameter, AppearanceSlider::Scale::Linear, this);
         layout->addWidget(name);
         layout->addWidget(slider, 1);
         m_rows.push_back({name, slider});
@@ -74,7 +74,7 @@ void FamilySliders::tryValue(std::size_t index, double value) {
     if (!m_gesture || !m_gesture->isOpen()) m_gesture.emplace(m_document->beginGesture(tr("Change Family")));
     auto values = parametersOf(m_gesture->before());
     if (!values || index >= values->size()) return;
-    (*values)[index] = std::clamp(value, least, largest);
+    (*values)[index] = std::clamp(value, minParameter, maxParameter);
     m_gesture->preview(withParameters(m_gesture->before(), *values));
 }
 

@@ -56,7 +56,7 @@ public:
 
     struct Sum {
         std::uint64_t samples = 0;
-        std::uint64_t red = 0; // 12 bits a channel and sample
+        std::uint64_t red = 0; // 12 bits per channel and sample
         std::uint64_t green = 0;
         std::uint64_t blue = 0;
 

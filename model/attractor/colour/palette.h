@@ -9,7 +9,7 @@
 
 namespace attractor {
 
-// sRGB, 8 bits a channel, not premultiplied.
+// sRGB, 8 bits per channel, not premultiplied.
 struct Rgba {
     std::uint8_t red = 0;
     std::uint8_t green = 0;

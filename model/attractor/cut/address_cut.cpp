@@ -223,7 +223,7 @@ public:
             threshold /= 2;
         m_exact = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
         m_atBorder = m_settings.samples > 0 ? atBorder / m_settings.samples * visible : 1;
-        m_oneColour = std::max(m_exact, m_settings.colours.leastShare() * visible);
+        m_oneColour = std::max(m_exact, m_settings.colours.minShare() * visible);
         m_followsBend = View::bends;
         m_thinnings = 0;
         AddressCut result = words(leaves(threshold, Threshold::Absolute, stop));

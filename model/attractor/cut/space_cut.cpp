@@ -41,7 +41,7 @@ public:
         while (threshold > 0 && threshold > visible / m_settings.words)
             threshold /= 2;
         m_enough = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
-        m_oneColour = std::max(m_enough, m_settings.colours.leastShare() * visible);
+        m_oneColour = std::max(m_enough, m_settings.colours.minShare() * visible);
         m_followsBend = true;
         m_thinnings = 0;
         SpaceCut result = words(leaves(threshold, stop));

@@ -30,7 +30,7 @@ struct CellRegion {
 
     friend bool operator==(const CellRegion&, const CellRegion&) = default;
 };
-// A colour in linear light, 12 bits a channel, as it is summed per cell: {samples, red, green, blue}.
+// A colour in linear light, 12 bits per channel, as it is summed per cell: {samples, red, green, blue}.
 struct alignas(16) ColourCell {
     std::uint32_t samples = 0;
     std::uint32_t red = 0;

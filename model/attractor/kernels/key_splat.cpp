@@ -22,8 +22,8 @@ using kernels::KeyRows;
 using kernels::KeyWord;
 
 using Unsigned = hn::RebindToUnsigned<Float>;
-constexpr std::size_t mostLanes = 16;
-static_assert(hn::MaxLanes(Float()) <= mostLanes);
+constexpr std::size_t maxLanes = 16;
+static_assert(hn::MaxLanes(Float()) <= maxLanes);
 
 HWY_ATTR static HWY_INLINE FloatVector affine(float a, float b, float c, FloatVector x, FloatVector y) {
     const Float d;
@@ -47,7 +47,7 @@ HWY_ATTR static void putKeysThat(const KeyWord& word, const float* HWY_RESTRICT 
     const IntVector stride = hn::Set(di, rows.width);
     const auto last = hn::Set(du, static_cast<std::uint32_t>(rows.keys.size() - 1));
     std::uint32_t* HWY_RESTRICT keys = rows.keys.data();
-    alignas(64) std::uint32_t cells[mostLanes];
+    alignas(64) std::uint32_t cells[maxLanes];
     const auto storeCells = [&](FloatVector column, FloatVector row) HWY_ATTR {
         const IntVector rowNumber = hn::Sub(truncated(row), firstRow);
         const auto cell = hn::BitCast(du, hn::Add(hn::Mul(rowNumber, stride), truncated(column)));

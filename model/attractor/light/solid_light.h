@@ -21,7 +21,7 @@ public:
     SolidLight(const SolidAppearance& appearance, const SolidView& view);
 
     // Rows [firstRow, endRow) of the raster, into `pixels` from its beginning: 0xAARRGGBB, premultiplied; or
-    // 16 bits a channel, with light and normals as fine. Different rows may be made by different threads.
+    // 16 bits per channel, with light and normals as fine. Different rows may be made by different threads.
     void apply(const DepthRaster& raster, int firstRow, int endRow, std::span<std::uint32_t> pixels) const;
     void apply(const DepthRaster& raster, int firstRow, int endRow, std::span<Rgba16> pixels) const;
 

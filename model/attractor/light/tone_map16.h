@@ -11,7 +11,7 @@
 
 namespace attractor {
 
-// sRGB, 16 bits a channel, not premultiplied.
+// sRGB, 16 bits per channel, not premultiplied.
 struct Rgba16 {
     std::uint16_t red = 0;
     std::uint16_t green = 0;

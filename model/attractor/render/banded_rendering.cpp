@@ -132,7 +132,7 @@ std::optional<double> BandedRendering::State::measureSmall(const std::stop_token
 }
 
 // The mean density comes from some strips of the large picture itself: how many of its pixels are occupied
-// depends on their size. Two samples a pixel tell it as well as many.
+// depends on their size. Two samples per pixel tell it as well as many.
 bool BandedRendering::State::measureStrips(double inView, const std::stop_token& stop) {
     constexpr int strips = 16;
     const Camera& camera = render.request().camera;

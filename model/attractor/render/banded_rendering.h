@@ -44,7 +44,7 @@ public:
     static int rowsWithin(const RenderRequest& request, std::size_t bytes);
 
     // Rows [firstRow, firstRow + rows) into `pixels`, rows × camera.width of them: as in Frame::pixels, or
-    // with 16 bits a channel. Any order, any heights; the first call measures the exposure of the whole
+    // with 16 bits per channel. Any order, any heights; the first call measures the exposure of the whole
     // picture and takes longer. False when stopped, within milliseconds.
     bool band(int firstRow, int rows, std::span<std::uint32_t> pixels, const std::stop_token& stop = {},
               const Progress& progress = {});

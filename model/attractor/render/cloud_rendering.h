@@ -35,7 +35,7 @@ public:
     // The exposure kept by the request, else that of the picture.
     Exposure exposure(const std::stop_token& stop = {}) const;
     void useExposure(const Exposure& exposure); // another one, mean density included, up to the next pass
-    // The picture so far, size.width × size.height pixels, as in Frame::pixels or with 16 bits a channel.
+    // The picture so far, size.width × size.height pixels, as in Frame::pixels or with 16 bits per channel.
     // False when stopped.
     bool tone(std::span<std::uint32_t> pixels, const std::stop_token& stop = {}) const;
     bool tone(std::span<Rgba16> pixels, const std::stop_token& stop = {}) const;

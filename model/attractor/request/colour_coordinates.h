@@ -49,7 +49,7 @@ public:
     // the least length of words sees to that.
     bool isMixed(const PaletteInterval& word) const { return word.width * m_range > maxRange; }
     // Of the measure in view, what a word needs to be divided for that.
-    double leastShare() const { return static_cast<double>(m_maps) / words; }
+    double minShare() const { return static_cast<double>(m_maps) / words; }
 
 private:
     static constexpr double maxRange = 1.0 / 64;

@@ -122,8 +122,8 @@ public:
 private:
     // One point for every cube that is as wide as keeps the spacing below `width`.
     static Cells thinned(Cells cells, double width) {
-        constexpr double leastEdge = 1.0 / 64; // merges what is the same but for rounding
-        Grid grid(2 * std::max(width - cells.width, leastEdge * width));
+        constexpr double minEdge = 1.0 / 64; // merges what is the same but for rounding
+        Grid grid(2 * std::max(width - cells.width, minEdge * width));
         const std::size_t before = cells.points.size();
         std::erase_if(cells.points, [&](const Vector<3>& x) { return !isInBox(x) || !grid.take(x); });
         if (cells.points.empty()) cells.points.push_back(Vector<3>::Zero());

@@ -14,7 +14,7 @@ namespace attractor {
 // addresses, the top one first: the rank of a sample is its index.
 struct CoupledSamples {
     static constexpr std::size_t usual = 4096; // of them for a word, and more where there are few words
-    static constexpr std::size_t most = std::size_t{1} << 20;
+    static constexpr std::size_t maxPerWord = std::size_t{1} << 20;
     static constexpr std::size_t lanes = 16; // the arrays go on to a multiple of it with the last point
 
     std::size_t size = 0;
@@ -43,7 +43,7 @@ struct CoupledSamples {
     std::vector<ifs::Matrix<2>> linear; // in F, of the words of the tree
 };
 
-// `size` of at most CoupledSamples::most samples, from the point that repeats the first map on.
+// `size` of at most CoupledSamples::maxPerWord samples, from the point that repeats the first map on.
 CoupledSamples coupledSamples(const CoupledSystem& system, std::uint64_t seed, std::size_t size,
                               double pieceSize);
 

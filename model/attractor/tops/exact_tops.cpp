@@ -10,9 +10,9 @@ namespace attractor {
 
 namespace {
 
-constexpr double mostInAPixel = 0.5;       // pixels: the size of a piece that is wholly in one
-constexpr double mostBetween = 1.0 / 1024; // of one that reaches several
-constexpr double leastBorder = 1e-6;       // pixels
+constexpr double maxInOnePixel = 0.5;           // pixels: the size of a piece that is wholly in one
+constexpr double maxBetweenPixels = 1.0 / 1024; // of one that reaches several
+constexpr double minBorder = 1e-6;              // pixels
 constexpr double relativeBorder = 4e-9;
 constexpr int blockColumns = 16;
 constexpr std::uint64_t looksBetween = 1024; // at the stop token
@@ -85,7 +85,7 @@ public:
         std::ranges::fill(points, TopPoint{});
         m_open.push_back({worldToPixel(camera), {}});
         const PixelBox whole = boxOf(m_open.back().shown, system.around);
-        m_border = std::max(leastBorder, relativeBorder * whole.size());
+        m_border = std::max(minBorder, relativeBorder * whole.size());
     }
 
     bool run(const std::stop_token& stop) {
@@ -97,7 +97,7 @@ public:
             if (!isWanted(box)) continue;
             const bool isOnePixel = std::floor(box.left) == std::floor(box.right) &&
                                     std::floor(box.top) == std::floor(box.bottom);
-            if (box.size() <= (isOnePixel ? mostInAPixel : mostBetween))
+            if (box.size() <= (isOnePixel ? maxInOnePixel : maxBetweenPixels))
                 write(open, box);
             else
                 divide(open);

@@ -33,7 +33,8 @@ KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_
     const auto words = std::size_t(std::max<std::uint64_t>(1, wanted / CoupledSamples::usual));
     TopCut cut = topCut(system, camera, words, stop);
     if (stop.stop_requested() || cut.words.empty()) return;
-    const std::size_t size = std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::most);
+    const std::size_t size =
+        std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::maxPerWord);
     m_samples = coupledSamples(system, seed, size, 1 / std::max(1.0, cut.size));
     m_tree = std::move(cut.tree);
     constexpr double rounding = 1; // pixels, more than what single precision may do

@@ -173,7 +173,7 @@ Maps moved(const Maps& maps, const Eigen::VectorXd& step, const AttractorSchedul
         if (d.isZero(0)) continue;
         result[i].linear += (ifs::Matrix<2>() << d[0], d[1], d[2], d[3]).finished();
         result[i].translation += ifs::Vector<2>(d[4], d[5]);
-        result[i] = withNormAtMost(schedule.largestNorm, result[i], centre);
+        result[i] = withNormAtMost(schedule.maxNorm, result[i], centre);
         result[i] = constrained(schedule.constraints, i, result[i], centre);
     }
     return result;

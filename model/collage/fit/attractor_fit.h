@@ -13,7 +13,7 @@ namespace collage {
 struct AttractorSchedule {
     Constraints constraints;
     int iterations = 12;
-    double largestNorm = 0.95;
+    double maxNorm = 0.95;
 };
 
 // Moves the maps so that their attractor, not only the collage, comes closer to the target: Gauss–Newton

@@ -11,10 +11,10 @@ namespace {
 // How strongly every image stays where it is, compared with a point that is out of place.
 constexpr double hold = 0.1;
 // Pairs count by area: an image point stands for |det A| cells, and those of a flat map for so many.
-constexpr double leastArea = 0.02;
+constexpr double minArea = 0.02;
 
 double areaOf(const ifs::AffineMap<2>& map) {
-    return std::max(std::abs(ifs::determinant<2>(map.linear)), leastArea);
+    return std::max(std::abs(ifs::determinant<2>(map.linear)), minArea);
 }
 
 } // namespace
@@ -96,7 +96,7 @@ void CollageFit::improve(std::vector<ifs::AffineMap<2>>& maps, const FitSchedule
         place(maps);
         std::vector<PairSums> sums(maps.size());
         coverTarget(sums);
-        const double norm = iteration < schedule.cautious ? schedule.cautiousNorm : schedule.largestNorm;
+        const double norm = iteration < schedule.cautious ? schedule.cautiousNorm : schedule.maxNorm;
         for (std::size_t i = 0; i < maps.size(); ++i) {
             if (!locked.empty() && locked[i] != 0) continue;
             pullImages(maps[i], i, sums[i]);

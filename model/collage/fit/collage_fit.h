@@ -16,7 +16,7 @@ struct FitSchedule {
     int iterations = 40;
     int cautious = 15; // so many of them at first keep the norms at most cautiousNorm,
     double cautiousNorm = 0.75;
-    double largestNorm = 0.9; // the others this one
+    double maxNorm = 0.9; // the others this one
 };
 
 // Moves maps so that the images of a target cover it and nothing else. One per thread: it holds what it works

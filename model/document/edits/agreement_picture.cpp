@@ -9,9 +9,9 @@ namespace document {
 
 namespace {
 
-constexpr int leastSide = 768; // of the picture, so that its hatching is fine
-constexpr int period = 9;      // of the hatching, pixels
-constexpr int stroke = 3;      // its width
+constexpr int minSide = 768; // of the picture, so that its hatching is fine
+constexpr int period = 9;    // of the hatching, pixels
+constexpr int stroke = 3;    // its width
 
 // What a pixel shows by what its cell belongs to: 1 the target, 2 what is compared. One for each step of the
 // hatching, all premultiplied.
@@ -30,7 +30,7 @@ std::array<Pattern, 4> patterns() {
 }
 
 QImage pictureOf(const collage::Mask& target, const collage::Mask& compared) {
-    const int factor = std::max(1, leastSide / std::max(target.width, target.height));
+    const int factor = std::max(1, minSide / std::max(target.width, target.height));
     QImage image(target.width * factor, target.height * factor, QImage::Format_ARGB32_Premultiplied);
     const std::array<Pattern, 4> all = patterns();
     for (int y = 0; y < image.height(); ++y) {

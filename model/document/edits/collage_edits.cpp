@@ -24,7 +24,7 @@ struct Text {
 };
 
 constexpr double margin = 0.25;     // around the target, a share of its longer side
-constexpr double largestNorm = 0.9; // of a map that a fit moves
+constexpr double maxNorm = 0.9;     // of a map that a fit moves
 constexpr double newScale = 0.3;    // of a map that is added
 constexpr int addedSide = 128;      // cells along the longer side of the target where one is
 constexpr double cageMargin = 0.02; // of the size of the attractor, around it
@@ -147,7 +147,7 @@ std::optional<Fractal> withMapsRefined(const Fractal& fractal, const TracedPictu
     for (const Level& at : levels) {
         if (stop.stop_requested()) return std::nullopt;
         maps = improved(level(traced, at.side), maps,
-                        {options.constraints, at.iterations, 0, largestNorm, largestNorm}, locked);
+                        {options.constraints, at.iterations, 0, maxNorm, maxNorm}, locked);
         const double error = collageError(traced, maps);
         if (error < bestError) {
             best = maps;
@@ -223,7 +223,7 @@ std::optional<Fractal> withMapAdded(const Fractal& fractal, const TracedPicture&
     maps.push_back(added);
     std::vector<std::uint8_t> locked(maps.size(), 1);
     locked.back() = 0;
-    const ifs::AffineMap<2> fitted = improved(coarse, maps, {ofNew, 25, 10, 0.5, largestNorm}, locked).back();
+    const ifs::AffineMap<2> fitted = improved(coarse, maps, {ofNew, 25, 10, 0.5, maxNorm}, locked).back();
     const auto back = ifs::inverse<2>(placement(fractal).affine());
     const auto map = back ? ifs::conjugate<2>(*back, fitted) : std::nullopt;
     if (!map || !ifs::isFinite(*map)) return std::nullopt;

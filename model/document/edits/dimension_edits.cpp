@@ -60,9 +60,9 @@ ifs::ControlCage<3> liftedCage(const ifs::ControlCage<2>& cage) {
 }
 
 // The rows are the horizontal and the vertical of somebody who looks against the direction.
-using Shadow = Eigen::Matrix<double, 2, 3>;
+using PlaneProjection = Eigen::Matrix<double, 2, 3>;
 
-std::optional<Shadow> shadowAlong(const ifs::Vector<3>& direction) {
+std::optional<PlaneProjection> planeProjection(const ifs::Vector<3>& direction) {
     const double length = direction.norm();
     if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
     const ifs::Vector<3> d = direction / length;
@@ -71,10 +71,10 @@ std::optional<Shadow> shadowAlong(const ifs::Vector<3>& direction) {
         up.normalize();
     else
         up = ifs::Vector<3>(0, 0, d.y() > 0 ? -1 : 1);
-    Shadow shadow;
-    shadow << up.y() * d.z() - up.z() * d.y(), up.z() * d.x() - up.x() * d.z(),
+    PlaneProjection projection;
+    projection << up.y() * d.z() - up.z() * d.y(), up.z() * d.x() - up.x() * d.z(),
         up.x() * d.y() - up.y() * d.x(), up.x(), up.y(), up.z();
-    return shadow;
+    return projection;
 }
 
 bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) {
@@ -133,7 +133,7 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
     const Shape<3>* shape = space(fractal);
     if (!shape)
         return Text::tr("“%1” is not a system in space, so it cannot be flattened.").arg(fractal.name);
-    if (!shadowAlong(direction)) return Text::tr("The direction must have a length other than 0.");
+    if (!planeProjection(direction)) return Text::tr("The direction must have a length other than 0.");
     if (!shape->moved.empty())
         return Text::tr("“%1” has moved branches, which cannot be flattened. Reset them first.")
             .arg(fractal.name);
@@ -144,8 +144,9 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
             .arg(fractal.name);
     for (std::size_t i = 0; i < system->maps.size(); ++i)
         if (!keepsLine(system->maps[i].map.linear, direction))
-            return Text::tr("Map %1 of “%2” does not keep this direction, so the shadow is not an iterated "
-                            "function system. Export a picture from that side instead.")
+            return Text::tr(
+                       "Map %1 of “%2” does not keep this direction, so the projection is not an iterated "
+                       "function system. Export a picture from that side instead.")
                 .arg(i + 1)
                 .arg(fractal.name);
     return {};
@@ -154,12 +155,12 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
 std::optional<Fractal> flattened(Fractal fractal, const ifs::Vector<3>& direction) {
     fractal = expanded(std::move(fractal));
     if (!flattenObstacle(fractal, direction).isEmpty()) return std::nullopt;
-    const Shadow shadow = *shadowAlong(direction);
+    const PlaneProjection projection = *planeProjection(direction);
     const System3 system = *displayedSystem(*space(fractal));
     Shape<2> shape;
     for (const ifs::WeightedMap<3>& map : system.maps) {
-        const ifs::AffineMap<2> flat{shadow * map.map.linear * shadow.transpose(),
-                                     shadow * map.map.translation};
+        const ifs::AffineMap<2> flat{projection * map.map.linear * projection.transpose(),
+                                     projection * map.map.translation};
         shape.system.maps.push_back({map.id, flat, map.weight, map.enabled});
     }
     fractal.shape = std::move(shape);

@@ -18,10 +18,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(document::LinkEdits)
 };
 
-constexpr std::size_t mostWords = 4096;
+constexpr std::size_t maxWords = 4096;
 
 std::optional<ifs::PlainWords> wordsOf(const System2& system) {
-    return ifs::plainWords(ifs::activeMaps(system), mostWords);
+    return ifs::plainWords(ifs::activeMaps(system), maxWords);
 }
 
 bool isEachOneMap(const ifs::PlainWords& plain) {
@@ -89,11 +89,11 @@ QString linkExpansionObstacle(const Fractal& fractal) {
             .arg(fractal.name);
     const auto plain = wordsOf(shape.system);
     if (!plain)
-        return Text::
-            tr("The links of “%1” cannot be written as plain maps: some maps follow one another for ever, "
-               "and none of them may follow every map. Keep the links in an .ifs or .flame file, or "
-               "remove them.")
-                .arg(fractal.name);
+        return Text::tr(
+                   "The links of “%1” cannot be written as plain maps: they allow an endless sequence "
+                   "of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or "
+                   "remove them.")
+            .arg(fractal.name);
     if (isEachOneMap(*plain)) return {};
     const bool moves =
         shape.animation && !(shape.animation->maps.empty() && shape.animation->motions.empty());
@@ -109,7 +109,7 @@ Fractal withLinksExpanded(Fractal fractal) {
     if (!isLinked(fractal)) return fractal;
     System2& system = plane(fractal)->system;
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
-    const auto plain = ifs::plainWords(active, mostWords);
+    const auto plain = ifs::plainWords(active, maxWords);
     if (!plain) return fractal;
     if (isEachOneMap(*plain))
         unlinkMaps(system, active, *plain);

@@ -16,7 +16,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(document::MapLocks)
 };
 
-constexpr qsizetype mostNamed = 6; // in a sentence
+constexpr qsizetype maxNamed = 6; // in a sentence
 
 template <class Use> auto withMaps(const Fractal& fractal, Use use) {
     if (const System2* system = system2(fractal)) return use(system->maps);
@@ -29,8 +29,8 @@ QString sentence(const QStringList& titles) {
     if (titles.size() == 1)
         return Text::tr("Map %1 is locked. Unlock it in the Maps panel first.").arg(titles.front());
     return Text::tr("Maps %1 are locked. Unlock them in the Maps panel first.")
-        .arg(titles.size() > mostNamed
-                 ? titles.first(mostNamed).join(QStringLiteral(", ")) + QStringLiteral(", …")
+        .arg(titles.size() > maxNamed
+                 ? titles.first(maxNamed).join(QStringLiteral(", ")) + QStringLiteral(", …")
                  : titles.join(QStringLiteral(", ")));
 }
 
@@ -39,7 +39,7 @@ template <class Indices> QString obstacle(const Fractal& fractal, const Indices&
     QStringList titles;
     for (const auto index : indices) {
         if (isLocked(fractal, std::size_t(index))) titles << mapTitle(fractal, std::size_t(index));
-        if (titles.size() > mostNamed) break;
+        if (titles.size() > maxNamed) break;
     }
     return sentence(titles);
 }

@@ -167,22 +167,30 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
     return withCageThrough(fractal, {simplex.vertices.begin(), simplex.vertices.end()});
 }
 
+std::vector<ifs::Vector<3>> verticesAround(const System3& system, const ifs::SupportFunction<3>& support,
+                                           SpacePolyhedron choice, int corners) {
+    const double tolerance = extentTolerance(system) * support.radius();
+    switch (choice) {
+    case SpacePolyhedron::Simplex:
+        break;
+    case SpacePolyhedron::Box:
+        return ifs::boxCage(support, tolerance);
+    case SpacePolyhedron::Octahedron:
+        return ifs::octahedronCage(support, tolerance);
+    case SpacePolyhedron::Hull:
+        return ifs::hullCage(support, corners, tolerance);
+    }
+    const ifs::Simplex<3> simplex = simplexAround(system, support);
+    return {simplex.begin(), simplex.end()};
+}
+
 std::optional<Fractal> withPolyhedronFitted(const Fractal& fractal, SpacePolyhedron choice, int corners) {
     const System3* system = system3(fractal);
     const auto displayed = system ? ifs::conjugate(placementOf(fractal), *system) : std::nullopt;
     const auto support =
         displayed ? ifs::SupportFunction<3>::of(ifs::activeMaps(*displayed).maps) : std::nullopt;
     if (!support) return std::nullopt;
-    const double tolerance = extentTolerance(*system) * support->radius();
-    switch (choice) {
-    case SpacePolyhedron::Box:
-        return withCageThrough(fractal, ifs::boxCage(*support, tolerance));
-    case SpacePolyhedron::Octahedron:
-        return withCageThrough(fractal, ifs::octahedronCage(*support, tolerance));
-    case SpacePolyhedron::Hull:
-        return withCageThrough(fractal, ifs::hullCage(*support, corners, tolerance));
-    }
-    return std::nullopt;
+    return withCageThrough(fractal, verticesAround(*system, *support, choice, corners));
 }
 
 std::optional<Fractal> withBoxFitted(const Fractal& fractal) {

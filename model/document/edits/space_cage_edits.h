@@ -3,10 +3,12 @@
 
 #include "document/document.h"
 #include "ifs/extent/extent.h"
+#include "ifs/extent/support_function.h"
 
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 // Edits of the cage in space as functions from fractal to fractal; cage_edits.h has those of both dimensions,
 // which call these for an entry in space.
@@ -37,10 +39,16 @@ std::optional<Fractal> withBoxFitted(const Fractal& fractal);
 // The same picture held by other vertices; nullopt while the placement is flat.
 std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<3>>& vertices);
 
-enum class SpacePolyhedron { Box, Octahedron, Hull };
-// The displayed picture held by eight corners of its box, by six of an octahedron, or by a polyhedron of at
-// most so many corners around it (at least 8): cages that bend it once they are moved. nullopt without an
-// attractor, while the placement is flat or bent, and where the polyhedron would be too thin.
+enum class SpacePolyhedron { Simplex, Box, Octahedron, Hull };
+// The vertices of such a polyhedron around an attractor with that extent, to within extentTolerance() of its
+// size: those of the minimal canonical simplex, eight corners of the box, six of an octahedron, or at most so
+// many of a hull (at least 8).
+std::vector<ifs::Vector<3>> verticesAround(const ifs::IteratedFunctionSystem<3>& system,
+                                           const ifs::SupportFunction<3>& support, SpacePolyhedron choice,
+                                           int corners = 16);
+// The displayed picture held by these vertices; cages with more than four bend it once they are moved.
+// nullopt without an attractor, while the placement is flat or bent, and where the polyhedron would be too
+// thin.
 std::optional<Fractal> withPolyhedronFitted(const Fractal& fractal, SpacePolyhedron choice, int corners = 16);
 
 } // namespace document

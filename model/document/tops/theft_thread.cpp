@@ -18,7 +18,7 @@ namespace document {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::uint64_t fewest = 500'000, most = 10'000'000; // points while a hand moves
+constexpr std::uint64_t minPoints = 500'000, maxPoints = 10'000'000; // points while a hand moves
 constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
 constexpr double fluid = 14;          // milliseconds for both pictures while a hand moves
 constexpr double pictureBehind = 0.3; // opacity of what is not on G
@@ -98,7 +98,7 @@ void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) 
 // alone, for other points need other keys.
 void TheftThread::State::adapt(double milliseconds) {
     const double now = double(livePoints), affordable = now * fluid / std::max(milliseconds, 0.1);
-    const double next = std::clamp((now + affordable) / 2, double(fewest), double(most));
+    const double next = std::clamp((now + affordable) / 2, double(minPoints), double(maxPoints));
     if (std::abs(next - now) > now / 4) livePoints = std::uint64_t(next);
 }
 
@@ -149,7 +149,7 @@ std::shared_ptr<const attractor::Frame> TheftThread::State::drawTo(const TheftJo
     const bool isSame = lastTo && lastTo->revision == job.to.revision && lastTo->camera == job.to.camera &&
                         lastMaps == maps && lastLaid.picture == laid.picture &&
                         lastLaid.toPicture == laid.toPicture && lastBackground == to->appearance.background;
-    if (isSame && (points <= most || points <= lastTo->samples)) return lastTo;
+    if (isSame && (points <= maxPoints || points <= lastTo->samples)) return lastTo;
     attractor::Frame frame = frameOf(job.to, points);
     const attractor::CoupledSystem identity(coupling.entries->toAttractor, maps,
                                             ifs::determinantWeights<2>(maps));

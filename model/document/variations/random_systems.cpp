@@ -12,8 +12,8 @@ namespace document {
 namespace {
 
 constexpr int trials = 60;
-constexpr double largest = 0.95;  // singular value
-constexpr double smallest = 0.12; // to begin with, as a part of the largest
+constexpr double maxSingularValue = 0.95;
+constexpr double minRatio = 0.12; // to begin with, as a part of the largest
 constexpr double upright = 90;    // degrees, of a mirror
 
 using Pair = ifs::Vector<2>; // σ₁ ≥ σ₂
@@ -23,11 +23,11 @@ using Pair = ifs::Vector<2>; // σ₁ ≥ σ₂
 std::vector<Pair> singularPairs(std::size_t count, double total, Chance& chance) {
     std::vector<Pair> drawn;
     for (std::size_t i = 0; i < count; ++i) {
-        const double first = chance.between(smallest, 1);
-        drawn.emplace_back(first, first * chance.between(smallest, 1));
+        const double first = chance.between(minRatio, 1);
+        drawn.emplace_back(first, first * chance.between(minRatio, 1));
     }
     const auto raised = [](const Pair& pair, double power) {
-        return Pair(largest * std::pow(pair[0], power), largest * std::pow(pair[1], power));
+        return Pair(maxSingularValue * std::pow(pair[0], power), maxSingularValue * std::pow(pair[1], power));
     };
     double low = 0, high = 64;
     for (int step = 0; step < 60; ++step) {

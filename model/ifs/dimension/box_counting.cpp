@@ -188,7 +188,7 @@ std::optional<double> changeByTurning(const SupportFunction<2>& support, const A
 
 std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const AffineMap<2>& image,
                                        const std::stop_token& stop) {
-    constexpr int least = 2, shortest = 5, maxDistorted = 4;
+    constexpr int minFirst = 2, shortest = 5, maxDistorted = 4;
     auto grid = occupiedCells(support, coarsest, image, stop);
     if (!grid) return std::nullopt;
     if (const int levels = finestLevels(*grid, support.maps().size()); levels > coarsest)
@@ -202,17 +202,17 @@ std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const 
     const int distorted = std::clamp(std::ilogb(distance) + 1, 0, maxDistorted);
     result.last = int(result.counts.size()) - 1 - distorted;
     std::optional<RangeFit> best;
-    for (int first = least; first + shortest - 1 <= result.last; ++first)
+    for (int first = minFirst; first + shortest - 1 <= result.last; ++first)
         if (const auto range = rangeFit(result.counts, first, result.last);
             range && (!best || range->spread < best->spread))
             best = range;
     if (!best) return std::nullopt;
-    constexpr double leastSpread = 0.02; // of a slope from so few sizes
+    constexpr double minSpread = 0.02; // of a slope from so few sizes
     result.first = best->first;
     result.fit = best->fit;
     const auto turned = changeByTurning(support, image, result, distorted, stop);
     if (!turned) return std::nullopt;
-    result.uncertainty = std::max({(best->isSteady ? 6 : 4) * best->spread, *turned * 1.5, leastSpread});
+    result.uncertainty = std::max({(best->isSteady ? 6 : 4) * best->spread, *turned * 1.5, minSpread});
     return result;
 }
 

@@ -119,9 +119,9 @@ private:
 
     // Of pairs i < j; the others count as apart.
     std::vector<bool> piecesApart() const {
-        constexpr int maxWork = 400'000, most = 40'000; // balls, altogether and for one pair
+        constexpr int maxWork = 400'000, maxPairWork = 40'000; // balls, altogether and for one pair
         const int maps = int(m_maps.size());
-        const int allowed = std::clamp(2 * maxWork / (maps * maps), 4 * maps, most);
+        const int allowed = std::clamp(2 * maxWork / (maps * maps), 4 * maps, maxPairWork);
         std::vector<bool> result(m_maps.size() * m_maps.size(), true);
         for (std::size_t i = 0; i < m_maps.size(); ++i)
             for (std::size_t j = i + 1; j < m_maps.size(); ++j)

@@ -25,8 +25,8 @@ constexpr std::size_t maxEdges = 60'000;
 
 // Products of three numbers like that, and their sums, are doubles without rounding.
 bool isShort(double value) {
-    constexpr double steps = 256, most = 256;
-    return std::abs(value) <= most && value * steps == std::round(value * steps);
+    constexpr double steps = 256, maxSize = 256;
+    return std::abs(value) <= maxSize && value * steps == std::round(value * steps);
 }
 
 bool isShort(const AffineMap<2>& map) {
@@ -220,9 +220,9 @@ struct DigitSystem {
 };
 
 std::optional<Integers> integers(const Vector<2>& v) {
-    constexpr double most = 1e6, off = 1e-6;
+    constexpr double maxEntry = 1e6, off = 1e-6;
     const Vector<2> rounded = v.array().round().matrix();
-    if (!(rounded.cwiseAbs().maxCoeff() <= most) || (v - rounded).cwiseAbs().maxCoeff() > off)
+    if (!(rounded.cwiseAbs().maxCoeff() <= maxEntry) || (v - rounded).cwiseAbs().maxCoeff() > off)
         return std::nullopt;
     return Integers{std::int64_t(rounded.x()), std::int64_t(rounded.y())};
 }

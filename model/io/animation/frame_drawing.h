@@ -48,7 +48,7 @@ public:
     // A PNG picture that carries the hash of its request; `path` appears whole or not at all.
     ExportOutcome writePng(int frame, const QString& path, const QByteArray& hash, const Progress& progress,
                            const std::stop_token& stop);
-    // The same pixels with 8 bits a channel; null when stopped. Throws bad_alloc where there is no room for
+    // The same pixels with 8 bits per channel; null when stopped. Throws bad_alloc where there is no room for
     // it.
     Picture draw(int frame, const Progress& progress, const std::stop_token& stop);
 

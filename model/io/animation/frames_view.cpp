@@ -65,9 +65,9 @@ ViewBox boxOfAttractor(const document::Fractal& fractal) {
 }
 
 ViewBox boxOfFrames(const document::Fractal& entry) {
-    constexpr int most = 121;
+    constexpr int maxMoments = 121;
     ViewBox box{ifs::Vector<2>::Constant(infinity), ifs::Vector<2>::Constant(-infinity), true};
-    for (const animation::Moment& moment : sampled(entry, most)) {
+    for (const animation::Moment& moment : sampled(entry, maxMoments)) {
         const ViewBox next = boxOfAttractor(document::frameAt(entry, moment).fractal);
         box.min = box.min.cwiseMin(next.min);
         box.max = box.max.cwiseMax(next.max);
@@ -77,9 +77,9 @@ ViewBox boxOfFrames(const document::Fractal& entry) {
 }
 
 attractor::Support supportOfFrames(const document::Fractal& entry) {
-    constexpr int most = 33;
+    constexpr int maxMoments = 33;
     std::vector<attractor::Support> supports;
-    for (const animation::Moment& moment : sampled(entry, most))
+    for (const animation::Moment& moment : sampled(entry, maxMoments))
         supports.push_back(supportOf(*document::space(document::frameAt(entry, moment).fractal)));
     return [supports = std::move(supports)](const ifs::Vector<3>& u) {
         double farthest = -infinity;

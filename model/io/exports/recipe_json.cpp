@@ -138,9 +138,9 @@ bool read(const QJsonObject& json, attractor::OrbitCamera& camera) {
     fields.read("projection", camera.projection, projections);
     fields.read("fieldOfView", camera.fieldOfView);
     fields.readVector("screen", screen, 2);
-    constexpr double most = 1e6;
+    constexpr double maxSide = 1e6;
     for (const double side : screen)
-        if (!(side >= 1 && side <= most)) return false;
+        if (!(side >= 1 && side <= maxSide)) return false;
     camera.size = {int(screen[0]), int(screen[1])};
     return fields.areRight();
 }

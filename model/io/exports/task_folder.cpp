@@ -92,7 +92,7 @@ void TaskFolder::claim(const QString& path, TakenOver& taken) {
     const QString aside = QDir(m_folder).filePath(id + QStringLiteral(".damaged"));
     QFile::rename(pathOf(id), aside);
     m_locks.erase(id);
-    taken.skipped << Text::tr("An export from last time was skipped. %1 What is left of it is in %2.")
+    taken.skipped << Text::tr("An export from last time was skipped. %1 Its damaged file was renamed to %2.")
                          .arg(*read.failure, QDir::toNativeSeparators(aside));
 }
 

@@ -42,8 +42,8 @@ std::vector<Row> rowsOf(const document::Fractal& fractal) {
 }
 
 QByteArray numberText(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return formatNumber(std::isfinite(value) ? std::clamp(value, -largest, largest) : 0);
+    constexpr double maxNumber = std::numeric_limits<float>::max();
+    return formatNumber(std::isfinite(value) ? std::clamp(value, -maxNumber, maxNumber) : 0);
 }
 
 QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows) {

@@ -24,10 +24,10 @@ using document::LessonState;
 using document::LessonStep;
 
 constexpr qsizetype maxBytes = 4 << 20;
-constexpr double largest = 3.4e38;
+constexpr double maxNumber = 3.4e38;
 constexpr double minTurn = 1e-6; // length of a quaternion
-constexpr double smallestView = 1e-30;
-constexpr double largestView = 1e30;
+constexpr double minView = 1e-30;
+constexpr double maxView = 1e30;
 constexpr int maxProblems = 20;
 constexpr int maxUnknown = 50; // lines in one place
 constexpr int maxPanels = 20;
@@ -53,7 +53,7 @@ std::optional<std::vector<double>> numbersIn(const QStringList& texts) {
     std::vector<double> values;
     for (const QString& text : texts) {
         const std::optional<double> value = parseNumber(text);
-        if (!value || std::abs(*value) > largest) return std::nullopt;
+        if (!value || std::abs(*value) > maxNumber) return std::nullopt;
         values.push_back(*value);
     }
     return values;
@@ -66,7 +66,7 @@ std::optional<Value> meaningOf(std::span<const LessonWord<Value>> words, const Q
 }
 
 bool isViewSize(double size) {
-    return size >= smallestView && size <= largestView;
+    return size >= minView && size <= maxView;
 }
 
 bool readArea(const QStringList& texts, LessonState& state) {

@@ -21,7 +21,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-constexpr int megabytes = int(maxDecodedPixels * 8 >> 20) + 1; // 16 bits a channel at most
+constexpr int megabytes = int(maxDecodedPixels * 8 >> 20) + 1; // 16 bits per channel at most
 
 bool isKnown(const QByteArray& format) {
     static const QList<QByteArray> formats{"png", "jpeg", "jpg", "gif", "bmp", "pbm", "pgm", "ppm"};

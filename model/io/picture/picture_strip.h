@@ -7,7 +7,7 @@
 
 namespace io {
 
-// Pictures of one height side by side in one, from left to right, 8 bits a channel. The kind of file, the
+// Pictures of one height side by side in one, from left to right, 8 bits per channel. The kind of file, the
 // system and the resolution are those of the first. The pictures are in memory until all are drawn.
 ExportOutcome exportStrip(const std::vector<PngExport>& pictures, const QString& path,
                           const Progress& progress = {}, std::stop_token stop = {});

@@ -54,7 +54,7 @@ ExportOutcome exportPng(const PngExport& picture, const QString& path, const Pro
 // Why the kind of file cannot hold the picture, before it is drawn.
 Failure whyImpossible(const PngExport& picture);
 
-// The same picture in memory, without the legend, 8 bits a channel; null when stopped.
+// The same picture in memory, without the legend, 8 bits per channel; null when stopped.
 struct Picture {
     QImage image;
     attractor::RenderNote note = attractor::RenderNote::None;

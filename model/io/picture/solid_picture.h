@@ -25,7 +25,7 @@ std::uint64_t memoryFor(const SolidPicture& picture);
 // Draws all rows into a writer of that size and depth, and finishes it.
 ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress = {},
                          const std::stop_token& stop = {});
-// Draws it into memory: width × height pixels, of 8 or 16 bits a channel, whatever its depth.
+// Draws it into memory: width × height pixels, of 8 or 16 bits per channel, whatever its depth.
 ExportOutcome drawSolid(const SolidPicture& picture, std::span<std::uint32_t> pixels,
                         const Progress& progress = {}, const std::stop_token& stop = {});
 ExportOutcome drawSolid(const SolidPicture& picture, std::span<attractor::Rgba16> pixels,

@@ -70,9 +70,9 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     const attractor::DepthRaster& raster = rendering.raster();
     std::vector<std::uint16_t> values(raster.keys.size());
     std::ranges::transform(raster.keys, values.begin(), [](std::uint32_t key) {
-        constexpr std::uint64_t most = 65534;
+        constexpr std::uint64_t maxCode = 65534;
         if (key == attractor::emptyKey) return std::uint16_t(65535);
-        return std::uint16_t((attractor::depthCode(key) * most + attractor::maxDepthCode / 2) /
+        return std::uint16_t((attractor::depthCode(key) * maxCode + attractor::maxDepthCode / 2) /
                              attractor::maxDepthCode);
     });
     PictureFormat format = formatOf(picture);

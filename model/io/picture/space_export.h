@@ -44,7 +44,7 @@ std::uint64_t memoryFor(const SpaceExport& picture);
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
                            std::stop_token stop = {});
 
-// The same picture in memory, 8 bits a channel, without texts; null when stopped. Not of depths.
+// The same picture in memory, 8 bits per channel, without texts; null when stopped. Not of depths.
 Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress = {},
                          std::stop_token stop = {});
 

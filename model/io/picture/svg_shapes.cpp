@@ -60,7 +60,7 @@ private:
     }
 
     static std::vector<Ring> united(const std::vector<Ring>& rings) {
-        constexpr double largest = 1 << 29; // of the library's fast range
+        constexpr double maxCoordinate = 1 << 29; // of the library's fast range
         ifs::Vector<2> low = ifs::Vector<2>::Constant(HUGE_VAL);
         ifs::Vector<2> high = -low;
         for (const Ring& ring : rings)
@@ -69,7 +69,7 @@ private:
                 high = high.cwiseMax(point);
             }
         const ifs::Vector<2> middle = (low + high) / 2;
-        const double scale = largest / std::max((high - low).maxCoeff(), 1e-300);
+        const double scale = maxCoordinate / std::max((high - low).maxCoeff(), 1e-300);
         ClipperLib::Clipper clipper;
         for (const Ring& ring : rings) {
             ClipperLib::Path path;

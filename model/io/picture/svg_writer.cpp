@@ -244,8 +244,8 @@ private:
                 size = std::max(size, (corner - polygon.front()).cwiseAbs().maxCoeff());
             smallest = std::min(smallest, size);
         }
-        constexpr double least = 1e-12;
-        return int(std::ceil(3 - std::log10(std::max(smallest, least))));
+        constexpr double minSize = 1e-12;
+        return int(std::ceil(3 - std::log10(std::max(smallest, minSize))));
     }
 
     static QString shortNumber(double value, int digits) {

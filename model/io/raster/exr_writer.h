@@ -10,8 +10,8 @@
 namespace io {
 
 // OpenEXR: linear light of the Rec. 709 primaries, colours multiplied by alpha as the format asks for, in
-// floating point of 16 or 32 bits, compressed without loss (ZIP). Takes rows of 16 bits a channel. The system
-// is in an attribute of its own.
+// floating point of 16 or 32 bits, compressed without loss (ZIP). Takes rows of 16 bits per channel. The
+// system is in an attribute of its own.
 class ExrWriter final : public PictureWriter {
 public:
     // The device is open for writing, can seek, and outlives the writer; `file` is ExrHalf or ExrFloat.

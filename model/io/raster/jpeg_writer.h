@@ -9,8 +9,8 @@
 
 namespace io {
 
-// JPEG of 8 bits a channel, with colours at full resolution: opaque, at most 65,500 pixels along a side. The
-// system is in comments of at most 64 KB each, one after the other.
+// JPEG of 8 bits per channel, with colours at full resolution: opaque, at most 65,500 pixels along a side.
+// The system is in comments of at most 64 KB each, one after the other.
 class JpegWriter final : public PictureWriter {
 public:
     // The device is open for writing and outlives the writer.

@@ -47,7 +47,7 @@ public:
     PictureWriter(const PictureWriter&) = delete;
     PictureWriter& operator=(const PictureWriter&) = delete;
 
-    // Whole rows from the top on, 0xAARRGGBB premultiplied, into a picture of 8 bits a channel …
+    // Whole rows from the top on, 0xAARRGGBB premultiplied, into a picture of 8 bits per channel …
     virtual Failure writeRows(std::span<const std::uint32_t> pixels) = 0;
     // … or of 16.
     virtual Failure writeRows(std::span<const attractor::Rgba16> pixels) = 0;

@@ -9,7 +9,7 @@
 
 namespace io {
 
-// TIFF of 8 or 16 bits a channel, compressed without loss (Deflate); BigTIFF from 3 GB of pixels on. The
+// TIFF of 8 or 16 bits per channel, compressed without loss (Deflate); BigTIFF from 3 GB of pixels on. The
 // system is in ImageDescription.
 class TiffWriter final : public PictureWriter {
 public:

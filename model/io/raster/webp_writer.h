@@ -7,7 +7,7 @@
 
 namespace io {
 
-// WebP of 8 bits a channel, without loss unless the format names a quality; at most 16,383 pixels along a
+// WebP of 8 bits per channel, without loss unless the format names a quality; at most 16,383 pixels along a
 // side. The whole picture is in memory until finish(). The system is in an XMP packet, in an element `system`
 // of xmpSystemNamespace().
 class WebPWriter final : public PictureWriter {

@@ -61,8 +61,8 @@ QString wordText(const ifs::Word& word, const std::vector<std::size_t>& rows) {
 
 // "= 0.85", with as many digits as it takes not to look like 1, which nothing that contracts has.
 QString belowOne(double contractivity) {
-    constexpr int usual = 6, most = 17;
-    for (int precision = usual; precision <= most; ++precision) {
+    constexpr int usual = 6, maxDigits = 17;
+    for (int precision = usual; precision <= maxDigits; ++precision) {
         const QString text = QString::number(contractivity, 'g', precision);
         if (text != u"1") return QStringLiteral("= ") + text;
     }

@@ -93,13 +93,13 @@ bool isOnBorder(const Vector<2>& at) {
 }
 
 // Points of an orbit with the addresses that they have by their maps, as numbers.
-struct Addressed {
+struct AddressedPoint {
     Vector<2> x;
     double address;
 };
-std::vector<Addressed> orbit(const Maps& maps, int count) {
+std::vector<AddressedPoint> orbit(const Maps& maps, int count) {
     canonical::Random random(11);
-    std::vector<Addressed> points{{*ifs::fixedPoint(maps[0]), 0}};
+    std::vector<AddressedPoint> points{{*ifs::fixedPoint(maps[0]), 0}};
     while (int(points.size()) < count) {
         const std::size_t i = random() % maps.size();
         points.push_back(
@@ -136,7 +136,7 @@ void TopsTest::exactPixelsHoldTheirTops() {
     const CoupledSystem system = coupled(maps, maps);
     const Camera camera = cameraOf(maps, 160, 120);
     const Points points = exact(system, camera);
-    for (const Addressed& point : orbit(maps, 200'000)) {
+    for (const AddressedPoint& point : orbit(maps, 200'000)) {
         const Vector<2> at = toPixel(camera, point.x);
         const TopPoint& top = points[std::size_t(at.y()) * 160 + std::size_t(at.x())];
         QVERIFY(!top.isEmpty() || isOnBorder(at));

@@ -17,8 +17,8 @@ private slots:
     void aThinTriangleBecomesATetrahedron();
     void whatCannotBeLifted();
     void flatteningUndoesLifting();
-    void shadowsAreThoseOfThePoints_data();
-    void shadowsAreThoseOfThePoints();
+    void projectionsAreThoseOfThePoints_data();
+    void projectionsAreThoseOfThePoints();
     void aTurnedLineIsRefused();
     void theCageIsBakedFirst();
 };
@@ -103,7 +103,7 @@ void DimensionEditsTest::flatteningUndoesLifting() {
     QVERIFY(document::isSameSystem(*back, plane));
 }
 
-void DimensionEditsTest::shadowsAreThoseOfThePoints_data() {
+void DimensionEditsTest::projectionsAreThoseOfThePoints_data() {
     QTest::addColumn<QList<double>>("direction");
     QTest::addColumn<QList<double>>("right");
     QTest::addColumn<QList<double>>("up");
@@ -115,17 +115,17 @@ void DimensionEditsTest::shadowsAreThoseOfThePoints_data() {
     QTest::newRow("xz") << QList<double>{1, 0, 1} << QList<double>{d, 0, -d} << QList<double>{0, 1, 0};
 }
 
-void DimensionEditsTest::shadowsAreThoseOfThePoints() {
+void DimensionEditsTest::projectionsAreThoseOfThePoints() {
     QFETCH(QList<double>, direction);
     QFETCH(QList<double>, right);
     QFETCH(QList<double>, up);
     const ifs::Vector<3> u(right[0], right[1], right[2]), v(up[0], up[1], up[2]);
     const document::Fractal solid = spaceOf(canonical::cube());
-    const auto shadow = document::flattened(solid, {direction[0], direction[1], direction[2]});
-    QVERIFY(shadow.has_value());
+    const auto projection = document::flattened(solid, {direction[0], direction[1], direction[2]});
+    QVERIFY(projection.has_value());
     canonical::Random random(5);
     const auto& maps3 = document::system3(solid)->maps;
-    const auto& maps2 = document::system2(*shadow)->maps;
+    const auto& maps2 = document::system2(*projection)->maps;
     QCOMPARE(maps2.size(), maps3.size());
     for (std::size_t i = 0; i < maps3.size(); ++i) {
         const ifs::Vector<3> x = canonical::randomVector<3>(random);
@@ -149,10 +149,10 @@ void DimensionEditsTest::theCageIsBakedFirst() {
     ifs::ControlCage<3> cage = ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     cage.current = {{1, 2, 3}, {3, 2, 3}, {1, 5, 3}, {2, 2, 4}};
     document::space(fractal)->cage = cage;
-    const auto shadow = document::flattened(fractal, {0, 0, 1});
-    QVERIFY(shadow.has_value());
-    const auto& maps = document::system2(*shadow)->maps;
-    for (std::size_t i = 0; i < maps.size(); ++i) { // each fixes the shadow of its corner
+    const auto projection = document::flattened(fractal, {0, 0, 1});
+    QVERIFY(projection.has_value());
+    const auto& maps = document::system2(*projection)->maps;
+    for (std::size_t i = 0; i < maps.size(); ++i) { // each fixes the projection of its corner
         const ifs::Vector<2> corner = cage.current[i].head(2);
         QVERIFY((maps[i].map(corner) - corner).norm() < 1e-12);
     }

@@ -33,8 +33,8 @@ private slots:
 
 namespace {
 
-constexpr double largest = FLT_MAX; // what readers let in
-constexpr double smallest = 4.9406564584124654e-324;
+constexpr double maxNumber = FLT_MAX; // what readers let in
+constexpr double minNumber = 4.9406564584124654e-324;
 
 document::Fractal fractal(const std::vector<ifs::AffineMap<2>>& maps, std::optional<double> weight = {}) {
     document::System2 system;
@@ -114,17 +114,17 @@ void HostileNumbersTest::systems_data() {
     row("the same map twice", fractal({half, half, half}));
     row("weights of zero", fractal({half, affineMap(.5, 0, 0, .5, 1, 0)}, 0));
     row("negative weights", fractal({half, affineMap(.5, 0, 0, .5, 1, 0)}, -1));
-    row("the smallest weights", fractal({half, affineMap(.5, 0, 0, .5, 1, 0)}, smallest));
-    row("the largest weights", fractal({half, affineMap(.5, 0, 0, .5, 1, 0)}, largest));
+    row("the smallest weights", fractal({half, affineMap(.5, 0, 0, .5, 1, 0)}, minNumber));
+    row("the largest weights", fractal({half, affineMap(.5, 0, 0, .5, 1, 0)}, maxNumber));
     row("the largest numbers",
-        fractal({affineMap(largest, largest, largest, largest, largest, largest), half}));
+        fractal({affineMap(maxNumber, maxNumber, maxNumber, maxNumber, maxNumber, maxNumber), half}));
     row("the largest with both signs",
-        fractal({affineMap(largest, -largest, -largest, largest, -largest, largest)}));
-    row("far away",
-        fractal({affineMap(.5, 0, 0, .5, largest, largest), affineMap(.5, 0, 0, .5, -largest, largest)}));
+        fractal({affineMap(maxNumber, -maxNumber, -maxNumber, maxNumber, -maxNumber, maxNumber)}));
+    row("far away", fractal({affineMap(.5, 0, 0, .5, maxNumber, maxNumber),
+                             affineMap(.5, 0, 0, .5, -maxNumber, maxNumber)}));
     row("the smallest numbers",
-        fractal({affineMap(smallest, smallest, smallest, smallest, smallest, smallest),
-                 affineMap(smallest, 0, 0, smallest, 0, smallest)}));
+        fractal({affineMap(minNumber, minNumber, minNumber, minNumber, minNumber, minNumber),
+                 affineMap(minNumber, 0, 0, minNumber, 0, minNumber)}));
     row("tiny", fractal({affineMap(.5, 0, 0, .5, 1e-300, 0), affineMap(.5, 0, 0, .5, 0, 1e-300)}));
     row("huge and tiny", fractal({affineMap(.5, 0, 0, .5, 1e38, 0), affineMap(.5, 0, 0, .5, 0, 1e-38)}));
     row("squashed", fractal({affineMap(.5, 0, 0, 1e-200, 0, 0), affineMap(.5, 0, 0, 1e-200, 1, 0)}));
@@ -140,13 +140,15 @@ void HostileNumbersTest::cages_data() {
     QTest::newRow("a point") << QList<QPointF>{{1, 1}, {1, 1}, {1, 1}};
     QTest::newRow("a line") << QList<QPointF>{{0, 0}, {1, 1}, {2, 2}};
     QTest::newRow("mirrored") << QList<QPointF>{{0, 0}, {0, 1}, {1, 0}};
-    QTest::newRow("the largest") << QList<QPointF>{{-largest, -largest}, {largest, -largest}, {0, largest}};
+    QTest::newRow("the largest") << QList<QPointF>{
+        {-maxNumber, -maxNumber}, {maxNumber, -maxNumber}, {0, maxNumber}};
     for (const double size : {1e20, 1e39, 1e100, 1e154, 1e200, 1e300, DBL_MAX}) // as the program might set it
         QTest::addRow("%g", size) << QList<QPointF>{{-size, -size}, {size, -size}, {0, size}};
-    QTest::newRow("the smallest") << QList<QPointF>{{0, 0}, {smallest, 0}, {0, smallest}};
+    QTest::newRow("the smallest") << QList<QPointF>{{0, 0}, {minNumber, 0}, {0, minNumber}};
     QTest::newRow("a bow tie") << QList<QPointF>{{0, 0}, {1, 1}, {1, 0}, {0, 1}};
     QTest::newRow("four points in one") << QList<QPointF>{{0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    QTest::newRow("huge and folded") << QList<QPointF>{{0, 0}, {largest, 0}, {-largest, 1}, {0, largest}};
+    QTest::newRow("huge and folded") << QList<QPointF>{
+        {0, 0}, {maxNumber, 0}, {-maxNumber, 1}, {0, maxNumber}};
 }
 
 void HostileNumbersTest::cages() {
@@ -170,9 +172,9 @@ void HostileNumbersTest::movedBranches_data() {
     row("to a point", affineMap(0, 0, 0, 0, .5, .5));
     row("to a line", affineMap(1, 1, 1, 1, 0, 0));
     row("mirrored", affineMap(-1, 0, 0, 1, 0, 0));
-    row("the smallest", affineMap(smallest, 0, 0, smallest, 0, smallest));
+    row("the smallest", affineMap(minNumber, 0, 0, minNumber, 0, minNumber));
     row("tiny", affineMap(1e-300, 0, 0, 1e-300, 0, 0));
-    for (const double size : {1e20, largest, 1e300}) {
+    for (const double size : {1e20, maxNumber, 1e300}) {
         QTest::addRow("wide %g", size) << affineMap(size, 0, 0, size, 0, 0);
         QTest::addRow("far %g", size) << affineMap(1, 0, 0, 1, size, -size);
         QTest::addRow("sheared %g", size) << affineMap(1, size, 0, 1, 0, 0);
@@ -200,7 +202,7 @@ void HostileNumbersTest::views_data() {
     QTest::newRow("10^-12") << 0.25 << 1e-12;
     QTest::newRow("10^-300") << 0.25 << 1e-300;
     QTest::newRow("elsewhere") << 1e300 << 100.0;
-    QTest::newRow("everywhere") << -DBL_MAX << smallest;
+    QTest::newRow("everywhere") << -DBL_MAX << minNumber;
 }
 
 void HostileNumbersTest::views() {

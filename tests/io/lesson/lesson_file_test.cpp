@@ -191,22 +191,23 @@ void LessonFileTest::hostileFiles_data() {
         return piece.repeated(bytes / piece.size());
     };
     const QByteArray head = "lesson: a\nfile: a.ifs\n";
-    constexpr qsizetype most = 4'000'000;
+    constexpr qsizetype maxBytes = 4'000'000;
     QTest::newRow("nothing") << QByteArray() << u"not a lesson"_s;
     QTest::newRow("a collection") << QByteArray("a { .5 0 0 .5 0 0 1 }\n") << u"not a lesson"_s;
-    QTest::newRow("zeros") << QByteArray(most, '\0') << u"not a lesson"_s;
+    QTest::newRow("zeros") << QByteArray(maxBytes, '\0') << u"not a lesson"_s;
     QTest::newRow("too large") << head + QByteArray(5'000'000, 'a') << u"4 MB"_s;
     QTest::newRow("no steps") << head << u"no steps"_s;
-    QTest::newRow("steps") << head + many("## a\n", most) << u"more than 500 steps"_s;
-    QTest::newRow("a text") << head + "## a\n\n" + many("letters ", most) << u"was cut"_s;
-    QTest::newRow("lines") << head + "## a\n\n" + many("a\n", most) << u"was cut"_s;
-    QTest::newRow("slashes") << head + "## a\n\n" + many("\\", most) << u"was cut"_s;
-    QTest::newRow("settings") << head + "## a\n" + many("b: c\n", most) << u"unknown"_s;
-    QTest::newRow("a cage") << head + "## a\ncage: " + many("0 0,", most) + "\n" << u"not understood"_s;
-    QTest::newRow("outlines") << head + "## a\noutlines: " + many("x,", most) + "\n" << u"not understood"_s;
-    QTest::newRow("panels") << head + "## a\npanels: " + many("x,", most) + "\n" << u"not understood"_s;
-    QTest::newRow("spaces") << head + "## a\nview: area" + many(" ", most) + "\n" << u"not understood"_s;
-    QTest::newRow("surrogates") << head + "## a\n\n" + many("\xf0\x9f\x8c\xbf", most) << u"was cut"_s;
+    QTest::newRow("steps") << head + many("## a\n", maxBytes) << u"more than 500 steps"_s;
+    QTest::newRow("a text") << head + "## a\n\n" + many("letters ", maxBytes) << u"was cut"_s;
+    QTest::newRow("lines") << head + "## a\n\n" + many("a\n", maxBytes) << u"was cut"_s;
+    QTest::newRow("slashes") << head + "## a\n\n" + many("\\", maxBytes) << u"was cut"_s;
+    QTest::newRow("settings") << head + "## a\n" + many("b: c\n", maxBytes) << u"unknown"_s;
+    QTest::newRow("a cage") << head + "## a\ncage: " + many("0 0,", maxBytes) + "\n" << u"not understood"_s;
+    QTest::newRow("outlines") << head + "## a\noutlines: " + many("x,", maxBytes) + "\n"
+                              << u"not understood"_s;
+    QTest::newRow("panels") << head + "## a\npanels: " + many("x,", maxBytes) + "\n" << u"not understood"_s;
+    QTest::newRow("spaces") << head + "## a\nview: area" + many(" ", maxBytes) + "\n" << u"not understood"_s;
+    QTest::newRow("surrogates") << head + "## a\n\n" + many("\xf0\x9f\x8c\xbf", maxBytes) << u"was cut"_s;
 }
 
 void LessonFileTest::hostileFiles() {

@@ -81,15 +81,15 @@ void ThumbnailCacheTest::survivesDamage() {
 
 void ThumbnailCacheTest::staysBelowItsSize() {
     const QTemporaryDir folder;
-    constexpr qint64 most = 40'000;
-    io::ThumbnailCache cache(folder.path(), most);
+    constexpr qint64 maxBytes = 40'000;
+    io::ThumbnailCache cache(folder.path(), maxBytes);
     for (int i = 0; i < 30; ++i)
         cache.keep(shifted(i), 32, noise(32, unsigned(i)));
     qint64 bytes = 0;
     for (const QFileInfo& file : QDir(folder.path()).entryInfoList(QDir::Files))
         bytes += file.size();
-    QVERIFY(bytes <= most);
-    QVERIFY(bytes > most / 2);
+    QVERIFY(bytes <= maxBytes);
+    QVERIFY(bytes > maxBytes / 2);
     QVERIFY(!cache.find(shifted(29), 32).isNull());
 }
 

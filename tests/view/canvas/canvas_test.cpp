@@ -399,11 +399,10 @@ private slots:
         QVERIFY(document::bakeCage(*m_document).has_value());
         const QPointF across = (vertex(0) - vertex(2)) * 1.6;
         drag(vertex(2), across);
-        QVERIFY2(m_canvas->canvas().notes().note().contains(QStringLiteral("folded")),
-                 qPrintable(m_canvas->canvas().notes().note()));
+        QVERIFY2(m_canvas->note().contains(QStringLiteral("folded")), qPrintable(m_canvas->note()));
         QVERIFY(!document::removeVertices(*m_document, {2}));
         QCOMPARE(vertices().size(), std::size_t{3});
-        QVERIFY(m_canvas->canvas().notes().note().isEmpty());
+        QVERIFY(m_canvas->note().isEmpty());
         QVERIFY(document::removeVertices(*m_document, {2}).has_value());
     }
 

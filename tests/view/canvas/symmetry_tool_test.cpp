@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/canvas/canvas_fixture.h"
 
+#include "canvas/items/symmetry_item.h"
 #include "document/edits/symmetry_edits.h"
 
 #include <QTest>
@@ -17,18 +18,18 @@ private:
                                    ifs::Symmetry<2>{ifs::SymmetryGroup::Rotation, 5, 0, {0.5, 0.25}}));
     }
     const Vector<2>& centre() const { return system().symmetry.centre; }
-    QPointF knob() const { return scene().symmetryKnob().value_or(QPointF(-100, -100)); }
+    QPointF knob() const { return scene().symmetry().knob().value_or(QPointF(-100, -100)); }
 
 private slots:
     void init() { open(); }
     void cleanup() { close(); }
 
     void onlyASymmetryHasAHandle() {
-        QVERIFY(!scene().symmetryKnob());
+        QVERIFY(!scene().symmetry().knob());
         makeSymmetric();
-        QVERIFY(scene().symmetryKnob());
+        QVERIFY(scene().symmetry().knob());
         m_document->undoStack()->undo();
-        QVERIFY(!scene().symmetryKnob());
+        QVERIFY(!scene().symmetry().knob());
     }
 
     void aDragIsOneStep() {
@@ -96,7 +97,7 @@ private slots:
         drag(from, {20, 20});
         QVERIFY(centre() != Vector<2>(0.5, 0.25));
         key(Qt::Key_H);
-        QVERIFY(!scene().symmetryKnob());
+        QVERIFY(!scene().symmetry().knob());
     }
 };
 

@@ -8,7 +8,7 @@ namespace view {
 
 namespace {
 
-constexpr double knob = 6;
+constexpr double knobRadius = 6;
 
 QPainterPath pathOf(const QPointF& from, const QPointF& to) {
     QPainterPath path(from);
@@ -23,6 +23,10 @@ void SymmetryItem::setMarks(const std::optional<SymmetryMarks>& marks) {
     prepareGeometryChange();
     m_marks = marks;
     update();
+}
+
+std::optional<QPointF> SymmetryItem::knob() const {
+    return m_marks && isVisible() ? std::optional(m_marks->knob) : std::nullopt;
 }
 
 void SymmetryItem::setHeld(bool held) {
@@ -51,8 +55,9 @@ void SymmetryItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
     strokeSeen(*painter, pathOf(m_marks->centre, m_marks->knob), m_style, m_style.line, 1);
     painter->setPen(QPen(m_style.rim, 2));
     painter->setBrush(m_held ? m_style.accent : m_style.core);
-    painter->drawPolygon(QPolygonF({m_marks->knob + QPointF(0, -knob), m_marks->knob + QPointF(knob, 0),
-                                    m_marks->knob + QPointF(0, knob), m_marks->knob + QPointF(-knob, 0)}));
+    painter->drawPolygon(
+        QPolygonF({m_marks->knob + QPointF(0, -knobRadius), m_marks->knob + QPointF(knobRadius, 0),
+                   m_marks->knob + QPointF(0, knobRadius), m_marks->knob + QPointF(-knobRadius, 0)}));
 }
 
 } // namespace view

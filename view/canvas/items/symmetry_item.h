@@ -24,7 +24,8 @@ struct SymmetryMarks {
 class SymmetryItem : public OverlayItem {
 public:
     void setMarks(const std::optional<SymmetryMarks>& marks);
-    const std::optional<SymmetryMarks>& marks() const { return m_marks; }
+    // The handle of the centre; nullopt without one, and while it is hidden.
+    std::optional<QPointF> knob() const;
     void setHeld(bool held);
 
     QRectF boundingRect() const override;

@@ -165,11 +165,6 @@ CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
     return m_overlaysVisible && m_cageVisible ? hitTester().partAt(position, reach) : CanvasPart();
 }
 
-ifs::Word CanvasScene::addressAt(const QPointF& position) const {
-    if (!m_handles.cage()) return {};
-    return m_handles.addresses().at(worldAt(m_camera, position), 1 / m_camera.pixelsPerUnit);
-}
-
 void CanvasScene::holdKnobAt(const std::optional<QPointF>& position) {
     if (position == m_heldKnob) return;
     m_heldKnob = position;
@@ -208,15 +203,6 @@ void CanvasScene::layoutItems() {
 
 void CanvasScene::layoutSymmetry() {
     m_symmetryItem->setMarks(symmetryLayout(m_document->fractal(), m_camera));
-}
-
-std::optional<QPointF> CanvasScene::symmetryKnob() const {
-    const auto& marks = m_symmetryItem->marks();
-    return marks && m_symmetryItem->isVisible() ? std::optional(marks->knob) : std::nullopt;
-}
-
-void CanvasScene::holdSymmetry(bool held) {
-    m_symmetryItem->setHeld(held);
 }
 
 // Those that can be taken now.

@@ -46,8 +46,8 @@ public:
     const HandleModel& handles() const { return m_handles; }
     TransientMarks& marks() { return m_marks; }
     CanvasNotes& notes() { return m_notes; }
-    const CanvasNotes& notes() const { return m_notes; }
     GridItem& grid() const { return *m_grid; }
+    SymmetryItem& symmetry() const { return *m_symmetryItem; }
 
     QPolygonF cagePolygon() const;
     const std::vector<MapFrame>& frames() const { return m_mapFrames->frames(); } // by index
@@ -55,7 +55,6 @@ public:
     HitTester hitTester() const { return {m_handles, m_camera, m_gizmoLayout, frames()}; }
     CanvasPart partAt(const QPointF& position, Reach reach) const; // none while the handles are hidden
     QPointF positionOf(const CanvasPart& part) const { return hitTester().positionOf(part); }
-    ifs::Word addressAt(const QPointF& position) const;
     // The key whose diamond on a path is there and is not covered by a handle, and what it is of.
     struct KeyOnPath {
         int frame = 0;
@@ -65,10 +64,6 @@ public:
 
     // The pressed rotate or scale handle follows the pointer.
     void holdKnobAt(const std::optional<QPointF>& position);
-
-    // The handle of the centre of a symmetry; nullopt without one, and while the handles are hidden.
-    std::optional<QPointF> symmetryKnob() const;
-    void holdSymmetry(bool held);
 
     Snapping snapping() const { return m_snapping; }
     void setSnapping(Snapping snapping) { m_snapping = snapping; }

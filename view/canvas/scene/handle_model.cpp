@@ -95,6 +95,10 @@ const document::Addresses* HandleModel::knownAddresses() const {
     return m_addresses.get();
 }
 
+ifs::Word HandleModel::addressAt(const ifs::Vector<2>& point, double precision) const {
+    return m_cage ? addresses().at(point, precision) : ifs::Word();
+}
+
 const document::Addresses& HandleModel::addresses() const {
     if (!knownAddresses()) m_addresses = m_finding.result(); // waits
     return *m_addresses;

@@ -46,6 +46,8 @@ public:
     // the second returns nullptr until addressesFound().
     const document::Addresses& addresses() const;
     const document::Addresses* knownAddresses() const;
+    // At a point, known to within `precision`; empty without a cage.
+    ifs::Word addressAt(const ifs::Vector<2>& point, double precision) const;
 
     // The polygons that are held when the cage is not: of the maps, or of the branch.
     int childCount() const;

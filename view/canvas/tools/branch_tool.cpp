@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/tools/branch_tool.h"
 
+#include "canvas/geometry/canvas_geometry.h"
 #include "document/addresses.h"
 #include "document/edits/map_locks.h"
 
@@ -87,7 +88,8 @@ void BranchTool::setDepth(int depth) {
 }
 
 void BranchTool::selectAt(const QPointF& position) {
-    const ifs::Word address = scene().addressAt(position);
+    const attractor::Camera& camera = scene().camera();
+    const ifs::Word address = handles().addressAt(worldAt(camera, position), 1 / camera.pixelsPerUnit);
     if (address.empty()) return;
     selection().setFocused({});
     select(address);

@@ -2,6 +2,7 @@
 #include "canvas/tools/symmetry_tool.h"
 
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/items/symmetry_item.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 #include "ifs/cage/map_handles.h"
@@ -12,7 +13,7 @@ namespace view {
 
 bool SymmetryTool::isAt(const Pointer& pointer) const {
     const double radius = pointer.reach == Reach::Touch ? 20 : 11; // pixels
-    const auto knob = m_scene.symmetryKnob();
+    const auto knob = m_scene.symmetry().knob();
     return knob && QLineF(*knob, pointer.position).length() <= radius;
 }
 
@@ -22,7 +23,7 @@ void SymmetryTool::press(const Pointer& pointer) {
     const ifs::Vector<2> centre = document::system2(fractal)->symmetry.centre;
     m_drag.emplace(Drag{document.beginGesture(tr("Move the centre of the symmetry")), pointer.position,
                         document::placement(fractal)(centre)});
-    m_scene.holdSymmetry(true);
+    m_scene.symmetry().setHeld(true);
     emit cursorChanged();
 }
 
@@ -58,7 +59,7 @@ bool SymmetryTool::cancel() {
 void SymmetryTool::end() {
     m_drag.reset();
     m_scene.marks().showSnap(std::nullopt);
-    m_scene.holdSymmetry(false);
+    m_scene.symmetry().setHeld(false);
     emit cursorChanged();
 }
 

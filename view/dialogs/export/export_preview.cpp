@@ -14,9 +14,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int margin = 1;        // for the outline
-constexpr double square = 8;     // of the chequer, in pixels of the widget
-constexpr int mostPixels = 2000; // on a side, however large the window is
+constexpr int margin = 1;       // for the outline
+constexpr double square = 8;    // of the chequer, in pixels of the widget
+constexpr int maxPixels = 2000; // on a side, however large the window is
 
 // As paint programs show that nothing is there, in light and dark windows.
 void paintChequer(QPainter& painter, const QRect& area) {
@@ -79,7 +79,7 @@ QRect ExportPreview::frame() const {
 void ExportPreview::draw() {
     if (!m_drawing || width() <= 2 * margin || height() <= 2 * margin) return;
     const QSize room =
-        (QSizeF(frame().size()) * devicePixelRatioF()).toSize().boundedTo({mostPixels, mostPixels});
+        (QSizeF(frame().size()) * devicePixelRatioF()).toSize().boundedTo({maxPixels, maxPixels});
     const QSize pixels = room.boundedTo(m_size).expandedTo({1, 1});
     m_patience.start();
     m_work.submit([pixels, of = m_size, drawing = m_drawing](const std::stop_token& stop) {

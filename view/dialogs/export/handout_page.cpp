@@ -128,8 +128,8 @@ private:
         double widest = 1;
         for (const QString& line : std::as_const(lines))
             widest = std::max(widest, QFontMetricsF(m_painter.font()).horizontalAdvance(line));
-        constexpr double smallest = 0.6;
-        setFont(0.72 * std::clamp(room.width() / widest, smallest, 1.0));
+        constexpr double minScale = 0.6;
+        setFont(0.72 * std::clamp(room.width() / widest, minScale, 1.0));
         const QFontMetricsF metrics(m_painter.font());
         for (qsizetype k = 0; k < lines.size(); ++k)
             m_painter.drawText(QRectF(room.left(), room.top() + double(k) * height, room.width(), height),

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int cells = 4; // along each side; the parent takes the four in the middle
 constexpr int usualCell = 138;
-constexpr int smallestCell = 72;
+constexpr int minCell = 72;
 
 using Cell = std::pair<int, int>; // row, column
 
@@ -49,11 +49,11 @@ VariationRing::VariationRing(QWidget* parent) : QTableWidget(cells, cells, paren
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     for (QHeaderView* header : {horizontalHeader(), verticalHeader()}) {
         header->hide();
-        header->setMinimumSectionSize(smallestCell);
+        header->setMinimumSectionSize(minCell);
         header->setSectionResizeMode(QHeaderView::Stretch);
     }
     const int frame = 2 * frameWidth();
-    setMinimumSize(cells * smallestCell + frame, cells * smallestCell + frame);
+    setMinimumSize(cells * minCell + frame, cells * minCell + frame);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     policy.setHorizontalStretch(1);
     setSizePolicy(policy);

@@ -58,8 +58,8 @@ void SliceRows::makeRows(QFormLayout* form, QWidget* parent) {
     m_kind = new QComboBox(parent);
     m_kind->setAccessibleName(tr("Slice"));
     m_kind->setWhatsThis(
-        tr("Cuts the picture open: what is in front of a plane is left out, or all but a slice. "
-           "Drag the plane by the handle in its middle."));
+        tr("Cuts the picture open by hiding everything in front of a plane, or everything outside a slice. "
+           "Drag the plane by the handle at its centre."));
     m_kind->addItem(tr("Whole"), int(Kind::Whole));
     m_kind->addItem(tr("Half"), int(Kind::Half));
     m_kind->addItem(tr("Slice"), int(Kind::Slice));
@@ -108,7 +108,7 @@ void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
         auto*& field = m_normal[std::size_t(axis)];
         field = new NumberField(m_normalBox);
         field->setAccessibleName(axes[axis]);
-        field->setToolTip(tr("The direction across which the plane lies"));
+        field->setToolTip(tr("The direction perpendicular to the plane"));
         line->addWidget(field);
         connect(field, &NumberField::edited, this, [this, axis](double value) { editNormal(axis, value); });
         connect(field, &NumberField::committed, this, [this] { m_edit.commit(); });

@@ -20,7 +20,7 @@ using attractor::LookInSpace;
 using attractor::SolidColour;
 using attractor::SpaceAppearance;
 
-constexpr double mostFog = 8; // of the slider; more hides all but the nearest
+constexpr double maxSliderFog = 8; // of the slider; more hides all but the nearest
 
 template <class Value> void addChoice(QComboBox* box, const QString& name, const QString& tip, Value value) {
     box->addItem(name, static_cast<int>(value));
@@ -89,7 +89,7 @@ void SpaceRows::makeLight(QWidget* parent) {
     connect(m_light, &LightBall::rejected, this, [this] { m_edit.cancel(); });
     m_form->addRow(tr("Light"), m_light);
 
-    m_fog = new AppearanceSlider(tr("Fog"), 0, mostFog, AppearanceSlider::Scale::Linear, parent);
+    m_fog = new AppearanceSlider(tr("Fog"), 0, maxSliderFog, AppearanceSlider::Scale::Linear, parent);
     m_fog->setToolTip(tr("How fast colours fade with depth"));
     connect(m_fog, &AppearanceSlider::tried, this, [this](double fog) {
         preview(tr("Fog: %1").arg(shortNumber(fog)),

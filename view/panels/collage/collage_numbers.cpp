@@ -63,13 +63,14 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
     grid->setColumnStretch(1, 1);
     const std::pair<QString, QString> rows[] = {
         {tr("Coverage"), tr("The share of the target that is covered")},
-        {tr("Excess"), tr("How much lies outside the target, as a share of the target")},
-        {tr("Overlap (IoU)"), tr("What both have in common, as a share of what either covers")},
+        {tr("Excess"), tr("The area covered outside the target, relative to the area of the target")},
+        {tr("Overlap (IoU)"), tr("The area that both cover, relative to the area that either covers")},
         {tr("Overlap ratio"),
          tr("How often the images of the maps cover the same places: their areas together, "
             "divided by the area that they cover. It is 1 where no two of them overlap")},
-        {tr("Mean distance"), tr("From each to the nearest point of the other, in pixels of the picture")},
-        {tr("95 % within"), tr("95 % of all points are at most so far from the other")},
+        {tr("Mean distance"),
+         tr("From each point to the nearest point of the other shape, in pixels of the picture")},
+        {tr("95 % within"), tr("95 % of all points are within this distance of the other shape")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
         {tr("Guarantee"), tr("No point of the target is farther from the attractor than this, nor the other "
                              "way round. It is larger while you drag, when a coarser picture is measured")},

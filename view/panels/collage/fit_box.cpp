@@ -20,7 +20,7 @@ namespace view {
 
 namespace {
 
-constexpr int fewestMaps = 2, mostMaps = 16;
+constexpr int minMaps = 2, maxMaps = 16;
 constexpr int rangeEnd = 8; // of the numbers of maps that are tried when none is given
 
 void addRow(QGridLayout* grid, const QString& text, QWidget* field) {
@@ -55,7 +55,7 @@ QWidget* FitBox::makeSearch() {
     QGridLayout* grid = gridOf(box);
     m_maps = new QComboBox(box);
     m_maps->addItem(tr("Best of 2 to 8"), 0);
-    for (int maps = fewestMaps; maps <= mostMaps; ++maps)
+    for (int maps = minMaps; maps <= maxMaps; ++maps)
         m_maps->addItem(QString::number(maps), maps);
     m_maps->setToolTip(tr("How many maps a suggestion has; in a range, each map must pay for itself"));
     m_maps->setAccessibleName(tr("Number of maps"));
@@ -158,7 +158,7 @@ QWidget* FitBox::makeProgress() {
     m_progress = new QProgressBar(m_busy);
     m_progress->setAccessibleName(tr("Progress"));
     auto* cancel = new QPushButton(tr("Cancel"), m_busy);
-    cancel->setToolTip(tr("Stop what is under way; nothing changes"));
+    cancel->setToolTip(tr("Stop without changing anything"));
     connect(cancel, &QPushButton::clicked, this, &FitBox::cancelled);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
@@ -177,7 +177,7 @@ collage::Constraints FitBox::constraints() const {
 collage::SearchOptions FitBox::searchOptions() const {
     collage::SearchOptions options;
     const int maps = m_maps->currentData().toInt();
-    options.minMaps = maps > 0 ? maps : fewestMaps;
+    options.minMaps = maps > 0 ? maps : minMaps;
     options.maxMaps = maps > 0 ? maps : rangeEnd;
     options.constraints = constraints();
     options.seed = std::uint64_t(m_seed->value());

@@ -93,7 +93,7 @@ TargetBox::TargetBox(document::Document* document, QWidget* parent)
     layout->addWidget(m_name);
     m_preview = new TargetPreview(this);
     layout->addWidget(m_preview);
-    createShape();
+    createControls();
     connect(m_preview, &TargetPreview::cropChosen, this,
             [this](const std::optional<collage::PixelBox>& crop) {
                 setOptions([&](document::TraceOptions& options) { options.crop = crop; });
@@ -119,48 +119,18 @@ void TargetBox::createSources() {
     QToolButton* paste = button(tr("Paste"), tr("Use the picture on the clipboard"), this);
     connect(paste, &QToolButton::clicked, this, &TargetBox::paste);
     row->addWidget(paste);
-    m_remove = button(tr("Remove"), tr("Work without a target again"), this);
+    m_remove = button(tr("Remove"), tr("Remove the target and work without one"), this);
     connect(m_remove, &QToolButton::clicked, this, &TargetBox::remove);
     row->addWidget(m_remove);
     row->addStretch();
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
-void TargetBox::createShape() {
+void TargetBox::createControls() {
     m_controls = new QWidget(this);
     auto* grid = new QGridLayout(m_controls);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setColumnStretch(1, 1);
-    const auto add = [&](int row, const QString& text, QWidget* field) {
-        auto* label = new QLabel(text, m_controls);
-        label->setBuddy(field);
-        grid->addWidget(label, row, 0);
-        grid->addWidget(field, row, 1);
-    };
-    m_shape = new QComboBox(m_controls);
-    m_shape->addItems({tr("Automatic"), tr("What is dark"), tr("What is opaque")});
-    m_shape->setAccessibleName(tr("Shape"));
-    m_shape->setToolTip(tr("Which pixels belong to the shape; automatic takes what is opaque where the "
-                           "picture is transparent anywhere, else what is dark"));
-    add(0, tr("Shape:"), m_shape);
-    m_inverted = new QCheckBox(tr("Invert"), m_controls);
-    m_inverted->setToolTip(tr("Trace the background instead"));
-    grid->addWidget(m_inverted, 0, 2);
-    m_threshold = new QSlider(Qt::Horizontal, m_controls);
-    m_threshold->setRange(0, 255);
-    m_threshold->setAccessibleName(tr("Threshold"));
-    m_threshold->setToolTip(tr("The shade up to which a pixel belongs to the shape"));
-    add(1, tr("Threshold:"), m_threshold);
-    m_automatic = new QCheckBox(tr("Automatic"), m_controls);
-    m_automatic->setAccessibleName(tr("Automatic threshold"));
-    m_automatic->setToolTip(tr("Separate dark from light as well as one threshold can (Otsu)"));
-    grid->addWidget(m_automatic, 1, 2);
-    m_opacity = new QSlider(Qt::Horizontal, m_controls);
-    m_opacity->setRange(0, 100);
-    m_opacity->setValue(usualOpacity);
-    m_opacity->setAccessibleName(tr("Opacity of the target"));
-    m_opacity->setToolTip(tr("How strongly the target is shown on the canvas"));
-    add(2, tr("Opacity:"), m_opacity);
+    createShape(*grid);
     auto* crops = new QHBoxLayout;
     m_toShape = button(tr("Crop to Shape"), tr("Use only the part around the shape"), m_controls);
     m_whole = button(tr("Whole Picture"), tr("Use all of the picture again"), m_controls);
@@ -169,6 +139,44 @@ void TargetBox::createShape() {
     crops->addStretch();
     grid->addLayout(crops, 3, 0, 1, 3);
     layout()->addWidget(m_controls);
+    connectControls();
+}
+
+void TargetBox::createShape(QGridLayout& grid) {
+    grid.setColumnStretch(1, 1);
+    const auto add = [&](int row, const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, m_controls);
+        label->setBuddy(field);
+        grid.addWidget(label, row, 0);
+        grid.addWidget(field, row, 1);
+    };
+    m_shape = new QComboBox(m_controls);
+    m_shape->addItems({tr("Automatic"), tr("Dark pixels"), tr("Opaque pixels")});
+    m_shape->setAccessibleName(tr("Shape"));
+    m_shape->setToolTip(tr("Which pixels belong to the shape. Automatic takes the opaque pixels if any part "
+                           "of the picture is transparent, otherwise the dark ones"));
+    add(0, tr("Shape:"), m_shape);
+    m_inverted = new QCheckBox(tr("Invert"), m_controls);
+    m_inverted->setToolTip(tr("Trace the background instead"));
+    grid.addWidget(m_inverted, 0, 2);
+    m_threshold = new QSlider(Qt::Horizontal, m_controls);
+    m_threshold->setRange(0, 255);
+    m_threshold->setAccessibleName(tr("Threshold"));
+    m_threshold->setToolTip(tr("The shade up to which a pixel belongs to the shape"));
+    add(1, tr("Threshold:"), m_threshold);
+    m_automatic = new QCheckBox(tr("Automatic"), m_controls);
+    m_automatic->setAccessibleName(tr("Automatic threshold"));
+    m_automatic->setToolTip(tr("Separate dark from light as well as one threshold can (Otsu)"));
+    grid.addWidget(m_automatic, 1, 2);
+    m_opacity = new QSlider(Qt::Horizontal, m_controls);
+    m_opacity->setRange(0, 100);
+    m_opacity->setValue(usualOpacity);
+    m_opacity->setAccessibleName(tr("Opacity of the target"));
+    m_opacity->setToolTip(tr("How strongly the target is shown on the canvas"));
+    add(2, tr("Opacity:"), m_opacity);
+}
+
+void TargetBox::connectControls() {
     connect(m_shape, &QComboBox::currentIndexChanged, this, [this](int index) {
         setOptions([&](auto& options) { options.shape = document::TraceOptions::Shape(index); });
     });

@@ -12,6 +12,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QMenu;
 class QSlider;
@@ -56,7 +57,9 @@ private:
     };
 
     void createSources();
-    void createShape();
+    void createControls();
+    void createShape(QGridLayout& grid);
+    void connectControls();
     void fillEntries(QMenu* menu);
     void choose();
     void paste();

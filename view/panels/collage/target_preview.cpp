@@ -13,7 +13,7 @@ namespace view {
 namespace {
 
 constexpr int usualSide = 140; // pixels
-constexpr int leastCrop = 8;   // pixels of the picture
+constexpr int minCrop = 8;     // pixels of the picture
 
 QRectF rectOf(const collage::PixelBox& box) {
     return {double(box.left), double(box.top), double(box.width()), double(box.height())};
@@ -112,7 +112,7 @@ void TargetPreview::mouseReleaseEvent(QMouseEvent* event) {
     const QRect box = dragged().toAlignedRect() & m_grey.rect();
     m_pressed.reset();
     update();
-    if (box.width() < leastCrop || box.height() < leastCrop) return; // no more than a click
+    if (box.width() < minCrop || box.height() < minCrop) return; // no more than a click
     emit cropChosen(
         collage::PixelBox{box.left(), box.top(), box.left() + box.width(), box.top() + box.height()});
 }

@@ -40,9 +40,9 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_list->setAccessibleName(tr("Queue of exports"));
     m_list->setStatusTip(tr("The exports, drawn from the top to the bottom."));
-    m_list->setWhatsThis(
-        tr("The exports that you have added to the queue, drawn one after another from the top to the "
-           "bottom while you go on editing. What is not done when the program ends is drawn the next time."));
+    m_list->setWhatsThis(tr("The exports that you have added to the queue. They are drawn one after another, "
+                            "from top to bottom, while you go on editing. Exports that are not finished when "
+                            "you quit continue the next time you start Barycage."));
     m_empty->setText(tr("No exports are waiting. Choose Add to Queue in File › Export Picture… to draw "
                         "pictures one after another while you go on editing."));
     m_empty->setWordWrap(true);
@@ -80,7 +80,7 @@ QAction* ExportsPanel::addAction(const QString& iconName, const QString& text, c
 
 void ExportsPanel::createActions() {
     m_pause = addAction(QStringLiteral("pause"), tr("&Pause"),
-                        tr("Pause all exports, or go on with them; what is drawn so far is not lost."));
+                        tr("Pause or resume all exports without losing progress."));
     connect(m_pause, &QAction::triggered, this, [this] { m_queue->setPaused(!m_queue->isPaused()); });
     m_up = addAction(QStringLiteral("up"), tr("Move &Up"), tr("Draw the selected export earlier."));
     m_up->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Up));
@@ -97,10 +97,9 @@ void ExportsPanel::createActions() {
     m_folder = addAction(QStringLiteral("open"), tr("&Open Folder"),
                          tr("Show the folder of the selected export in the file manager."));
     connect(m_folder, &QAction::triggered, this, &ExportsPanel::openFolder);
-    m_remove =
-        addAction(QStringLiteral("remove"), tr("&Cancel Export"),
-                  tr("Take the selected exports off the list; what is not done is not drawn, and files "
-                     "that were written stay."));
+    m_remove = addAction(
+        QStringLiteral("remove"), tr("&Cancel Export"),
+        tr("Cancel the selected exports and remove them from the list. Files already written are kept."));
     m_remove->setShortcut(QKeySequence::Delete);
     connect(m_remove, &QAction::triggered, this, [this] {
         for (const QString& id : selectedIds())

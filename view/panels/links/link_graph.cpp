@@ -19,7 +19,7 @@ namespace view {
 namespace {
 
 constexpr std::size_t manyArrows = 240; // more than this are shown for one map at a time
-constexpr int usualSide = 240, leastSide = 120;
+constexpr int usualSide = 240, minSide = 120;
 
 QColor mixed(const QColor& a, const QColor& b, double t) {
     return QColor::fromRgbF(float(a.redF() + (b.redF() - a.redF()) * t),
@@ -60,7 +60,7 @@ QSize LinkGraph::sizeHint() const {
 }
 
 QSize LinkGraph::minimumSizeHint() const {
-    return {leastSide, leastSide};
+    return {minSide, minSide};
 }
 
 void LinkGraph::lay() {

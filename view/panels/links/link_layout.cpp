@@ -12,9 +12,9 @@ namespace view {
 
 namespace {
 
-constexpr double margin = 14, largest = 15, smallest = 5; // pixels
-constexpr double bend = 0.16;                             // of an arrow, as a share of its length
-constexpr double reach = 6;                               // of the pointer, pixels
+constexpr double margin = 14, maxRadius = 15, minRadius = 5; // pixels
+constexpr double bend = 0.16;                                // of an arrow, as a share of its length
+constexpr double reach = 6;                                  // of the pointer, pixels
 constexpr int steps = 24;
 
 double lengthOf(const QPointF& v) {
@@ -45,7 +45,7 @@ LinkLayout::LinkLayout(const QSizeF& size, int maps, const std::vector<double>& 
     : m_middle(size.width() / 2, size.height() / 2) {
     if (maps <= 0) return;
     const double half = std::min(size.width(), size.height()) / 2;
-    m_radius = std::clamp(0.5 * std::numbers::pi * half / maps, smallest, largest);
+    m_radius = std::clamp(0.5 * std::numbers::pi * half / maps, minRadius, maxRadius);
     m_loop = 0.7 * m_radius + 2;
     const double ring = maps == 1 ? 0 : std::max(1.0, half - margin - loopReach());
     for (int k = 0; k < maps; ++k) {

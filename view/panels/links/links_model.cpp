@@ -17,7 +17,7 @@ QString stateText(ifs::LinkState state) {
     case ifs::LinkState::Off:
         return LinksModel::tr("Switched off");
     case ifs::LinkState::Ends:
-        return LinksModel::tr("Ends: no map can follow for ever");
+        return LinksModel::tr("Ends: every sequence from here stops");
     case ifs::LinkState::Unreached:
         return LinksModel::tr("Unreached: no map leads to it");
     case ifs::LinkState::Left:

@@ -11,8 +11,8 @@ namespace view {
 
 namespace {
 
-constexpr qsizetype mostKept = 2000;
-constexpr std::size_t mostAtOnce = 200;
+constexpr qsizetype maxKept = 2000;
+constexpr std::size_t maxAtOnce = 200;
 
 attractor::Rgba rgbaOf(const QColor& colour) {
     const auto channel = [](int value) { return static_cast<std::uint8_t>(value); };
@@ -55,7 +55,7 @@ void MapThumbnails::follow(const document::Change& change) {
 
 QImage MapThumbnails::picture(int row, ifs::MapId map) {
     if (m_size.isEmpty()) return {};
-    if (m_pictures.size() > mostKept) m_pictures.clear();
+    if (m_pictures.size() > maxKept) m_pictures.clear();
     Picture& known = m_pictures[map];
     if (known.generation != m_generation) {
         known.generation = m_generation; // asked for once
@@ -67,8 +67,8 @@ QImage MapThumbnails::picture(int row, ifs::MapId map) {
 
 void MapThumbnails::submit() {
     if (m_wanted.empty() || m_work.isBusy()) return;
-    if (m_wanted.size() > mostAtOnce) { // those scrolled past are asked for again when they come back
-        const auto passed = m_wanted.end() - std::ptrdiff_t(mostAtOnce);
+    if (m_wanted.size() > maxAtOnce) { // those scrolled past are asked for again when they come back
+        const auto passed = m_wanted.end() - std::ptrdiff_t(maxAtOnce);
         for (auto wanted = m_wanted.begin(); wanted != passed; ++wanted)
             m_pictures[wanted->map].generation = -1;
         m_wanted.erase(m_wanted.begin(), passed);

@@ -212,7 +212,7 @@ QString MapsModel::columnTip(int column) const {
 // numbers are not written out.
 int MapsModel::decimals(int column) const {
     std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
-    if (most) return std::min(*most, mostDecimals(column));
+    if (most) return std::min(*most, maxDecimalsOf(column));
     most = 0;
     std::optional<double> previous;
     for (int row = 0; isNumber(column) && row < std::min(rowCount(), rowsLookedAt) && *most < maxDecimals;
@@ -221,7 +221,7 @@ int MapsModel::decimals(int column) const {
         if (value && value != previous) most = std::max(*most, decimalsOf(shortNumber(*value)));
         previous = value;
     }
-    return std::min(*most, mostDecimals(column));
+    return std::min(*most, maxDecimalsOf(column));
 }
 
 void MapsModel::limitDecimals(int decimals) {
@@ -394,7 +394,7 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
                                           : tr("%1, not contracting").arg(kindText(kindOf(row)));
         if (isNumber(column)) {
             const auto value = number(row, column);
-            return value ? roundedNumber(*value, mostDecimals(column)) : QStringLiteral("–");
+            return value ? roundedNumber(*value, maxDecimalsOf(column)) : QStringLiteral("–");
         }
         return {};
     case Qt::EditRole:

@@ -127,7 +127,7 @@ private:
     QString placeOf(int row, int column) const;
     QString editText(int row, int column, double value) const;
     QVariant alignment(int column) const;
-    int mostDecimals(int column) const { return column <= columnOf(Weight) ? m_maxDecimals : maxDecimals; }
+    int maxDecimalsOf(int column) const { return column <= columnOf(Weight) ? m_maxDecimals : maxDecimals; }
     int decimals(int column) const;
     void change(document::Fractal& fractal, const QModelIndex& index, double value) const;
 

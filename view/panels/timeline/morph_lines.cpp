@@ -141,7 +141,7 @@ void MorphLines::togglePin(const Place& one, const Place& other) {
     emit pinsChanged();
 }
 
-void MorphLines::letGo(const Place& place) {
+void MorphLines::removePins(const Place& place) {
     const auto count = std::erase_if(m_pins, [&](const animation::Pin& pin) {
         return int(place.column == From ? pin.from : pin.to) == place.map;
     });
@@ -204,7 +204,7 @@ void MorphLines::keyPressEvent(QKeyEvent* event) {
         return;
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-        return letGo(m_current);
+        return removePins(m_current);
     case Qt::Key_Escape:
         if (m_held) {
             m_held.reset();

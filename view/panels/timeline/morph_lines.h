@@ -61,7 +61,7 @@ private:
     void setCurrent(const Place& place);
     void choose(const Place& place); // the first or the second of a pair
     void togglePin(const Place& one, const Place& other);
-    void letGo(const Place& place); // all pins of it
+    void removePins(const Place& place);
     void paintLine(QPainter& painter, const animation::Shipment& pair) const;
     void paintPlace(QPainter& painter, const Place& place) const;
 

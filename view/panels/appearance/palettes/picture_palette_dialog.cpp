@@ -20,8 +20,8 @@ namespace view {
 
 namespace {
 
-constexpr int largestSide = 512; // pixels that are looked at
-constexpr double shortest = 3;   // of a line, pixels: less is a click
+constexpr int maxSide = 512;   // pixels that are looked at
+constexpr double shortest = 3; // of a line, pixels: less is a click
 constexpr int usualColours = 6;
 
 attractor::Rgba rgba(QRgb pixel) {
@@ -109,8 +109,8 @@ void LinePicture::mouseReleaseEvent(QMouseEvent* event) {
 
 PicturePaletteDialog::PicturePaletteDialog(const QImage& picture, QWidget* parent)
     : QDialog(parent),
-      m_picture(std::max(picture.width(), picture.height()) > largestSide
-                    ? picture.scaled(largestSide, largestSide, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+      m_picture(std::max(picture.width(), picture.height()) > maxSide
+                    ? picture.scaled(maxSide, maxSide, Qt::KeepAspectRatio, Qt::SmoothTransformation)
                     : picture),
       m_canvas(new LinePicture(m_picture, this)),
       m_colours(new QSpinBox(this)) {
