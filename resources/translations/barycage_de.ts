@@ -725,12 +725,12 @@
         <translation>Der Käfig von „%1“ kann nicht in die Abbildungen eingerechnet werden; deshalb ist kein Abflachen möglich.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
-        <translation>Abbildung %1 von „%2“ ändert die Richtung; der Schatten ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
-    </message>
-    <message>
         <source>The maps of “%1” are linked, which maps in space cannot be.</source>
         <translation>Die Abbildungen von „%1“ sind verknüpft, was Abbildungen im Raum nicht sein können.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>Abbildung %1 von „%2“ ändert die Richtung; die Projektion ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
     </message>
 </context>
 <context>
@@ -1703,10 +1703,6 @@
         <translation>&amp;Perspektive</translation>
     </message>
     <message>
-        <source>Show what is far away smaller (5 on the keypad)</source>
-        <translation>Entferntes kleiner zeigen (5 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
         <source>In the menu %1.</source>
         <translation>Im Menü „%1“.</translation>
     </message>
@@ -1859,20 +1855,12 @@
         <translation>In den Raum he&amp;ben</translation>
     </message>
     <message>
-        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
-        <translation>Gibt jeder Abbildung eine dritte Richtung; das Bild liegt in einer Ebene, bis Abbildungen bewegt werden</translation>
-    </message>
-    <message>
         <source>Lift to Space</source>
         <translation>In den Raum heben</translation>
     </message>
     <message>
         <source>&amp;Flatten to the Plane</source>
         <translation>In die Ebene drüc&amp;ken</translation>
-    </message>
-    <message>
-        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
-        <translation>Ersetzt den Körper durch seinen Schatten längs der ersten Achse, die jede Abbildung beibehält</translation>
     </message>
     <message>
         <source>Flatten to the Plane</source>
@@ -2415,10 +2403,6 @@
         <translation>Die Nummer und den Fixpunkt jeder Abbildung zeigen</translation>
     </message>
     <message>
-        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
-        <translation>Spielt diese Lektion auf dem ganzen Bildschirm ab: Ihr Text steht neben dem Bild, und Bild ab und Bild auf führen von Schritt zu Schritt. Esc beendet sie.</translation>
-    </message>
-    <message>
         <source>Rotat&amp;e View</source>
         <translation>Ansicht &amp;drehen</translation>
     </message>
@@ -2493,6 +2477,22 @@
     <message>
         <source>The fractal transformation was hidden to show how the attractor is built.</source>
         <translation>Die fraktale Transformation wurde ausgeblendet, um zu zeigen, wie der Attraktor entsteht.</translation>
+    </message>
+    <message>
+        <source>Add a third dimension to every map; the picture stays flat until you move a map</source>
+        <translation>Gibt jeder Abbildung eine dritte Dimension; das Bild bleibt flach, bis Sie eine Abbildung bewegen</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its projection along the first axis that every map keeps</source>
+        <translation>Ersetzt den Körper durch seine Projektion längs der ersten Achse, die jede Abbildung beibehält</translation>
+    </message>
+    <message>
+        <source>Plays this lesson in full screen, with its text next to the picture. Page Down and Page Up go to the next and the previous step. Esc ends the lesson.</source>
+        <translation>Spielt diese Lektion im Vollbild ab, mit ihrem Text neben dem Bild. Bild ab und Bild auf führen zum nächsten und zum vorigen Schritt. Esc beendet die Lektion.</translation>
+    </message>
+    <message>
+        <source>Make distant parts look smaller (5 on the keypad)</source>
+        <translation>Entfernte Teile kleiner zeigen (5 auf dem Ziffernblock)</translation>
     </message>
 </context>
 <context>
@@ -3183,8 +3183,8 @@
         <translation>Er kann nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
-        <translation>Ein Export vom letzten Mal wurde übergangen. %1 Was davon übrig ist, liegt in %2.</translation>
+        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Ein Export vom letzten Mal wurde übergangen. %1 Seine beschädigte Datei wurde in %2 umbenannt.</translation>
     </message>
 </context>
 <context>
@@ -4912,12 +4912,12 @@
         <translation>Die Verknüpfungen von „%1“ lassen jede Folge von Abbildungen enden, also gibt es nichts, was einfache Abbildungen zeichnen könnten.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Einige Abbildungen folgen endlos aufeinander, und keine von ihnen darf auf jede Abbildung folgen. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
         <translation>Einfache Abbildungen von „%1“ wären Wörter seiner Abbildungen, die an seiner Animation oder seinen bewegten Ästen nicht teilnehmen können. Entfernen Sie diese zuerst.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Sie erlauben eine endlose Folge von Abbildungen, von denen keine auf jede Abbildung folgen darf. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
     </message>
 </context>
 <context>
@@ -6813,32 +6813,16 @@
         <translation>Überschuss</translation>
     </message>
     <message>
-        <source>How much lies outside the target, as a share of the target</source>
-        <translation>Wie viel außerhalb des Ziels liegt, als Anteil des Ziels</translation>
-    </message>
-    <message>
         <source>Overlap (IoU)</source>
         <translation>Überlappung (IoU)</translation>
-    </message>
-    <message>
-        <source>What both have in common, as a share of what either covers</source>
-        <translation>Was beide gemeinsam haben, als Anteil dessen, was eines von beiden bedeckt</translation>
     </message>
     <message>
         <source>Mean distance</source>
         <translation>Mittlerer Abstand</translation>
     </message>
     <message>
-        <source>From each to the nearest point of the other, in pixels of the picture</source>
-        <translation>Von jedem zum nächsten Punkt des anderen, in Pixeln des Bildes</translation>
-    </message>
-    <message>
         <source>95 % within</source>
         <translation>95 % innerhalb</translation>
-    </message>
-    <message>
-        <source>95 % of all points are at most so far from the other</source>
-        <translation>95 % aller Punkte sind höchstens so weit vom anderen entfernt</translation>
     </message>
     <message>
         <source>Largest distance</source>
@@ -6863,6 +6847,42 @@
     <message>
         <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
         <translation>Kein Punkt des Ziels ist weiter vom Attraktor entfernt als so, und umgekehrt. Während Sie ziehen, ist sie größer, weil ein gröberes Bild gemessen wird</translation>
+    </message>
+    <message>
+        <source>%1 (ellipsoidal norm, γ = %2)</source>
+        <translation>%1 (ellipsoidische Norm, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (polytope norm, γ = %2)</source>
+        <translation>%1 (Polytopnorm, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (any %2 maps in a row contract, γ = %3)</source>
+        <translation>%1 (je %2 Abbildungen hintereinander kontrahieren, γ = %3)</translation>
+    </message>
+    <message>
+        <source>The area covered outside the target, relative to the area of the target</source>
+        <translation>Die überdeckte Fläche außerhalb des Ziels, als Anteil der Fläche des Ziels</translation>
+    </message>
+    <message>
+        <source>The area that both cover, relative to the area that either covers</source>
+        <translation>Die Fläche, die beide überdecken, als Anteil der Fläche, die mindestens eines überdeckt</translation>
+    </message>
+    <message>
+        <source>Overlap ratio</source>
+        <translation>Überlappungsverhältnis</translation>
+    </message>
+    <message>
+        <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
+        <translation>Wie oft die Bilder der Abbildungen dieselben Stellen bedecken: ihre Flächen zusammen, geteilt durch die Fläche, die sie bedecken. Es ist 1, wenn keine zwei sich überlappen</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
+        <translation>Von jedem Punkt zum nächsten Punkt der anderen Form, in Pixeln des Bilds</translation>
+    </message>
+    <message>
+        <source>95 % of all points are within this distance of the other shape</source>
+        <translation>95 % aller Punkte sind höchstens so weit von der anderen Form entfernt</translation>
     </message>
 </context>
 <context>
@@ -8391,20 +8411,12 @@
         <translation>Die Exporte, von oben nach unten gezeichnet.</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
-        <translation>Die Exporte, die Sie in die Warteschlange gestellt haben. Sie werden von oben nach unten nacheinander gezeichnet, während Sie weiterarbeiten. Was beim Ende des Programms nicht fertig ist, wird beim nächsten Mal gezeichnet.</translation>
-    </message>
-    <message>
         <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
         <translation>Keine Exporte warten. Wählen Sie „In die Warteschlange“ unter „Datei › Bild exportieren…“, um Bilder nacheinander zu zeichnen, während Sie weiterarbeiten.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
         <translation>An&amp;halten</translation>
-    </message>
-    <message>
-        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
-        <translation>Alle Exporte anhalten oder fortsetzen; was schon gezeichnet ist, geht nicht verloren.</translation>
     </message>
     <message>
         <source>Move &amp;Up</source>
@@ -8455,8 +8467,16 @@
         <translation>&amp;Fortsetzen</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
-        <translation>Die ausgewählten Exporte von der Liste nehmen; was nicht fertig ist, wird nicht gezeichnet, und geschriebene Dateien bleiben.</translation>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <translation>Die Exporte, die Sie in die Warteschlange gestellt haben. Sie werden von oben nach unten nacheinander gezeichnet, während Sie weiterarbeiten. Exporte, die beim Beenden nicht fertig sind, gehen beim nächsten Start von Barycage weiter.</translation>
+    </message>
+    <message>
+        <source>Pause or resume all exports without losing progress.</source>
+        <translation>Alle Exporte anhalten oder fortsetzen; was schon gezeichnet ist, geht nicht verloren.</translation>
+    </message>
+    <message>
+        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
+        <translation>Die ausgewählten Exporte abbrechen und von der Liste nehmen. Schon geschriebene Dateien bleiben erhalten.</translation>
     </message>
 </context>
 <context>
@@ -8637,16 +8657,16 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop what is under way; nothing changes</source>
-        <translation>Beenden, was gerade läuft; nichts ändert sich</translation>
-    </message>
-    <message>
         <source>Lock Selected Maps</source>
         <translation>Ausgewählte Abbildungen sperren</translation>
     </message>
     <message>
         <source>Locked: %1</source>
         <translation>Gesperrt: %1</translation>
+    </message>
+    <message>
+        <source>Stop without changing anything</source>
+        <translation>Beenden, ohne etwas zu ändern</translation>
     </message>
 </context>
 <context>
@@ -9287,10 +9307,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ausgeschaltet</translation>
     </message>
     <message>
-        <source>Ends: no map can follow for ever</source>
-        <translation>Endet: Keine Abbildung kann endlos folgen</translation>
-    </message>
-    <message>
         <source>Unreached: no map leads to it</source>
         <translation>Unerreicht: Keine Abbildung führt zu ihr</translation>
     </message>
@@ -9344,6 +9360,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
             <numerusform>%n Verbindung entfernen</numerusform>
             <numerusform>%n Verbindungen entfernen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ends: every sequence from here stops</source>
+        <translation>Endet: Jede Folge von hier hört auf</translation>
     </message>
 </context>
 <context>
@@ -10311,6 +10331,49 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::MotionDialog</name>
+    <message>
+        <source>Change the motion “%1”</source>
+        <translation>Die Bewegung „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Motion: %1</source>
+        <translation>Bewegung: %1</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How far the branches swing at most, as an angle about their roots. A negative strength swings them the other way.</source>
+        <translation>Wie weit die Äste höchstens schwingen, als Winkel um die Stelle, an der sie beginnen. Bei einer negativen Stärke schwingen sie andersherum.</translation>
+    </message>
+    <message>
+        <source>How much the maps swell and shrink at most. With a negative strength they shrink first.</source>
+        <translation>Wie sehr die Abbildungen höchstens wachsen und schrumpfen. Bei einer negativen Stärke schrumpfen sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Cycles of wave %1</source>
+        <translation>Zyklen der Welle %1</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Zyklen</translation>
+    </message>
+    <message>
+        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <translation>Wie oft sie in der Länge der Animation herumgeht. Bei einer negativen Zahl geht sie andersherum.</translation>
+    </message>
+    <message>
+        <source>How many times it goes back and forth in the length of the animation.</source>
+        <translation>Wie oft sie in der Länge der Animation hin- und hergeht.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -10558,16 +10621,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Farbton</translation>
     </message>
     <message>
-        <source>Turn all hues by so many degrees; lightness stays</source>
-        <translation>Alle Farbtöne um so viele Grad drehen; die Helligkeit bleibt</translation>
-    </message>
-    <message>
         <source>Shift</source>
         <translation>Versatz</translation>
-    </message>
-    <message>
-        <source>Begin the palette farther along, and append what was before</source>
-        <translation>Die Palette weiter hinten beginnen und das Frühere anhängen</translation>
     </message>
     <message>
         <source>&amp;Reversed</source>
@@ -10584,6 +10639,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>No matches</source>
         <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>Rotate all hues by this many degrees; the lightness stays the same</source>
+        <translation>Alle Farbtöne um so viele Grad drehen; die Helligkeit bleibt gleich</translation>
+    </message>
+    <message>
+        <source>Start farther along the palette; the part before moves to the end</source>
+        <translation>Weiter hinten in der Palette beginnen; der Teil davor kommt ans Ende</translation>
     </message>
 </context>
 <context>
@@ -11321,10 +11384,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Entf oder Rücktaste</translation>
     </message>
     <message>
-        <source>Change the colour of the stop</source>
-        <translation>Die Farbe der Marke ändern</translation>
-    </message>
-    <message>
         <source>Enter or Space, or double-click it</source>
         <translation>Eingabe oder Leertaste, oder Doppelklick darauf</translation>
     </message>
@@ -11472,16 +11531,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Ctrl + Shift + wheel</source>
         <translation>Strg + Umschalt + Mausrad</translation>
     </message>
+    <message>
+        <source>Change the stop colour</source>
+        <translation>Die Farbe der Marke ändern</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
     <message>
         <source>Slice</source>
         <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
-        <translation>Schneidet das Bild auf: Was vor einer Ebene liegt, entfällt, oder alles außer einer Scheibe. Ziehen Sie die Ebene am Griff in ihrer Mitte.</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -11560,10 +11619,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>z der Normalen</translation>
     </message>
     <message>
-        <source>The direction across which the plane lies</source>
-        <translation>Die Richtung, zu der die Ebene quer liegt</translation>
-    </message>
-    <message>
         <source>Normal</source>
         <translation>Normale</translation>
     </message>
@@ -11574,6 +11629,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Cut the Solid</source>
         <translation>Den Körper aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open by hiding everything in front of a plane, or everything outside a slice. Drag the plane by the handle at its centre.</source>
+        <translation>Schneidet das Bild auf: Alles vor einer Ebene oder alles außerhalb einer Scheibe wird ausgeblendet. Ziehen Sie die Ebene am Griff in ihrer Mitte.</translation>
+    </message>
+    <message>
+        <source>The direction perpendicular to the plane</source>
+        <translation>Die Richtung senkrecht zur Ebene</translation>
     </message>
 </context>
 <context>
@@ -12440,28 +12503,12 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Work without a target again</source>
-        <translation>Wieder ohne Ziel arbeiten</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>What is dark</source>
-        <translation>Das Dunkle</translation>
-    </message>
-    <message>
-        <source>What is opaque</source>
-        <translation>Das Deckende</translation>
-    </message>
-    <message>
         <source>Shape</source>
         <translation>Form</translation>
-    </message>
-    <message>
-        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
-        <translation>Welche Pixel zur Form gehören; automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen</translation>
     </message>
     <message>
         <source>Shape:</source>
@@ -12558,6 +12605,22 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>With these settings, the shape is empty or fills the picture.</source>
         <translation>Mit diesen Einstellungen ist die Form leer oder füllt das Bild.</translation>
+    </message>
+    <message>
+        <source>Remove the target and work without one</source>
+        <translation>Das Ziel entfernen und ohne Ziel arbeiten</translation>
+    </message>
+    <message>
+        <source>Dark pixels</source>
+        <translation>Dunkle Pixel</translation>
+    </message>
+    <message>
+        <source>Opaque pixels</source>
+        <translation>Deckende Pixel</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
+        <translation>Welche Pixel zur Form gehören. Automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen</translation>
     </message>
 </context>
 <context>
@@ -12806,6 +12869,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Ease of keys (frames %1–%2)</source>
         <translation>Übergang von Schlüsseln (Bilder %1–%2)</translation>
     </message>
+    <message>
+        <source>Edit the Motion…</source>
+        <translation>Die Bewegung bearbeiten …</translation>
+    </message>
 </context>
 <context>
     <name>view::TimelinePanel</name>
@@ -13016,8 +13083,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>, Schlüssel in dieser Zeile: %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
-        <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang. Runde Schlüssel sind fließend: Die Bewegung läuft ohne Knick durch sie hindurch.</translation>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang. Runde Schlüssel sind fließend: Die Bewegung läuft ohne Knick durch sie hindurch. Ein Doppelklick auf eine Bewegung ändert ihre Stärke oder die Zahl ihrer Umdrehungen.</translation>
     </message>
 </context>
 <context>

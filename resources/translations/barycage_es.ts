@@ -725,12 +725,12 @@
         <translation>La jaula de «%1» no se puede incorporar a las aplicaciones, así que no se puede aplanar.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
-        <translation>La aplicación %1 de «%2» desvía la dirección, así que la sombra no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
-    </message>
-    <message>
         <source>The maps of “%1” are linked, which maps in space cannot be.</source>
         <translation>Las aplicaciones de «%1» están enlazadas, y las del espacio no pueden estarlo.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>La aplicación %1 de «%2» desvía la dirección, así que la proyección no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
     </message>
 </context>
 <context>
@@ -1703,10 +1703,6 @@
         <translation>&amp;Perspectiva</translation>
     </message>
     <message>
-        <source>Show what is far away smaller (5 on the keypad)</source>
-        <translation>Mostrar más pequeño lo lejano (5 en el teclado numérico)</translation>
-    </message>
-    <message>
         <source>In the menu %1.</source>
         <translation>En el menú %1.</translation>
     </message>
@@ -1859,20 +1855,12 @@
         <translation>&amp;Llevar al espacio</translation>
     </message>
     <message>
-        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
-        <translation>Da a cada aplicación una tercera dirección; la imagen queda en un plano hasta que se muevan aplicaciones</translation>
-    </message>
-    <message>
         <source>Lift to Space</source>
         <translation>Llevar al espacio</translation>
     </message>
     <message>
         <source>&amp;Flatten to the Plane</source>
         <translation>Aplanar al plan&amp;o</translation>
-    </message>
-    <message>
-        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
-        <translation>Sustituye el sólido por su sombra a lo largo del primer eje que conserva cada aplicación</translation>
     </message>
     <message>
         <source>Flatten to the Plane</source>
@@ -2415,10 +2403,6 @@
         <translation>Mostrar el número y el punto fijo de cada aplicación</translation>
     </message>
     <message>
-        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
-        <translation>Reproduce esta lección en toda la pantalla: su texto aparece junto a la imagen, y Av Pág y Re Pág llevan de un paso a otro. Esc la termina.</translation>
-    </message>
-    <message>
         <source>Rotat&amp;e View</source>
         <translation>&amp;Girar la vista</translation>
     </message>
@@ -2493,6 +2477,22 @@
     <message>
         <source>The fractal transformation was hidden to show how the attractor is built.</source>
         <translation>Se ocultó la transformación fractal para mostrar cómo se construye el atractor.</translation>
+    </message>
+    <message>
+        <source>Add a third dimension to every map; the picture stays flat until you move a map</source>
+        <translation>Añade una tercera dimensión a cada aplicación; la imagen sigue siendo plana hasta que mueva una aplicación</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its projection along the first axis that every map keeps</source>
+        <translation>Sustituye el sólido por su proyección a lo largo del primer eje que conserva cada aplicación</translation>
+    </message>
+    <message>
+        <source>Plays this lesson in full screen, with its text next to the picture. Page Down and Page Up go to the next and the previous step. Esc ends the lesson.</source>
+        <translation>Reproduce esta lección a pantalla completa, con su texto junto a la imagen. Av Pág y Re Pág llevan al paso siguiente y al anterior. Esc termina la lección.</translation>
+    </message>
+    <message>
+        <source>Make distant parts look smaller (5 on the keypad)</source>
+        <translation>Mostrar más pequeñas las partes lejanas (5 en el teclado numérico)</translation>
     </message>
 </context>
 <context>
@@ -3183,8 +3183,8 @@
         <translation>No se puede leer.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
-        <translation>Se ha omitido una exportación de la última vez. %1 Lo que queda de ella está en %2.</translation>
+        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Se ha omitido una exportación de la última vez. %1 Se ha cambiado el nombre de su archivo dañado a %2.</translation>
     </message>
 </context>
 <context>
@@ -4912,12 +4912,12 @@
         <translation>Los enlaces de «%1» hacen que toda sucesión de aplicaciones termine, así que no hay nada que aplicaciones simples pudieran dibujar.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: algunas aplicaciones se siguen sin fin, y ninguna de ellas puede seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
         <translation>Las aplicaciones simples de «%1» serían palabras de sus aplicaciones, que no pueden participar en su animación ni en sus ramas movidas. Quite estas primero.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: permiten una sucesión sin fin de aplicaciones de las que ninguna puede seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
     </message>
 </context>
 <context>
@@ -6813,32 +6813,16 @@
         <translation>Exceso</translation>
     </message>
     <message>
-        <source>How much lies outside the target, as a share of the target</source>
-        <translation>Cuánto queda fuera del objetivo, como parte del objetivo</translation>
-    </message>
-    <message>
         <source>Overlap (IoU)</source>
         <translation>Solapamiento (IoU)</translation>
-    </message>
-    <message>
-        <source>What both have in common, as a share of what either covers</source>
-        <translation>Lo que tienen en común, como parte de lo que cubre uno u otro</translation>
     </message>
     <message>
         <source>Mean distance</source>
         <translation>Distancia media</translation>
     </message>
     <message>
-        <source>From each to the nearest point of the other, in pixels of the picture</source>
-        <translation>De cada uno al punto más cercano del otro, en píxeles de la imagen</translation>
-    </message>
-    <message>
         <source>95 % within</source>
         <translation>95 % dentro de</translation>
-    </message>
-    <message>
-        <source>95 % of all points are at most so far from the other</source>
-        <translation>El 95 % de los puntos está como mucho a esta distancia del otro</translation>
     </message>
     <message>
         <source>Largest distance</source>
@@ -6863,6 +6847,42 @@
     <message>
         <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
         <translation>Ningún punto del objetivo está más lejos del atractor que esto, ni al revés. Es mayor mientras se arrastra, porque se mide una imagen más gruesa</translation>
+    </message>
+    <message>
+        <source>%1 (ellipsoidal norm, γ = %2)</source>
+        <translation>%1 (norma elipsoidal, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (polytope norm, γ = %2)</source>
+        <translation>%1 (norma politopal, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (any %2 maps in a row contract, γ = %3)</source>
+        <translation>%1 (%2 aplicaciones seguidas contraen, γ = %3)</translation>
+    </message>
+    <message>
+        <source>The area covered outside the target, relative to the area of the target</source>
+        <translation>El área cubierta fuera del objetivo, en relación con el área del objetivo</translation>
+    </message>
+    <message>
+        <source>The area that both cover, relative to the area that either covers</source>
+        <translation>El área que cubren ambos, en relación con el área que cubre al menos uno</translation>
+    </message>
+    <message>
+        <source>Overlap ratio</source>
+        <translation>Razón de solapamiento</translation>
+    </message>
+    <message>
+        <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
+        <translation>Cuántas veces las imágenes de las aplicaciones cubren los mismos lugares: la suma de sus áreas, dividida entre el área que cubren. Es 1 si no hay dos que se solapen</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
+        <translation>De cada punto al punto más cercano de la otra forma, en píxeles de la imagen</translation>
+    </message>
+    <message>
+        <source>95 % of all points are within this distance of the other shape</source>
+        <translation>El 95 % de los puntos está como mucho a esta distancia de la otra forma</translation>
     </message>
 </context>
 <context>
@@ -8391,20 +8411,12 @@
         <translation>Las exportaciones, dibujadas de arriba abajo.</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
-        <translation>Las exportaciones que ha añadido a la cola, dibujadas una tras otra de arriba abajo mientras sigue editando. Lo que no esté terminado cuando se cierre el programa se dibujará la próxima vez.</translation>
-    </message>
-    <message>
         <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
         <translation>No hay exportaciones en espera. Elija Añadir a la cola en Archivo › Exportar imagen… para dibujar imágenes una tras otra mientras sigue editando.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pausa</translation>
-    </message>
-    <message>
-        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
-        <translation>Poner en pausa todas las exportaciones o continuarlas; lo ya dibujado no se pierde.</translation>
     </message>
     <message>
         <source>Move &amp;Up</source>
@@ -8455,8 +8467,16 @@
         <translation>&amp;Reanudar</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
-        <translation>Quitar de la lista las exportaciones seleccionadas; lo que no esté terminado no se dibuja, y los archivos escritos se conservan.</translation>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <translation>Las exportaciones que ha añadido a la cola. Se dibujan una tras otra, de arriba abajo, mientras sigue editando. Las que no hayan terminado al salir continúan la próxima vez que inicie Barycage.</translation>
+    </message>
+    <message>
+        <source>Pause or resume all exports without losing progress.</source>
+        <translation>Pone en pausa o reanuda todas las exportaciones sin perder lo ya dibujado.</translation>
+    </message>
+    <message>
+        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
+        <translation>Cancelar las exportaciones seleccionadas y quitarlas de la lista. Los archivos ya escritos se conservan.</translation>
     </message>
 </context>
 <context>
@@ -8637,16 +8657,16 @@
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop what is under way; nothing changes</source>
-        <translation>Detener lo que está en curso; nada cambia</translation>
-    </message>
-    <message>
         <source>Lock Selected Maps</source>
         <translation>Bloquear las aplicaciones seleccionadas</translation>
     </message>
     <message>
         <source>Locked: %1</source>
         <translation>Bloqueadas: %1</translation>
+    </message>
+    <message>
+        <source>Stop without changing anything</source>
+        <translation>Detener sin cambiar nada</translation>
     </message>
 </context>
 <context>
@@ -9287,10 +9307,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Desactivada</translation>
     </message>
     <message>
-        <source>Ends: no map can follow for ever</source>
-        <translation>Termina: ninguna sucesión sin fin puede seguirla</translation>
-    </message>
-    <message>
         <source>Unreached: no map leads to it</source>
         <translation>Inalcanzable: ninguna aplicación lleva a ella</translation>
     </message>
@@ -9344,6 +9360,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
             <numerusform>Eliminar %n enlace</numerusform>
             <numerusform>Eliminar %n enlaces</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ends: every sequence from here stops</source>
+        <translation>Termina: toda sucesión desde aquí se detiene</translation>
     </message>
 </context>
 <context>
@@ -10311,6 +10331,49 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::MotionDialog</name>
+    <message>
+        <source>Change the motion “%1”</source>
+        <translation>Cambiar el movimiento «%1»</translation>
+    </message>
+    <message>
+        <source>Motion: %1</source>
+        <translation>Movimiento: %1</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Intensidad</translation>
+    </message>
+    <message>
+        <source>How far the branches swing at most, as an angle about their roots. A negative strength swings them the other way.</source>
+        <translation>Cuánto oscilan las ramas como máximo, como ángulo en torno a donde empiezan. Con una intensidad negativa oscilan al revés.</translation>
+    </message>
+    <message>
+        <source>How much the maps swell and shrink at most. With a negative strength they shrink first.</source>
+        <translation>Cuánto se agrandan y se encogen las aplicaciones como máximo. Con una intensidad negativa se encogen primero.</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Vueltas</translation>
+    </message>
+    <message>
+        <source>Cycles of wave %1</source>
+        <translation>Ciclos de la onda %1</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Ciclos</translation>
+    </message>
+    <message>
+        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <translation>Cuántas veces da la vuelta en la duración de la animación. Con un número negativo gira al revés.</translation>
+    </message>
+    <message>
+        <source>How many times it goes back and forth in the length of the animation.</source>
+        <translation>Cuántas veces va y viene en la duración de la animación.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -10558,16 +10621,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Tono</translation>
     </message>
     <message>
-        <source>Turn all hues by so many degrees; lightness stays</source>
-        <translation>Girar todos los tonos estos grados; la claridad se conserva</translation>
-    </message>
-    <message>
         <source>Shift</source>
         <translation>Desplazamiento</translation>
-    </message>
-    <message>
-        <source>Begin the palette farther along, and append what was before</source>
-        <translation>Empezar la paleta más adelante y añadir al final lo anterior</translation>
     </message>
     <message>
         <source>&amp;Reversed</source>
@@ -10584,6 +10639,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>No matches</source>
         <translation>Sin coincidencias</translation>
+    </message>
+    <message>
+        <source>Rotate all hues by this many degrees; the lightness stays the same</source>
+        <translation>Girar todos los tonos estos grados; la claridad se conserva</translation>
+    </message>
+    <message>
+        <source>Start farther along the palette; the part before moves to the end</source>
+        <translation>Empezar más adelante en la paleta; la parte anterior pasa al final</translation>
     </message>
 </context>
 <context>
@@ -11321,10 +11384,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Supr o Retroceso</translation>
     </message>
     <message>
-        <source>Change the colour of the stop</source>
-        <translation>Cambiar el color de la parada</translation>
-    </message>
-    <message>
         <source>Enter or Space, or double-click it</source>
         <translation>Intro o Espacio, o doble clic en ella</translation>
     </message>
@@ -11472,16 +11531,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Ctrl + Shift + wheel</source>
         <translation>Ctrl + Mayús + rueda</translation>
     </message>
+    <message>
+        <source>Change the stop colour</source>
+        <translation>Cambiar el color de la parada</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
     <message>
         <source>Slice</source>
         <translation>Corte</translation>
-    </message>
-    <message>
-        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
-        <translation>Abre la imagen: se omite lo que está delante de un plano, o todo salvo una rodaja. Arrastre el plano por el tirador de su centro.</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -11560,10 +11619,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>z de la normal</translation>
     </message>
     <message>
-        <source>The direction across which the plane lies</source>
-        <translation>La dirección a la que el plano es perpendicular</translation>
-    </message>
-    <message>
         <source>Normal</source>
         <translation>Normal</translation>
     </message>
@@ -11574,6 +11629,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Cut the Solid</source>
         <translation>Cortar el sólido</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open by hiding everything in front of a plane, or everything outside a slice. Drag the plane by the handle at its centre.</source>
+        <translation>Abre la imagen ocultando todo lo que está delante de un plano o todo lo que está fuera de una rodaja. Arrastre el plano por el tirador de su centro.</translation>
+    </message>
+    <message>
+        <source>The direction perpendicular to the plane</source>
+        <translation>La dirección perpendicular al plano</translation>
     </message>
 </context>
 <context>
@@ -12440,28 +12503,12 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Work without a target again</source>
-        <translation>Volver a trabajar sin objetivo</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automático</translation>
     </message>
     <message>
-        <source>What is dark</source>
-        <translation>Lo oscuro</translation>
-    </message>
-    <message>
-        <source>What is opaque</source>
-        <translation>Lo opaco</translation>
-    </message>
-    <message>
         <source>Shape</source>
         <translation>Forma</translation>
-    </message>
-    <message>
-        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
-        <translation>Qué píxeles pertenecen a la forma; en automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros</translation>
     </message>
     <message>
         <source>Shape:</source>
@@ -12558,6 +12605,22 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>With these settings, the shape is empty or fills the picture.</source>
         <translation>Con estos ajustes, la forma está vacía o llena la imagen.</translation>
+    </message>
+    <message>
+        <source>Remove the target and work without one</source>
+        <translation>Quitar el objetivo y trabajar sin él</translation>
+    </message>
+    <message>
+        <source>Dark pixels</source>
+        <translation>Píxeles oscuros</translation>
+    </message>
+    <message>
+        <source>Opaque pixels</source>
+        <translation>Píxeles opacos</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
+        <translation>Qué píxeles pertenecen a la forma. En automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros</translation>
     </message>
 </context>
 <context>
@@ -12806,6 +12869,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Ease of keys (frames %1–%2)</source>
         <translation>Transición de claves (fotogramas %1–%2)</translation>
     </message>
+    <message>
+        <source>Edit the Motion…</source>
+        <translation>Editar el movimiento…</translation>
+    </message>
 </context>
 <context>
     <name>view::TimelinePanel</name>
@@ -13016,8 +13083,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>, claves en esta fila: %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
-        <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición. Las claves redondas son suaves: el movimiento pasa por ellas sin esquinas.</translation>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición. Las claves redondas son suaves: el movimiento pasa por ellas sin esquinas. Haga doble clic en un movimiento para cambiar su intensidad o su número de vueltas.</translation>
     </message>
 </context>
 <context>

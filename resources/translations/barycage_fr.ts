@@ -725,12 +725,12 @@
         <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
-        <translation>L’application %1 de « %2 » change cette direction ; l’ombre n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
-    </message>
-    <message>
         <source>The maps of “%1” are linked, which maps in space cannot be.</source>
         <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>L’application %1 de « %2 » change cette direction ; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
     </message>
 </context>
 <context>
@@ -1703,10 +1703,6 @@
         <translation>&amp;Perspective</translation>
     </message>
     <message>
-        <source>Show what is far away smaller (5 on the keypad)</source>
-        <translation>Montrer plus petit ce qui est loin (5 sur le pavé numérique)</translation>
-    </message>
-    <message>
         <source>In the menu %1.</source>
         <translation>Dans le menu %1.</translation>
     </message>
@@ -1859,20 +1855,12 @@
         <translation>É&amp;lever dans l’espace</translation>
     </message>
     <message>
-        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
-        <translation>Donne à chaque application une troisième direction ; l’image reste dans un plan tant qu’aucune application n’est déplacée</translation>
-    </message>
-    <message>
         <source>Lift to Space</source>
         <translation>Élever dans l’espace</translation>
     </message>
     <message>
         <source>&amp;Flatten to the Plane</source>
         <translation>Aplatir dans le pla&amp;n</translation>
-    </message>
-    <message>
-        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
-        <translation>Remplace le solide par son ombre le long du premier axe que chaque application conserve</translation>
     </message>
     <message>
         <source>Flatten to the Plane</source>
@@ -2415,10 +2403,6 @@
         <translation>Afficher le numéro et le point fixe de chaque application</translation>
     </message>
     <message>
-        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
-        <translation>Joue cette leçon en plein écran : son texte est à côté de l’image, et Page suivante et Page précédente mènent d’une étape à l’autre. Échap la quitte.</translation>
-    </message>
-    <message>
         <source>Rotat&amp;e View</source>
         <translation>&amp;Faire pivoter la vue</translation>
     </message>
@@ -2493,6 +2477,22 @@
     <message>
         <source>The fractal transformation was hidden to show how the attractor is built.</source>
         <translation>La transformation fractale a été masquée pour montrer comment l’attracteur se construit.</translation>
+    </message>
+    <message>
+        <source>Add a third dimension to every map; the picture stays flat until you move a map</source>
+        <translation>Ajoute une troisième dimension à chaque application ; l’image reste plane tant que vous ne déplacez pas d’application</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its projection along the first axis that every map keeps</source>
+        <translation>Remplace le solide par sa projection le long du premier axe que chaque application conserve</translation>
+    </message>
+    <message>
+        <source>Plays this lesson in full screen, with its text next to the picture. Page Down and Page Up go to the next and the previous step. Esc ends the lesson.</source>
+        <translation>Joue cette leçon en plein écran, avec son texte à côté de l’image. Page suivante et Page précédente mènent à l’étape suivante et à la précédente. Échap termine la leçon.</translation>
+    </message>
+    <message>
+        <source>Make distant parts look smaller (5 on the keypad)</source>
+        <translation>Montrer plus petites les parties éloignées (5 sur le pavé numérique)</translation>
     </message>
 </context>
 <context>
@@ -3183,8 +3183,8 @@
         <translation>Il ne peut pas être lu.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
-        <translation>Un export de la dernière fois a été ignoré. %1 Ce qu’il en reste se trouve dans %2.</translation>
+        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Un export de la dernière fois a été ignoré. %1 Son fichier endommagé a été renommé en %2.</translation>
     </message>
 </context>
 <context>
@@ -4912,12 +4912,12 @@
         <translation>Les liens de « %1 » font finir toute suite d’applications : il n’y a rien que des applications simples pourraient dessiner.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : certaines applications se suivent sans fin, et aucune d’elles ne peut suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
         <translation>Les applications simples de « %1 » seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : ils permettent une suite sans fin d’applications dont aucune ne peut suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
     </message>
 </context>
 <context>
@@ -6813,32 +6813,16 @@
         <translation>Excédent</translation>
     </message>
     <message>
-        <source>How much lies outside the target, as a share of the target</source>
-        <translation>Ce qui dépasse de la cible, en part de la cible</translation>
-    </message>
-    <message>
         <source>Overlap (IoU)</source>
         <translation>Recouvrement (IoU)</translation>
-    </message>
-    <message>
-        <source>What both have in common, as a share of what either covers</source>
-        <translation>Ce qu’elles ont en commun, en part de ce que couvre l’une ou l’autre</translation>
     </message>
     <message>
         <source>Mean distance</source>
         <translation>Distance moyenne</translation>
     </message>
     <message>
-        <source>From each to the nearest point of the other, in pixels of the picture</source>
-        <translation>De chacune au point le plus proche de l’autre, en pixels de l’image</translation>
-    </message>
-    <message>
         <source>95 % within</source>
         <translation>95 % à moins de</translation>
-    </message>
-    <message>
-        <source>95 % of all points are at most so far from the other</source>
-        <translation>95 % des points sont au plus à cette distance de l’autre</translation>
     </message>
     <message>
         <source>Largest distance</source>
@@ -6863,6 +6847,42 @@
     <message>
         <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
         <translation>Aucun point de la cible n’est plus loin de l’attracteur que cela, ni l’inverse. Elle est plus grande pendant que vous faites glisser, car une image plus grossière est mesurée</translation>
+    </message>
+    <message>
+        <source>%1 (ellipsoidal norm, γ = %2)</source>
+        <translation>%1 (norme ellipsoïdale, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (polytope norm, γ = %2)</source>
+        <translation>%1 (norme polytopale, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (any %2 maps in a row contract, γ = %3)</source>
+        <translation>%1 (%2 applications consécutives contractent, γ = %3)</translation>
+    </message>
+    <message>
+        <source>The area covered outside the target, relative to the area of the target</source>
+        <translation>L’aire couverte hors de la cible, rapportée à l’aire de la cible</translation>
+    </message>
+    <message>
+        <source>The area that both cover, relative to the area that either covers</source>
+        <translation>L’aire que les deux couvrent, rapportée à l’aire que l’un ou l’autre couvre</translation>
+    </message>
+    <message>
+        <source>Overlap ratio</source>
+        <translation>Taux de recouvrement</translation>
+    </message>
+    <message>
+        <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
+        <translation>Combien de fois les images des applications couvrent les mêmes endroits : la somme de leurs aires, divisée par l’aire qu’elles couvrent. Il vaut 1 si elles ne se recouvrent pas deux à deux</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
+        <translation>De chaque point au point le plus proche de l’autre forme, en pixels de l’image</translation>
+    </message>
+    <message>
+        <source>95 % of all points are within this distance of the other shape</source>
+        <translation>95 % des points sont au plus à cette distance de l’autre forme</translation>
     </message>
 </context>
 <context>
@@ -8391,20 +8411,12 @@
         <translation>Les exports, dessinés de haut en bas.</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
-        <translation>Les exports que vous avez ajoutés à la file d’attente, dessinés l’un après l’autre de haut en bas pendant que vous continuez. Ce qui n’est pas terminé quand le programme se ferme est dessiné la fois suivante.</translation>
-    </message>
-    <message>
         <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
         <translation>Aucun export n’attend. Choisissez Ajouter à la file d’attente dans Fichier › Exporter l’image… pour dessiner des images l’une après l’autre pendant que vous continuez.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
-        <translation>Mettre tous les exports en pause, ou les reprendre ; ce qui est déjà dessiné n’est pas perdu.</translation>
     </message>
     <message>
         <source>Move &amp;Up</source>
@@ -8455,8 +8467,16 @@
         <translation>&amp;Reprendre</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
-        <translation>Retirer de la liste les exports sélectionnés ; ce qui n’est pas terminé n’est pas dessiné, et les fichiers écrits restent.</translation>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <translation>Les exports que vous avez ajoutés à la file d’attente. Ils sont dessinés l’un après l’autre, de haut en bas, pendant que vous continuez à travailler. Ceux qui ne sont pas terminés quand vous quittez reprennent au prochain démarrage de Barycage.</translation>
+    </message>
+    <message>
+        <source>Pause or resume all exports without losing progress.</source>
+        <translation>Mettre en pause ou reprendre tous les exports sans perdre ce qui est déjà dessiné.</translation>
+    </message>
+    <message>
+        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
+        <translation>Annuler les exports sélectionnés et les retirer de la liste. Les fichiers déjà écrits sont conservés.</translation>
     </message>
 </context>
 <context>
@@ -8637,16 +8657,16 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Stop what is under way; nothing changes</source>
-        <translation>Arrêter ce qui est en cours ; rien ne change</translation>
-    </message>
-    <message>
         <source>Lock Selected Maps</source>
         <translation>Verrouiller les applications sélectionnées</translation>
     </message>
     <message>
         <source>Locked: %1</source>
         <translation>Verrouillées : %1</translation>
+    </message>
+    <message>
+        <source>Stop without changing anything</source>
+        <translation>Arrêter sans rien changer</translation>
     </message>
 </context>
 <context>
@@ -9287,10 +9307,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Désactivée</translation>
     </message>
     <message>
-        <source>Ends: no map can follow for ever</source>
-        <translation>S’arrête&#x202f;: aucune suite sans fin ne peut la suivre</translation>
-    </message>
-    <message>
         <source>Unreached: no map leads to it</source>
         <translation>Non atteinte&#x202f;: aucune application n’y mène</translation>
     </message>
@@ -9344,6 +9360,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
             <numerusform>Supprimer %n lien</numerusform>
             <numerusform>Supprimer %n liens</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ends: every sequence from here stops</source>
+        <translation>S’arrête : toute suite à partir d’ici prend fin</translation>
     </message>
 </context>
 <context>
@@ -10311,6 +10331,49 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::MotionDialog</name>
+    <message>
+        <source>Change the motion “%1”</source>
+        <translation>Modifier le mouvement « %1 »</translation>
+    </message>
+    <message>
+        <source>Motion: %1</source>
+        <translation>Mouvement : %1</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>How far the branches swing at most, as an angle about their roots. A negative strength swings them the other way.</source>
+        <translation>Jusqu’où les branches oscillent au plus, en angle autour de leur base. Avec une force négative, elles oscillent dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>How much the maps swell and shrink at most. With a negative strength they shrink first.</source>
+        <translation>De combien les applications gonflent et rétrécissent au plus. Avec une force négative, elles rétrécissent d’abord.</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>Cycles of wave %1</source>
+        <translation>Cycles de l’onde %1</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Cycles</translation>
+    </message>
+    <message>
+        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <translation>Combien de fois il fait le tour pendant la durée de l’animation. Un nombre négatif tourne dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>How many times it goes back and forth in the length of the animation.</source>
+        <translation>Combien de fois il va et vient pendant la durée de l’animation.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -10558,16 +10621,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Teinte</translation>
     </message>
     <message>
-        <source>Turn all hues by so many degrees; lightness stays</source>
-        <translation>Tourner toutes les teintes d’autant de degrés ; la clarté reste</translation>
-    </message>
-    <message>
         <source>Shift</source>
         <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>Begin the palette farther along, and append what was before</source>
-        <translation>Commencer la palette plus loin et reporter ce qui précède à la fin</translation>
     </message>
     <message>
         <source>&amp;Reversed</source>
@@ -10584,6 +10639,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>No matches</source>
         <translation>Aucun résultat</translation>
+    </message>
+    <message>
+        <source>Rotate all hues by this many degrees; the lightness stays the same</source>
+        <translation>Tourner toutes les teintes de ce nombre de degrés ; la clarté reste la même</translation>
+    </message>
+    <message>
+        <source>Start farther along the palette; the part before moves to the end</source>
+        <translation>Commencer plus loin dans la palette ; la partie qui précède passe à la fin</translation>
     </message>
 </context>
 <context>
@@ -11321,10 +11384,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Suppr ou Retour arrière</translation>
     </message>
     <message>
-        <source>Change the colour of the stop</source>
-        <translation>Changer la couleur du repère</translation>
-    </message>
-    <message>
         <source>Enter or Space, or double-click it</source>
         <translation>Entrée ou Espace, ou double-clic dessus</translation>
     </message>
@@ -11472,16 +11531,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Ctrl + Shift + wheel</source>
         <translation>Ctrl + Maj + molette</translation>
     </message>
+    <message>
+        <source>Change the stop colour</source>
+        <translation>Changer la couleur du repère</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
     <message>
         <source>Slice</source>
         <translation>Coupe</translation>
-    </message>
-    <message>
-        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
-        <translation>Ouvre l’image : ce qui est devant un plan est omis, ou tout sauf une tranche. Faites glisser le plan par la poignée en son milieu.</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -11560,10 +11619,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>z de la normale</translation>
     </message>
     <message>
-        <source>The direction across which the plane lies</source>
-        <translation>La direction à laquelle le plan est perpendiculaire</translation>
-    </message>
-    <message>
         <source>Normal</source>
         <translation>Normale</translation>
     </message>
@@ -11574,6 +11629,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Cut the Solid</source>
         <translation>Couper le solide</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open by hiding everything in front of a plane, or everything outside a slice. Drag the plane by the handle at its centre.</source>
+        <translation>Ouvre l’image en masquant tout ce qui est devant un plan, ou tout ce qui est hors d’une tranche. Faites glisser le plan par la poignée en son centre.</translation>
+    </message>
+    <message>
+        <source>The direction perpendicular to the plane</source>
+        <translation>La direction perpendiculaire au plan</translation>
     </message>
 </context>
 <context>
@@ -12440,28 +12503,12 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Work without a target again</source>
-        <translation>Travailler de nouveau sans cible</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
     </message>
     <message>
-        <source>What is dark</source>
-        <translation>Ce qui est sombre</translation>
-    </message>
-    <message>
-        <source>What is opaque</source>
-        <translation>Ce qui est opaque</translation>
-    </message>
-    <message>
         <source>Shape</source>
         <translation>Forme</translation>
-    </message>
-    <message>
-        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
-        <translation>Quels pixels appartiennent à la forme ; en automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres</translation>
     </message>
     <message>
         <source>Shape:</source>
@@ -12558,6 +12605,22 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>With these settings, the shape is empty or fills the picture.</source>
         <translation>Avec ces réglages, la forme est vide ou remplit l’image.</translation>
+    </message>
+    <message>
+        <source>Remove the target and work without one</source>
+        <translation>Retirer la cible et travailler sans elle</translation>
+    </message>
+    <message>
+        <source>Dark pixels</source>
+        <translation>Pixels sombres</translation>
+    </message>
+    <message>
+        <source>Opaque pixels</source>
+        <translation>Pixels opaques</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
+        <translation>Quels pixels appartiennent à la forme. En automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres</translation>
     </message>
 </context>
 <context>
@@ -12806,6 +12869,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Ease of keys (frames %1–%2)</source>
         <translation>Transition de clés (images %1–%2)</translation>
     </message>
+    <message>
+        <source>Edit the Motion…</source>
+        <translation>Modifier le mouvement…</translation>
+    </message>
 </context>
 <context>
     <name>view::TimelinePanel</name>
@@ -13016,8 +13083,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>, clés dans cette ligne : %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
-        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition. Les clés rondes sont fluides : le mouvement les traverse sans angle.</translation>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition. Les clés rondes sont fluides : le mouvement les traverse sans angle. Double-cliquez sur un mouvement pour modifier sa force ou son nombre de tours.</translation>
     </message>
 </context>
 <context>

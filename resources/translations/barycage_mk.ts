@@ -726,12 +726,12 @@
         <translation>Кафезот на „%1“ не може да се впише во пресликувањата, па не може да се израмни.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the shadow is not an iterated function system. Export a picture from that side instead.</source>
-        <translation>Пресликувањето %1 од „%2“ ја менува насоката, па сенката не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
-    </message>
-    <message>
         <source>The maps of “%1” are linked, which maps in space cannot be.</source>
         <translation>Пресликувањата на „%1“ се поврзани, а пресликувањата во просторот не можат да бидат.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <translation>Пресликувањето %1 од „%2“ ја менува насоката, па проекцијата не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
     </message>
 </context>
 <context>
@@ -1711,10 +1711,6 @@
         <translation>Перспе&amp;ктива</translation>
     </message>
     <message>
-        <source>Show what is far away smaller (5 on the keypad)</source>
-        <translation>Подалечното се прикажува помало (5 на нумеричката тастатура)</translation>
-    </message>
-    <message>
         <source>In the menu %1.</source>
         <translation>Во менито „%1“.</translation>
     </message>
@@ -1867,20 +1863,12 @@
         <translation>По&amp;дигни во простор</translation>
     </message>
     <message>
-        <source>Give every map a third direction; the picture lies in a plane until maps are moved</source>
-        <translation>Му дава на секое пресликување трета насока; сликата лежи во рамнина додека не се поместат пресликувања</translation>
-    </message>
-    <message>
         <source>Lift to Space</source>
         <translation>Подигни во простор</translation>
     </message>
     <message>
         <source>&amp;Flatten to the Plane</source>
         <translation>Сплеска&amp;ј во рамнина</translation>
-    </message>
-    <message>
-        <source>Replace the solid by its shadow along the first axis that every map keeps</source>
-        <translation>Го заменува телото со неговата сенка долж првата оска што ја задржува секое пресликување</translation>
     </message>
     <message>
         <source>Flatten to the Plane</source>
@@ -2423,10 +2411,6 @@
         <translation>Прикажи ги бројот и неподвижната точка на секое пресликување</translation>
     </message>
     <message>
-        <source>Plays this lesson on the whole screen: its text stands beside the picture, and Page Down and Page Up lead from step to step. Esc leaves it.</source>
-        <translation>Ја пушта лекцијата на цел екран: текстот стои покрај сликата, а Page Down и Page Up водат од чекор до чекор. Esc ја завршува.</translation>
-    </message>
-    <message>
         <source>Rotat&amp;e View</source>
         <translation>Св&amp;рти го погледот</translation>
     </message>
@@ -2501,6 +2485,22 @@
     <message>
         <source>The fractal transformation was hidden to show how the attractor is built.</source>
         <translation>Фракталната трансформација е сокриена за да се покаже како се гради атракторот.</translation>
+    </message>
+    <message>
+        <source>Add a third dimension to every map; the picture stays flat until you move a map</source>
+        <translation>Му додава трета димензија на секое пресликување; сликата останува рамна додека не поместите пресликување</translation>
+    </message>
+    <message>
+        <source>Replace the solid by its projection along the first axis that every map keeps</source>
+        <translation>Го заменува телото со неговата проекција долж првата оска што ја задржува секое пресликување</translation>
+    </message>
+    <message>
+        <source>Plays this lesson in full screen, with its text next to the picture. Page Down and Page Up go to the next and the previous step. Esc ends the lesson.</source>
+        <translation>Ја пушта лекцијата на цел екран, со текстот покрај сликата. Page Down и Page Up водат кон следниот и претходниот чекор. Esc ја завршува лекцијата.</translation>
+    </message>
+    <message>
+        <source>Make distant parts look smaller (5 on the keypad)</source>
+        <translation>Подалечните делови се прикажуваат помали (5 на нумеричката тастатура)</translation>
     </message>
 </context>
 <context>
@@ -3191,8 +3191,8 @@
         <translation>Не може да се прочита.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 What is left of it is in %2.</source>
-        <translation>Еден извоз од минатиот пат е прескокнат. %1 Тоа што останало од него е во %2.</translation>
+        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Еден извоз од минатиот пат е прескокнат. %1 Неговата оштетена датотека е преименувана во %2.</translation>
     </message>
 </context>
 <context>
@@ -4921,12 +4921,12 @@
         <translation>Врските на „%1“ ја завршуваат секоја низа пресликувања, па нема ништо што обични пресликувања би можеле да го нацртаат.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: some maps follow one another for ever, and none of them may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: некои пресликувања се следат бескрајно, а ниедно од нив не смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
         <translation>Обичните пресликувања на „%1“ би биле зборови од неговите пресликувања, кои не можат да учествуваат во неговата анимација или во поместените гранки. Прво отстранете ги нив.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: дозволуваат бескрајна низа пресликувања од кои ниедно не смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
     </message>
 </context>
 <context>
@@ -6827,32 +6827,16 @@
         <translation>Вишок</translation>
     </message>
     <message>
-        <source>How much lies outside the target, as a share of the target</source>
-        <translation>Колку лежи надвор од целта, како дел од целта</translation>
-    </message>
-    <message>
         <source>Overlap (IoU)</source>
         <translation>Преклоп (IoU)</translation>
-    </message>
-    <message>
-        <source>What both have in common, as a share of what either covers</source>
-        <translation>Заедничкото, како дел од она што го покрива барем едното</translation>
     </message>
     <message>
         <source>Mean distance</source>
         <translation>Средно растојание</translation>
     </message>
     <message>
-        <source>From each to the nearest point of the other, in pixels of the picture</source>
-        <translation>Од секое до најблиската точка на другото, во пиксели на сликата</translation>
-    </message>
-    <message>
         <source>95 % within</source>
         <translation>95 % до</translation>
-    </message>
-    <message>
-        <source>95 % of all points are at most so far from the other</source>
-        <translation>95 % од сите точки се најмногу толку далеку од другото</translation>
     </message>
     <message>
         <source>Largest distance</source>
@@ -6877,6 +6861,42 @@
     <message>
         <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
         <translation>Ниедна точка од целта не е подалеку од атракторот, ниту обратно. Поголема е додека влечете, бидејќи се мери погруба слика</translation>
+    </message>
+    <message>
+        <source>%1 (ellipsoidal norm, γ = %2)</source>
+        <translation>%1 (елипсоидна норма, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (polytope norm, γ = %2)</source>
+        <translation>%1 (политопска норма, γ = %2)</translation>
+    </message>
+    <message>
+        <source>%1 (any %2 maps in a row contract, γ = %3)</source>
+        <translation>%1 (кои било %2 последователни пресликувања контрахираат, γ = %3)</translation>
+    </message>
+    <message>
+        <source>The area covered outside the target, relative to the area of the target</source>
+        <translation>Покриената плоштина надвор од целта, како дел од плоштината на целта</translation>
+    </message>
+    <message>
+        <source>The area that both cover, relative to the area that either covers</source>
+        <translation>Плоштината што ја покриваат и двете, како дел од плоштината што ја покрива барем едно</translation>
+    </message>
+    <message>
+        <source>Overlap ratio</source>
+        <translation>Однос на преклопување</translation>
+    </message>
+    <message>
+        <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
+        <translation>Колку пати сликите на пресликувањата ги покриваат истите места: збирот на нивните плоштини поделен со плоштината што ја покриваат. Тој е 1 ако нема две што се преклопуваат</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
+        <translation>Од секоја точка до најблиската точка на другата форма, во пиксели од сликата</translation>
+    </message>
+    <message>
+        <source>95 % of all points are within this distance of the other shape</source>
+        <translation>95 % од сите точки се најмногу на ова растојание од другата форма</translation>
     </message>
 </context>
 <context>
@@ -8416,20 +8436,12 @@
         <translation>Извозите, цртани од горе надолу.</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue, drawn one after another from the top to the bottom while you go on editing. What is not done when the program ends is drawn the next time.</source>
-        <translation>Извозите што ги додадовте во редот, цртани еден по друг од горе надолу додека вие уредувате. Тоа што не е готово кога програмата завршува, се црта следниот пат.</translation>
-    </message>
-    <message>
         <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
         <translation>Нема извози што чекаат. Изберете „Додај во редот“ во „Датотека › Извези слика…“ за да се цртаат слики една по друга додека уредувате.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
         <translation>&amp;Паузирај</translation>
-    </message>
-    <message>
-        <source>Pause all exports, or go on with them; what is drawn so far is not lost.</source>
-        <translation>Паузирај ги сите извози, или продолжи со нив; нацртаното досега не се губи.</translation>
     </message>
     <message>
         <source>Move &amp;Up</source>
@@ -8480,8 +8492,16 @@
         <translation>Про&amp;должи</translation>
     </message>
     <message>
-        <source>Take the selected exports off the list; what is not done is not drawn, and files that were written stay.</source>
-        <translation>Тргни ги избраните извози од списокот; тоа што не е готово не се црта, а запишаните датотеки остануваат.</translation>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <translation>Извозите што ги додадовте во редот. Се цртаат еден по друг, од горе надолу, додека вие уредувате. Извозите што не се готови кога излегувате продолжуваат кога следниот пат ќе го стартувате Barycage.</translation>
+    </message>
+    <message>
+        <source>Pause or resume all exports without losing progress.</source>
+        <translation>Паузирај ги или продолжи ги сите извози без да се изгуби нацртаното.</translation>
+    </message>
+    <message>
+        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
+        <translation>Откажи ги избраните извози и тргни ги од списокот. Веќе запишаните датотеки остануваат.</translation>
     </message>
 </context>
 <context>
@@ -8662,16 +8682,16 @@
         <translation>Откажи</translation>
     </message>
     <message>
-        <source>Stop what is under way; nothing changes</source>
-        <translation>Запри го тоа што е во тек; ништо не се менува</translation>
-    </message>
-    <message>
         <source>Lock Selected Maps</source>
         <translation>Заклучи ги избраните пресликувања</translation>
     </message>
     <message>
         <source>Locked: %1</source>
         <translation>Заклучени: %1</translation>
+    </message>
+    <message>
+        <source>Stop without changing anything</source>
+        <translation>Запри без да се промени ништо</translation>
     </message>
 </context>
 <context>
@@ -9312,10 +9332,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Исклучено</translation>
     </message>
     <message>
-        <source>Ends: no map can follow for ever</source>
-        <translation>Завршува: ниедна бесконечна низа не може да следи</translation>
-    </message>
-    <message>
         <source>Unreached: no map leads to it</source>
         <translation>Недостигнато: ниедно пресликување не води до него</translation>
     </message>
@@ -9370,6 +9386,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
             <numerusform>Отстрани %n врски</numerusform>
             <numerusform>Отстрани %n врски</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ends: every sequence from here stops</source>
+        <translation>Завршува: секоја низа оттука запира</translation>
     </message>
 </context>
 <context>
@@ -10337,6 +10357,49 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::MotionDialog</name>
+    <message>
+        <source>Change the motion “%1”</source>
+        <translation>Промени го движењето „%1“</translation>
+    </message>
+    <message>
+        <source>Motion: %1</source>
+        <translation>Движење: %1</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Јачина</translation>
+    </message>
+    <message>
+        <source>How far the branches swing at most, as an angle about their roots. A negative strength swings them the other way.</source>
+        <translation>Колку најмногу се нишаат гранките, како агол околу местото каде што почнуваат. Со негативна јачина се нишаат обратно.</translation>
+    </message>
+    <message>
+        <source>How much the maps swell and shrink at most. With a negative strength they shrink first.</source>
+        <translation>Колку најмногу се шират и се собираат пресликувањата. Со негативна јачина прво се собираат.</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Вртења</translation>
+    </message>
+    <message>
+        <source>Cycles of wave %1</source>
+        <translation>Циклуси на бранот %1</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Циклуси</translation>
+    </message>
+    <message>
+        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <translation>Колку пати обиколува во текот на анимацијата. Со негативен број оди во обратна насока.</translation>
+    </message>
+    <message>
+        <source>How many times it goes back and forth in the length of the animation.</source>
+        <translation>Колку пати оди напред-назад во текот на анимацијата.</translation>
+    </message>
+</context>
+<context>
     <name>view::MotionPage</name>
     <message>
         <source>Make Keys</source>
@@ -10584,16 +10647,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Нијанса</translation>
     </message>
     <message>
-        <source>Turn all hues by so many degrees; lightness stays</source>
-        <translation>Заврти ги сите нијанси за толку степени; светлината останува</translation>
-    </message>
-    <message>
         <source>Shift</source>
         <translation>Поместување</translation>
-    </message>
-    <message>
-        <source>Begin the palette farther along, and append what was before</source>
-        <translation>Почни ја палетата подоцна и додај го претходното на крајот</translation>
     </message>
     <message>
         <source>&amp;Reversed</source>
@@ -10610,6 +10665,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>No matches</source>
         <translation>Нема совпаѓања</translation>
+    </message>
+    <message>
+        <source>Rotate all hues by this many degrees; the lightness stays the same</source>
+        <translation>Заврти ги сите нијанси за толку степени; светлината останува иста</translation>
+    </message>
+    <message>
+        <source>Start farther along the palette; the part before moves to the end</source>
+        <translation>Почни подоцна во палетата; делот пред тоа оди на крајот</translation>
     </message>
 </context>
 <context>
@@ -11348,10 +11411,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Del или Backspace</translation>
     </message>
     <message>
-        <source>Change the colour of the stop</source>
-        <translation>Смени ја бојата на маркерот</translation>
-    </message>
-    <message>
         <source>Enter or Space, or double-click it</source>
         <translation>Enter или Space, или двоен клик на него</translation>
     </message>
@@ -11499,16 +11558,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Ctrl + Shift + wheel</source>
         <translation>Ctrl + Shift + тркалце</translation>
     </message>
+    <message>
+        <source>Change the stop colour</source>
+        <translation>Смени ја бојата на маркерот</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
     <message>
         <source>Slice</source>
         <translation>Пресек</translation>
-    </message>
-    <message>
-        <source>Cuts the picture open: what is in front of a plane is left out, or all but a slice. Drag the plane by the handle in its middle.</source>
-        <translation>Ја отвора сликата: се изоставува она што е пред рамнина, или сè освен еден слој. Влечете ја рамнината за рачката во средината.</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -11587,10 +11646,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>z на нормалата</translation>
     </message>
     <message>
-        <source>The direction across which the plane lies</source>
-        <translation>Насоката на која рамнината е напречна</translation>
-    </message>
-    <message>
         <source>Normal</source>
         <translation>Нормала</translation>
     </message>
@@ -11601,6 +11656,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Cut the Solid</source>
         <translation>Пресечи го телото</translation>
+    </message>
+    <message>
+        <source>Cuts the picture open by hiding everything in front of a plane, or everything outside a slice. Drag the plane by the handle at its centre.</source>
+        <translation>Ја отвора сликата: се крие сè што е пред една рамнина или сè што е надвор од еден слој. Влечете ја рамнината за рачката во средината.</translation>
+    </message>
+    <message>
+        <source>The direction perpendicular to the plane</source>
+        <translation>Насоката нормална на рамнината</translation>
     </message>
 </context>
 <context>
@@ -12468,28 +12531,12 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Отстрани</translation>
     </message>
     <message>
-        <source>Work without a target again</source>
-        <translation>Работи повторно без цел</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Автоматски</translation>
     </message>
     <message>
-        <source>What is dark</source>
-        <translation>Темното</translation>
-    </message>
-    <message>
-        <source>What is opaque</source>
-        <translation>Непроѕирното</translation>
-    </message>
-    <message>
         <source>Shape</source>
         <translation>Форма</translation>
-    </message>
-    <message>
-        <source>Which pixels belong to the shape; automatic takes what is opaque where the picture is transparent anywhere, else what is dark</source>
-        <translation>Кои пиксели ѝ припаѓаат на формата; автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните</translation>
     </message>
     <message>
         <source>Shape:</source>
@@ -12586,6 +12633,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>With these settings, the shape is empty or fills the picture.</source>
         <translation>Со овие поставки формата е празна или ја исполнува сликата.</translation>
+    </message>
+    <message>
+        <source>Remove the target and work without one</source>
+        <translation>Отстрани ја целта и работи без неа</translation>
+    </message>
+    <message>
+        <source>Dark pixels</source>
+        <translation>Темни пиксели</translation>
+    </message>
+    <message>
+        <source>Opaque pixels</source>
+        <translation>Непроѕирни пиксели</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
+        <translation>Кои пиксели ѝ припаѓаат на формата. Автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните</translation>
     </message>
 </context>
 <context>
@@ -12836,6 +12899,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Ease of keys (frames %1–%2)</source>
         <translation>Премин на клучеви (слики %1–%2)</translation>
     </message>
+    <message>
+        <source>Edit the Motion…</source>
+        <translation>Уреди го движењето…</translation>
+    </message>
 </context>
 <context>
     <name>view::TimelinePanel</name>
@@ -13046,8 +13113,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>, клучеви во овој ред: %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner.</source>
-        <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин. Тркалезните клучеви се мазни: движењето минува низ нив без агол.</translation>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин. Тркалезните клучеви се мазни: движењето минува низ нив без агол. Кликнете двапати на движење за да ја промените неговата јачина или бројот на вртења.</translation>
     </message>
 </context>
 <context>

@@ -27,24 +27,23 @@ QString factorText(double factor) {
 
 // With the norm in which the maps contract, by what it is called elsewhere.
 QString guarantee(const document::MeasuredFractal& measured) {
-    using Numbers = CollageNumbers;
     if (!measured.bound)
-        return Numbers::tr("none: a map stretches by %1").arg(roundedNumber(measured.contraction, 3));
+        return CollageNumbers::tr("none: a map stretches by %1").arg(roundedNumber(measured.contraction, 3));
     const QString bound = pixels(*measured.bound), factor = factorText(measured.norm.contractivity);
     switch (measured.norm.norm) {
     case ifs::NormKind::Ellipsoidal:
-        return Numbers::tr("%1 (ellipsoidal norm, γ = %2)").arg(bound, factor);
+        return CollageNumbers::tr("%1 (ellipsoidal norm, γ = %2)").arg(bound, factor);
     case ifs::NormKind::Polytope:
-        return Numbers::tr("%1 (polytope norm, γ = %2)").arg(bound, factor);
+        return CollageNumbers::tr("%1 (polytope norm, γ = %2)").arg(bound, factor);
     case ifs::NormKind::Words:
-        return Numbers::tr("%1 (any %2 maps in a row contract, γ = %3)")
+        return CollageNumbers::tr("%1 (any %2 maps in a row contract, γ = %3)")
             .arg(bound)
             .arg(measured.norm.wordLength)
             .arg(factor);
     case ifs::NormKind::Euclidean:
         break;
     }
-    return Numbers::tr("%1 (s = %2)").arg(bound, factor);
+    return CollageNumbers::tr("%1 (s = %2)").arg(bound, factor);
 }
 
 } // namespace
