@@ -2,6 +2,7 @@
 #include "panels/maps/symmetry_row.h"
 
 #include "document/edits/symmetry_edits.h"
+#include "widgets/document_undo.h"
 #include "widgets/number_field.h"
 #include "widgets/symmetry_groups.h"
 
@@ -74,6 +75,7 @@ QWidget* SymmetryRow::makeChoice() {
     m_order->setRange(ifs::minSymmetryOrder, ifs::maxSymmetryOrder);
     m_order->setValue(usualOrder);
     m_order->setKeyboardTracking(false);
+    leaveUndoToDocument(m_order);
     m_expand = new QToolButton(line);
     m_expand->setText(tr("Expand"));
     m_expand->setAccessibleName(tr("Expand the symmetry"));

@@ -2,6 +2,7 @@
 #include "panels/timeline/transport_bar.h"
 
 #include "panels/timeline/timeline.h"
+#include "widgets/document_undo.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
 
@@ -27,6 +28,7 @@ QSpinBox* spinBox(const QString& name, const QString& explanation, int min, int 
     auto* box = new QSpinBox;
     box->setRange(min, max);
     box->setKeyboardTracking(false);
+    leaveUndoToDocument(box);
     box->setAccessibleName(name);
     box->setToolTip(explanation);
     return box;
