@@ -3,6 +3,7 @@
 
 #include "document/edits/symmetry_edits.h"
 #include "widgets/document_undo.h"
+#include "widgets/number_box.h"
 #include "widgets/number_field.h"
 #include "widgets/symmetry_groups.h"
 
@@ -69,7 +70,7 @@ QWidget* SymmetryRow::makeChoice() {
            "centre, so the fractal is symmetric. The copies are not listed; Expand lists them. "
            "On the canvas, drag the handle of the centre."));
     label->setBuddy(m_groups);
-    m_order = new QSpinBox(line);
+    m_order = new WholeNumberBox(line);
     m_order->setAccessibleName(tr("Order of the symmetry"));
     m_order->setToolTip(tr("How many times the fractal repeats in a full turn"));
     m_order->setRange(ifs::minSymmetryOrder, ifs::maxSymmetryOrder);

@@ -5,6 +5,7 @@
 #include "widgets/document_undo.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
+#include "widgets/number_box.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -25,7 +26,7 @@ constexpr std::chrono::milliseconds countEvery{500};
 constexpr int maxRate = 240;
 
 QSpinBox* spinBox(const QString& name, const QString& explanation, int min, int max) {
-    auto* box = new QSpinBox;
+    auto* box = new WholeNumberBox;
     box->setRange(min, max);
     box->setKeyboardTracking(false);
     leaveUndoToDocument(box);
