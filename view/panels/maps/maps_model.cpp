@@ -479,7 +479,7 @@ QString MapsModel::editText(int row, int column, double value) const {
 }
 
 QString MapsModel::placeOf(int row, int column) const {
-    return QStringLiteral("map %1 %2").arg(int(idAt(row))).arg(column);
+    return typedPlace(idAt(row), column);
 }
 
 void MapsModel::keepTyped(const QModelIndex& index, double value, const QString& text) {
