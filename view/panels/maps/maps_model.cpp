@@ -496,10 +496,11 @@ QString MapsModel::typedText(const QModelIndex& index) const {
                  : QString();
 }
 
-void MapsModel::preview(const QModelIndex& index, double value) {
+void MapsModel::preview(const QModelIndex& index, double value, int kind) {
     if (!index.isValid() || !isEditable(index.column()) || !editObstacle(index).isEmpty()) return;
-    m_edit.preview(editText(index.row(), index.column(), value),
-                   [&](document::Fractal& fractal) { change(fractal, index, value); });
+    m_edit.preview(
+        editText(index.row(), index.column(), value),
+        [&](document::Fractal& fractal) { change(fractal, index, value); }, kind);
 }
 
 void MapsModel::previewName(const QModelIndex& index, const QString& name) {
