@@ -55,7 +55,7 @@ void DocumentUndoTest::init() {
 
 void DocumentUndoTest::show(QWidget* panel) {
     m_window->layout()->addWidget(panel);
-    m_window->resize(1000, 400);
+    m_window->resize(1600, 400);
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -69,7 +69,7 @@ void DocumentUndoTest::type(QSpinBox* box, const QString& text) {
 
 // First what is only typed, then what Enter has made a step of.
 void DocumentUndoTest::takeBack(QSpinBox* box, const QString& text) {
-    QVERIFY(box->isVisible() && box->isEnabled());
+    QTRY_VERIFY(box->isVisible() && box->isEnabled());
     const int before = box->value();
     const int index = history().index();
     type(box, text);
@@ -103,8 +103,8 @@ void DocumentUndoTest::theOrderOfASymmetry() {
 
 void DocumentUndoTest::theTimingOfAnAnimation() {
     auto* panel = new view::TimelinePanel(m_document.get());
-    show(panel);
     panel->showTracks();
+    show(panel);
     takeBack(panel->transport()->length(), QStringLiteral("30"));
     takeBack(panel->transport()->rate(), QStringLiteral("12"));
     QCOMPARE(panel->timeline().timing(), (document::Timing{{12, 1}, 30, animation::Loop::Off}));
