@@ -2,6 +2,7 @@
 #include "document/map_handles.h"
 #include "document/fractal_geometry.h"
 
+#include "attractor/request/colour_coordinates.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/extent/support_function.h"
 #include "ifs/system/map_interpolation.h"
@@ -190,21 +191,28 @@ Fractal MapHandles::withMapsSwung(std::span<const std::size_t> indices, const Ve
 
 namespace {
 
-// Of the maps over the cut set of the branch, which come first, and of those that take no part.
+// Of the maps over the cut set of the branch, which come first, and of those that take no part. Where
+// addresses colour, the blends that give the points the colours of their old addresses.
 attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<2>& active,
                                 const ifs::Word& branch, const System2& system) {
     const attractor::Appearance& appearance = fractal.appearance;
     attractor::MapBlends blends;
-    if (appearance.colourBy != attractor::ColourBy::Blend && appearance.mapBlends.empty()) return blends;
+    const bool isByAddress = appearance.colourBy == attractor::ColourBy::Address;
+    if (!isByAddress && appearance.colourBy != attractor::ColourBy::Blend && appearance.mapBlends.empty())
+        return blends;
     const System2& before = *system2(fractal);
     const auto blendAt = [&](std::size_t index) {
         return attractor::mapBlend(appearance, before.maps[index].id, index, before.maps.size());
+    };
+    const auto blendOf = [&](int letter) {
+        return isByAddress ? attractor::addressBlend(std::size_t(letter), active.maps.size())
+                           : blendAt(active.index[std::size_t(letter)]);
     };
     std::size_t made = 0;
     for (const ifs::Word& word : ifs::cutSet(branch, active.maps.size())) {
         attractor::MapBlend blend{0, 0};
         for (const int letter : word)
-            blend = attractor::composed(blend, blendAt(active.index[std::size_t(letter)]));
+            blend = attractor::composed(blend, blendOf(letter));
         blends[system.maps[made++].id] = blend;
     }
     for (std::size_t index = 0; index < before.maps.size(); ++index)
@@ -213,7 +221,7 @@ attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<2>
 }
 
 // The system over the cut set of the branch, whose maps have the colours and the labels of the maps they
-// begin with. Maps that take no part stay, at the end.
+// begin with, and blends that keep colours along the address. Maps that take no part stay, at the end.
 Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
     const System2& before = *system2(fractal);
     const ifs::ActiveMaps<2> active = ifs::activeMaps(before);
@@ -239,6 +247,8 @@ Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
         keepColour(index);
     }
     result.appearance.mapBlends = blendsOver(fractal, active, letters, system);
+    if (result.appearance.colourBy == attractor::ColourBy::Address)
+        result.appearance.colourBy = attractor::ColourBy::Blend; // addresses are others now
     std::vector<MovedBranch<2>> moved;
     for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))
         for (const ifs::Word& over : ifs::overCutSet(word, letters, active.maps.size()))

@@ -81,6 +81,37 @@ private slots:
         QVERIFY(isNear(blendAt(after, 3), blendAt(fractal, 0)));
     }
 
+    // A branch that becomes a map changes place and number of the maps, but no colour.
+    void aBranchKeepsTheColoursOfAddresses_data() {
+        QTest::addColumn<ifs::Word>("branch");
+        QTest::addRow("two maps") << ifs::Word{2, 0};
+        QTest::addRow("three maps") << ifs::Word{1, 2, 0};
+        QTest::addRow("one map twice") << ifs::Word{1, 1};
+    }
+    void aBranchKeepsTheColoursOfAddresses() {
+        QFETCH(const ifs::Word, branch);
+        Fractal fractal = blended(); // with blends that do not show
+        fractal.appearance.colourBy = ColourBy::Address;
+        system2(fractal)->maps[1].weight = 5;
+        plane(fractal)->cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {0, 1}});
+        const auto taken = branchHandles(std::make_shared<const Fractal>(fractal), *plane(fractal)->cage,
+                                         branch, BranchEdit::OwnMap);
+        QVERIFY(taken);
+        const std::array<std::size_t, 1> first{taken->index};
+        const Fractal after = taken->handles.withMapsMoved(first, {0.1, 0});
+        const auto active = ifs::activeMaps(*system2(after));
+        const auto colours = attractor::colourCoordinates<2>(after.appearance, *system2(after), active);
+        const std::vector<ifs::Word> words = ifs::cutSet(branch, 3);
+        QCOMPARE(words.size(), active.maps.size());
+        for (std::size_t i = 0; i < words.size(); ++i)
+            for (const double c : {0.0, 0.3, 1.0}) {
+                double wanted = c;
+                for (auto letter = words[i].rbegin(); letter != words[i].rend(); ++letter)
+                    wanted = (*letter + wanted) / 3;
+                QVERIFY(std::abs(colours.next(i, c) - wanted) < 1e-14);
+            }
+    }
+
     // One map alone has the colours that its piece had.
     void aMapAloneKeepsItsColours() {
         const Fractal fractal = blended();

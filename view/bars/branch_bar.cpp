@@ -4,6 +4,7 @@
 #include "document/addresses.h"
 #include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
+#include "widgets/number_box.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -53,7 +54,7 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
 QWidget* BranchBar::makeBranch() {
     auto* row = new QWidget(this);
     auto* depthLabel = new QLabel(tr("&Depth"), row);
-    m_depth = new QSpinBox(row);
+    m_depth = new WholeNumberBox(row);
     m_depth->setRange(1, BranchTool::maxDepth);
     m_depth->setAccessibleName(tr("Depth of the branch"));
     m_depth->setToolTip(

@@ -80,7 +80,7 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
     layout->addWidget(buttons);
 
     connect(m_sameScale, &QCheckBox::toggled, this, [this](bool same) {
-        if (same) m_fields[ScaleY]->setValue(m_fields[ScaleX]->value());
+        if (same) m_fields[ScaleY]->setValue(m_fields[ScaleX]->value(), m_fields[ScaleX]->typedText());
         showLive();
     });
     chooseAbout();
@@ -152,8 +152,9 @@ NumberField* TransformDialog::addField(Value value, const QString& name, double 
     field->setValue(start);
     m_fields[value] = field;
     connect(field, &NumberField::edited, this, [this, value](double number) {
-        if (m_sameScale->isChecked() && value == ScaleX) m_fields[ScaleY]->setValue(number);
-        if (m_sameScale->isChecked() && value == ScaleY) m_fields[ScaleX]->setValue(number);
+        const QString typed = m_fields[value]->typedText();
+        if (m_sameScale->isChecked() && value == ScaleX) m_fields[ScaleY]->setValue(number, typed);
+        if (m_sameScale->isChecked() && value == ScaleY) m_fields[ScaleX]->setValue(number, typed);
         if (value == AboutX || value == AboutY) m_about->setCurrentIndex(static_cast<int>(About::Typed));
         showLive();
     });

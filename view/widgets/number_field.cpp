@@ -109,10 +109,7 @@ void NumberField::takeText() {
 }
 
 void NumberField::takeSteps(int count, Qt::KeyboardModifiers modifiers) {
-    double size = m_step;
-    if (modifiers & Qt::ControlModifier) size *= 10;
-    if (modifiers & (Qt::ShiftModifier | Qt::AltModifier)) size /= 10;
-    step(count, size);
+    step(count, m_step * paceOfSteps(modifiers));
 }
 
 void NumberField::endSteps() {

@@ -101,6 +101,13 @@ QString numberProblem(const QString& text, const NumberRange& range) {
     return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
 }
 
+double paceOfSteps(Qt::KeyboardModifiers modifiers) {
+    double pace = 1;
+    if (modifiers & Qt::ControlModifier) pace *= 10;
+    if (modifiers & (Qt::ShiftModifier | Qt::AltModifier)) pace /= 10;
+    return pace;
+}
+
 double stepped(double value, double step, int count) {
     const double sum = value + count * step;
     // Twelve digits are more than anybody steps through, and hide the tail of 0.1 + 0.2.

@@ -36,6 +36,9 @@ bool isExpression(const QString& text);
 // Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.
 QString numberProblem(const QString& text, const NumberRange& range = {});
 
+// How far a step of the wheel or of a drag goes: a tenth with Shift or Alt, ten times with Ctrl.
+double paceOfSteps(Qt::KeyboardModifiers modifiers);
+
 // value + count·step, without the digits that binary addition leaves behind.
 double stepped(double value, double step, int count);
 

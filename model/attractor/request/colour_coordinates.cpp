@@ -25,6 +25,12 @@ ColourCoordinates::ColourCoordinates(std::vector<MapBlend> blends, std::span<con
     m_range = std::max(0.0, highest - lowest);
 }
 
+MapBlend addressBlend(std::size_t index, std::size_t maps) {
+    if (maps < 2) return {0, 0}; // c stays
+    const auto last = static_cast<double>(maps - 1);
+    return {static_cast<double>(index) / last, last / static_cast<double>(maps)};
+}
+
 template <int Dim>
 ColourCoordinates colourCoordinates(const Appearance& appearance,
                                     const ifs::IteratedFunctionSystem<Dim>& system,

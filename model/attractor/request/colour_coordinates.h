@@ -61,6 +61,9 @@ private:
     double m_range = 0;             // between any two points of the attractor
 };
 
+// The blend that leads along the address as the map at `index` of so many does.
+MapBlend addressBlend(std::size_t index, std::size_t maps);
+
 // As the appearance has it; along the address where it has something else. `active` is of the system.
 template <int Dim>
 ColourCoordinates colourCoordinates(const Appearance& appearance,

@@ -3,10 +3,10 @@
 
 namespace document {
 
-void LiveEdit::preview(const QString& text, const std::function<void(Fractal&)>& change) {
+void LiveEdit::preview(const QString& text, const std::function<void(Fractal&)>& change, int kind) {
     if (!isOpen()) // none yet, or another gesture has ended ours
         m_gesture.emplace(m_document->beginGesture(text));
-    m_gesture->describe(text);
+    m_gesture->describe(text, kind);
     Fractal fractal = m_gesture->before();
     change(fractal);
     m_gesture->preview(std::move(fractal));

@@ -13,8 +13,9 @@ class LiveEdit {
 public:
     explicit LiveEdit(Document* document) : m_document(document) {}
 
-    // Applies `change` to the fractal as it was when the edit began, which is now if none is under way.
-    void preview(const QString& text, const std::function<void(Fractal&)>& change);
+    // Applies `change` to the fractal as it was when the edit began, which is now if none is under way. The
+    // kind: see EditGesture::describe().
+    void preview(const QString& text, const std::function<void(Fractal&)>& change, int kind = -1);
     void commit();
     void cancel();
     bool isOpen() const { return m_gesture && m_gesture->isOpen(); }

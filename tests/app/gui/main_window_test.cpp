@@ -42,6 +42,7 @@ private slots:
     void brokenPathsShareOneWindow();
     void saysWhenWorkCannotBeKept();
     void preferencesReachEveryWindow();
+    void preferencesKnowWhatIsNotSaved();
     void theFilesOfTheLastRunAreKnown();
     void theColumnsOfATableAreAskedFor();
     void aWindowMayGoWhileANameIsTyped();
@@ -107,6 +108,27 @@ void MainWindowTest::preferencesReachEveryWindow() {
     QCOMPARE(quality(second), std::uint64_t(1'000'000'000));
     QCOMPARE(quality(shown({})), std::uint64_t(1'000'000'000));
     view::Preferences{}.store();
+}
+
+// In all windows: a restart closes them all.
+void MainWindowTest::preferencesKnowWhatIsNotSaved() {
+    MainWindow* first = shown(support::testData(QStringLiteral("shapes.ifs")));
+    MainWindow* second = shown(support::testData(QStringLiteral("dos.ifs")));
+    document::Fractal changed = second->document().fractal();
+    changed.name = QStringLiteral("other");
+    second->document().edit(QStringLiteral("rename"), changed);
+    QTRY_VERIFY(second->isWindowModified());
+    QVERIFY(!first->isWindowModified());
+    for (QAction* action : first->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QStringLiteral("Ctrl+,"))) action->trigger();
+    const auto* dialog = first->findChild<view::PreferencesDialog*>();
+    QVERIFY(dialog);
+    QString said;
+    for (const auto* label : dialog->findChildren<QLabel*>())
+        if (label->text().contains(QStringLiteral("Restart"))) said = label->text();
+    QVERIFY2(said.contains(QStringLiteral("dos.ifs")), qPrintable(said));
+    QVERIFY2(!said.contains(QStringLiteral("shapes.ifs")), qPrintable(said));
+    QVERIFY2(!said.contains(u'['), qPrintable(said));
 }
 
 void MainWindowTest::theFilesOfTheLastRunAreKnown() {

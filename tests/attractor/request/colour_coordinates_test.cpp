@@ -37,7 +37,7 @@ ifs::IteratedFunctionSystem<2> tiling(int columns, int rows) {
 std::vector<MapBlend> addressBlends(std::size_t maps) {
     std::vector<MapBlend> blends;
     for (std::size_t i = 0; i < maps; ++i)
-        blends.push_back({double(i) / double(maps - 1), 1 - 1 / double(maps)});
+        blends.push_back(addressBlend(i, maps));
     return blends;
 }
 

@@ -254,6 +254,9 @@ private slots:
         QTest::keyClick(m_canvas.get(), Qt::Key_Left, Qt::AltModifier);
         QVERIFY((vertices()[1] - before - Vector<2>(0.9 * pixel, 10 * pixel)).norm() < 1e-12);
         QCOMPARE(steps(), 1); // of one handle within a second
+        QCOMPARE(undoText(),
+                 QStringLiteral("Move vertex 2 to (%1, %2)")
+                     .arg(view::shortNumber(vertices()[1].x()), view::shortNumber(vertices()[1].y())));
         m_document->undoStack()->undo();
         QCOMPARE(vertices()[1], before);
     }

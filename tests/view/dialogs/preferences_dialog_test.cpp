@@ -38,6 +38,7 @@ private slots:
     void init() { support::forgetSettings(); }
     void cleanup() { view::applyTheme(Preferences::Theme::Desktop); }
     void choicesAreStoredAndTold();
+    void unsavedWorkIsNamedWithTheLanguage();
     void defaultsComeBack();
     void spoiltSettingsAreTakenAsDefaults();
     void everyLanguageHasItsCatalogue();
@@ -84,6 +85,33 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     const PreferencesDialog again;
     QCOMPARE(box(again, QStringLiteral("Language"))->currentText(), QStringLiteral("Македонски"));
     QVERIFY(again.findChild<QCheckBox*>()->isChecked());
+}
+
+void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {
+    const QStringList names{QStringLiteral("leaves.ifs"), QStringLiteral("Untitled")};
+    for (const QStringList& unsaved : {names, QStringList()}) {
+        PreferencesDialog dialog;
+        dialog.setUnsaved(unsaved);
+        dialog.show();
+        QString said;
+        const auto read = [&] {
+            said.clear();
+            for (const auto* label : dialog.findChildren<QLabel*>())
+                if (label->isVisible() && label->text().contains(QStringLiteral("Restart")))
+                    said = label->text();
+        };
+        read();
+        QVERIFY(said.isEmpty());
+        choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
+        read();
+        QVERIFY(!said.isEmpty());
+        for (const QString& name : names)
+            QCOMPARE(said.contains(name), unsaved.contains(name));
+        QCOMPARE(said.contains(QStringLiteral("Not saved")), !unsaved.isEmpty());
+        box(dialog, QStringLiteral("Language"))->setCurrentIndex(0);
+        read();
+        QVERIFY(said.isEmpty());
+    }
 }
 
 void PreferencesDialogTest::defaultsComeBack() {

@@ -91,6 +91,16 @@ private slots:
         QVERIFY(m_document->fractal() == before);
     }
 
+    // In the field that follows, too.
+    void expressionsStay() {
+        TransformDialog dialog(m_document.get());
+        dialog.show();
+        type(dialog, TransformDialog::ScaleX, QStringLiteral("1/2"));
+        QCOMPARE(dialog.field(TransformDialog::ScaleY)->text(), QStringLiteral("1/2"));
+        QCOMPARE(dialog.transformation().scaleY, 0.5);
+        dialog.reject();
+    }
+
     void cancelRestoresExactly() {
         const document::Fractal before = m_document->fractal();
         TransformDialog dialog(m_document.get());

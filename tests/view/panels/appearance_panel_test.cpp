@@ -326,6 +326,14 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 1);
     }
 
+    void stepsSayWhatWasChosen() {
+        const int address = m_panel->colourBy()->findText(QStringLiteral("Address"));
+        QVERIFY(address >= 0);
+        choose(m_panel->colourBy(), address);
+        QCOMPARE(appearance().colourBy, attractor::ColourBy::Address);
+        QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Colour by: Address"));
+    }
+
     void choicesAreSteps() {
         choose(m_panel->colourBy(), 1);
         QCOMPARE(appearance().colourBy, attractor::ColourBy::Map);

@@ -47,6 +47,18 @@ private slots:
         QVERIFY(m_panel->bakeAction()->isEnabled());
     }
 
+    void stepsSayWhereTheVertexIs() {
+        for (int axis = 0; axis < 2; ++axis) {
+            NumberField* field = m_panel->field(CagePanel::Vertices::Current, 1, axis);
+            type(field, axis == 0 ? QStringLiteral("1.2") : QStringLiteral("3"));
+            QTest::keyClick(field, Qt::Key_Return);
+        }
+        const QUndoStack& history = *m_document->undoStack();
+        QCOMPARE(history.count(), 2);
+        QCOMPARE(history.text(0), QStringLiteral("Move vertex 2 to (1.2, -3)"));
+        QCOMPARE(history.text(1), QStringLiteral("Move vertex 2 to (1.2, 3)"));
+    }
+
     void aTypedRestVertexKeepsThePicture() {
         document::Fractal fractal = m_document->fractal();
         document::plane(fractal)->cage->current = {{0, 0}, {4, 1}, {-1, 5}};

@@ -94,6 +94,18 @@ private slots:
         QCOMPARE(row().speed()->value(), 0.9);
     }
 
+    void whatWasTypedStays() {
+        colourBy(ColourBy::Blend);
+        select(2);
+        type(row().coordinate(), QStringLiteral("1/4"));
+        QTest::keyClick(row().coordinate(), Qt::Key_Return);
+        QVERIFY((stored(2) == MapBlend{0.25, 0.5}));
+        select(1);
+        QVERIFY(row().coordinate()->text() != QStringLiteral("1/4"));
+        select(2);
+        QCOMPARE(row().coordinate()->text(), QStringLiteral("1/4"));
+    }
+
     void onlyFromZeroToOne() {
         colourBy(ColourBy::Blend);
         select(0);

@@ -7,6 +7,7 @@
 #include "io/animation/frames_view.h"
 #include "io/file/background.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/number_box.h"
 #include "widgets/tooltip_text.h"
 #include "widgets/wait_for.h"
 
@@ -32,7 +33,7 @@ constexpr int maxSide = 16'384;
 constexpr int usualPointsPerPixel = 100;
 
 QSpinBox* spinBox(const QString& name, int min, int max, int value, const QString& explanation) {
-    auto* box = new QSpinBox;
+    auto* box = new WholeNumberBox;
     box->setRange(min, max);
     box->setValue(value);
     box->setAccessibleName(name);

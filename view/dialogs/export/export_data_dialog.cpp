@@ -6,6 +6,7 @@
 #include "document/edits/cage_edits.h"
 #include "io/file/background.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/number_box.h"
 #include "widgets/save_beside.h"
 #include "widgets/text_edit_workarounds.h"
 #include "widgets/tooltip_text.h"
@@ -93,7 +94,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
                         tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
                         tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
-    m_points = new QSpinBox(this);
+    m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
     m_points->setRange(1, int(io::PointCloud::maxPoints));
     m_points->setValue(100'000);

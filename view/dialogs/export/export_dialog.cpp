@@ -11,6 +11,7 @@
 #include "io/file/background.h"
 #include "io/picture/picture_writers.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/number_box.h"
 #include "widgets/number_text.h"
 #include "widgets/tooltip_text.h"
 
@@ -159,7 +160,7 @@ void ExportDialog::createPngOptions() {
     m_quality->setAccessibleName(tr("Quality"));
     m_quality->setWhatsThis(tr(
         "The number of points drawn for each pixel: more points make a smoother picture and take longer."));
-    m_supersample = new QSpinBox(m_options);
+    m_supersample = new WholeNumberBox(m_options);
     m_supersample->setRange(1, 4);
     m_supersample->setValue(m_fractal.appearance.supersample);
     m_supersample->setAccessibleName(tr("Cells along each side of a pixel"));
@@ -188,7 +189,7 @@ void ExportDialog::createSvgOptions() {
     m_style->setAccessibleName(tr("Kind of shapes"));
     m_style->setWhatsThis(tr("Copies of copies make a small file that drawing programs can edit; the outline "
                              "is one path; points are dots of the chaos game."));
-    m_points = new QSpinBox(m_options);
+    m_points = new WholeNumberBox(m_options);
     m_points->setRange(1, int(io::SvgFormat::maxPoints));
     m_points->setValue(int(io::SvgFormat().points));
     m_points->setSingleStep(10'000);
@@ -199,7 +200,7 @@ void ExportDialog::createSvgOptions() {
     m_autoDepth->setWhatsThis(
         tr("Makes the copies smaller until they cannot be distinguished from the attractor at this pixel "
            "size, or until programs would take long to draw them."));
-    m_depth = new QSpinBox(m_options);
+    m_depth = new WholeNumberBox(m_options);
     m_depth->setRange(0, 200);
     m_depth->setAccessibleName(tr("Levels of copies"));
     m_depth->setWhatsThis(tr("The number of levels of copies. More levels hardly enlarge the file, but the "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_size_editor.h"
 
+#include "widgets/number_box.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -22,18 +24,8 @@ constexpr int printed = 300; // dots per inch
 enum Unit { Pixels, Millimetres, Inches };
 enum Role { Size = Qt::UserRole, IsPaper }; // of a named size
 
-// A comma is the decimal point here as in the other fields.
-class LengthField : public QDoubleSpinBox {
-public:
-    using QDoubleSpinBox::QDoubleSpinBox;
-    QValidator::State validate(QString& text, int& position) const override {
-        return QDoubleSpinBox::validate(text.replace(u',', u'.'), position);
-    }
-};
-
 QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
-    auto* field = new LengthField(parent);
-    field->setLocale(QLocale::c());
+    auto* field = new NumberBox(parent);
     field->setRange(0.01, maxSide);
     field->setKeyboardTracking(false);
     field->setAccessibleName(name);
@@ -58,7 +50,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
       m_unit(new QComboBox(this)),
       m_named(new QComboBox(this)),
       m_lock(new QToolButton(this)),
-      m_resolution(new QSpinBox(this)) {
+      m_resolution(new WholeNumberBox(this)) {
     m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
     m_unit->setAccessibleName(tr("Unit of length"));
     m_unit->setWhatsThis(tr("Pixels, or a length on paper at the given resolution."));

@@ -10,6 +10,7 @@
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/number_box.h"
 #include "widgets/save_beside.h"
 #include "widgets/tooltip_text.h"
 
@@ -100,7 +101,7 @@ void SpaceExportDialog::createPicture() {
     connect(m_section, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::showPreview);
     m_size = new ExportSizeEditor({m_camera.size.width, m_camera.size.height}, this);
     m_form->addRow(tr("&Size:"), m_size);
-    m_supersample = new QSpinBox(this);
+    m_supersample = new WholeNumberBox(this);
     m_supersample->setRange(1, 4);
     m_supersample->setValue(2);
     m_supersample->setWhatsThis(tr("Draws this many pixels along each side of a pixel, for smoother edges."));
@@ -120,7 +121,7 @@ void SpaceExportDialog::createPicture() {
 
 void SpaceExportDialog::createBody() {
     const auto millimetres = [this](double value, double most, const QString& explanation) {
-        auto* field = new QDoubleSpinBox(this);
+        auto* field = new NumberBox(this);
         field->setRange(0, most);
         field->setDecimals(2);
         field->setSuffix(tr(" mm"));
@@ -131,7 +132,7 @@ void SpaceExportDialog::createBody() {
     m_longest = millimetres(80, 100'000, tr("The longest side of the body."));
     m_longest->setMinimum(1);
     m_form->addRow(tr("&Longest side:"), m_longest);
-    m_resolution = new QSpinBox(this);
+    m_resolution = new WholeNumberBox(this);
     m_resolution->setRange(8, io::SolidOptions::maxResolution);
     m_resolution->setValue(128);
     m_resolution->setWhatsThis(tr("Voxels along the longest side: finer steps, and more of them."));

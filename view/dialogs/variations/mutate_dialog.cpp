@@ -3,6 +3,7 @@
 
 #include "dialogs/variations/sheet_maker.h"
 #include "document/edits/map_locks.h"
+#include "widgets/number_box.h"
 #include "widgets/tooltip_text.h"
 #include "widgets/vertical_scroll_area.h"
 
@@ -201,7 +202,7 @@ void MutateDialog::addPartners(QFormLayout* form) {
 }
 
 void MutateDialog::addSeed(QFormLayout* form) {
-    m_seed = new QSpinBox(this);
+    m_seed = new WholeNumberBox(this);
     m_seed->setRange(1, 999'999);
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));

@@ -4,6 +4,7 @@
 #include "dialogs/variations/picture_tiles.h"
 #include "dialogs/variations/sheet_maker.h"
 #include "document/edits/entries_edits.h"
+#include "widgets/number_box.h"
 #include "widgets/symmetry_groups.h"
 
 #include <QComboBox>
@@ -42,8 +43,8 @@ RandomDialog::RandomDialog(document::Document* document, QWidget* parent)
       m_dimension(new QComboBox(this)),
       m_maps(new QComboBox(this)),
       m_groups(new QComboBox(this)),
-      m_order(new QSpinBox(this)),
-      m_seed(new QSpinBox(this)) {
+      m_order(new WholeNumberBox(this)),
+      m_seed(new WholeNumberBox(this)) {
     setWindowTitle(tr("Random Fractals"));
     m_sheet->setSide(side, devicePixelRatioF());
     createGrid();

@@ -5,6 +5,7 @@
 #include "canvas/items/analysis_item.h"
 #include "canvas/items/overlay_style.h"
 #include "panels/analysis/box_counting_plot.h"
+#include "widgets/number_box.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -149,7 +150,7 @@ QWidget* AnalysisPanel::makeOutlines() {
     auto* depth = new QWidget(m_outlines);
     auto* line = new QHBoxLayout(depth);
     line->setContentsMargins(0, 0, 0, 0);
-    m_depth = new QSpinBox(depth);
+    m_depth = new WholeNumberBox(depth);
     m_depth->setRange(1, deepest);
     m_depth->setAccessibleName(tr("Length of the addresses"));
     m_depth->setToolTip(tr("The number of symbols in the addresses of the cylinders; fewer if there would be "

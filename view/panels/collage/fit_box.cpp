@@ -2,6 +2,7 @@
 #include "panels/collage/fit_box.h"
 
 #include "io/picture/png_export.h"
+#include "widgets/number_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -60,15 +61,14 @@ QWidget* FitBox::makeSearch() {
     m_maps->setToolTip(tr("How many maps a suggestion has; in a range, each map must pay for itself"));
     m_maps->setAccessibleName(tr("Number of maps"));
     addRow(grid, tr("Maps:"), m_maps);
-    m_seconds = new QDoubleSpinBox(box);
+    m_seconds = new NumberBox(box);
     m_seconds->setRange(0.5, 600);
     m_seconds->setDecimals(1);
     m_seconds->setValue(2);
-    m_seconds->setLocale(QLocale::c());
     m_seconds->setAccessibleName(tr("Seconds to search"));
     m_seconds->setToolTip(tr("How long to search for suggestions"));
     addRow(grid, tr("Seconds:"), m_seconds);
-    m_seed = new QSpinBox(box);
+    m_seed = new WholeNumberBox(box);
     m_seed->setRange(1, 999'999);
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("Another seed searches in other places"));
@@ -141,7 +141,7 @@ QWidget* FitBox::makeTasks() {
     m_lock->setToolTip(tr("Locked maps stay as they are while others are refined"));
     connect(m_lock, &QToolButton::clicked, this, &FitBox::lockRequested);
     grid->addWidget(m_lock, 4, 0, 1, 2);
-    m_corners = new QSpinBox(box);
+    m_corners = new WholeNumberBox(box);
     m_corners->setRange(3, 24);
     m_corners->setValue(8);
     m_corners->setAccessibleName(tr("Corners of the cage"));

@@ -92,7 +92,12 @@ NumberField* MapBlendRow::makeField(QGridLayout* grid, const QString& name, cons
             fractal.appearance.mapBlends[m_id] = blend;
         });
     });
-    connect(field, &NumberField::committed, this, [this] { m_edit.commit(); });
+    connect(field, &NumberField::committed, this, [this, field] {
+        if (m_edit.isOpen())
+            m_document->typedNumbers().keep(m_document->currentId(), placeOf(field), field->value(),
+                                            field->typedText());
+        m_edit.commit();
+    });
     connect(field, &NumberField::cancelled, this, [this] { m_edit.cancel(); });
     return field;
 }
@@ -116,6 +121,10 @@ attractor::MapBlend MapBlendRow::blendOf(const document::Fractal& fractal, int r
     return attractor::mapBlend(fractal.appearance, m_id, std::size_t(row), count);
 }
 
+QString MapBlendRow::placeOf(const NumberField* field) const {
+    return QStringLiteral("blend %1 %2").arg(int(m_id)).arg(field == m_speed ? 1 : 0);
+}
+
 void MapBlendRow::follow() {
     const document::Fractal& fractal = m_document->fractal();
     setVisible(areColoursBlended(fractal));
@@ -128,8 +137,12 @@ void MapBlendRow::follow() {
         return m_swatch->clear();
     }
     const attractor::MapBlend blend = blendOf(fractal, row);
-    m_coordinate->setValue(blend.coordinate);
-    m_speed->setValue(blend.speed);
+    const auto show = [this](NumberField* field, double value) {
+        field->setValue(value,
+                        m_document->typedNumbers().text(m_document->currentId(), placeOf(field), value));
+    };
+    show(m_coordinate, blend.coordinate);
+    show(m_speed, blend.speed);
     const int height = fontMetrics().ascent();
     m_swatch->setPixmap(
         stripOf(attractor::colourAt(fractal.appearance.palette, blend.coordinate), {3 * height, height}));

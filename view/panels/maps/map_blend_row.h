@@ -27,6 +27,7 @@ public:
 private:
     NumberField* makeField(QGridLayout* grid, const QString& name, const QString& tip,
                            double attractor::MapBlend::*part);
+    QString placeOf(const NumberField* field) const; // in document::TypedNumbers
     void follow();
     int rowOfMap() const; // -1: none
     attractor::MapBlend blendOf(const document::Fractal& fractal, int row) const;

@@ -4,6 +4,8 @@
 #include "document/edits/map_locks.h"
 #include "document/map_names.h"
 #include "panels/maps/map_blend_row.h"
+#include "panels/maps/maps_model.h"
+#include "panels/maps/maps_texts.h"
 #include "widgets/number_field.h"
 #include "widgets/tooltip_text.h"
 
@@ -119,7 +121,7 @@ void MapShapeEditor::addField(int dimension, const QString& name, const QString&
     form.fields.push_back(field);
     connect(field, &NumberField::edited, this,
             [this, dimension, part](double value) { edit(dimension, part, value); });
-    connect(field, &NumberField::committed, this, [this] { m_edit.commit(); });
+    connect(field, &NumberField::committed, this, [this, dimension, part] { commit(dimension, part); });
     connect(field, &NumberField::cancelled, this, &MapShapeEditor::cancel);
 }
 
@@ -170,10 +172,30 @@ template <int Dim> void MapShapeEditor::show(const ifs::IteratedFunctionSystem<D
     const ifs::AffineMap<Dim>& map = system.maps[std::size_t(rowIn(system, m_id))].map;
     document::MapShapeIn<Dim>& shape = shapes<Dim>().known[m_id];
     shape.show(map.linear);
+    const auto showPart = [&](int part, double value) {
+        const QString typed =
+            m_document->typedNumbers().text(m_document->currentId(), placeOf(Dim, part), value);
+        form.fields[std::size_t(part)]->setValue(value, typed);
+    };
     for (std::size_t part = 0; part < shape.parts().size(); ++part)
-        form.fields[part]->setValue(shape.parts()[part]);
+        showPart(int(part), shape.parts()[part]);
     for (int k = 0; k < Dim; ++k)
-        form.fields[std::size_t(form.firstTranslation + k)]->setValue(map.translation[k]);
+        showPart(form.firstTranslation + k, map.translation[k]);
+}
+
+// A translation is a number of the table, too, and is written in both places as it was typed in one.
+QString MapShapeEditor::placeOf(int dimension, int part) const {
+    const int translation = part - m_forms[std::size_t(dimension - 2)].firstTranslation;
+    return translation >= 0 ? typedPlace(m_id, MapsModel::A + dimension * dimension + translation)
+                            : QStringLiteral("shape %1 %2 %3").arg(int(m_id)).arg(dimension).arg(part);
+}
+
+void MapShapeEditor::commit(int dimension, int part) {
+    const NumberField* field = formOf(dimension).fields[std::size_t(part)];
+    if (m_edit.isOpen())
+        m_document->typedNumbers().keep(m_document->currentId(), placeOf(dimension, part), field->value(),
+                                        field->typedText());
+    m_edit.commit();
 }
 
 void MapShapeEditor::edit(int dimension, int part, double value) {

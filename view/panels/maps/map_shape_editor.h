@@ -75,7 +75,9 @@ private:
     void follow();
     void clear();
     template <int Dim> void show(const ifs::IteratedFunctionSystem<Dim>& system);
+    QString placeOf(int dimension, int part) const; // of the map being edited, in document::TypedNumbers
     void edit(int dimension, int part, double value);
+    void commit(int dimension, int part);
     template <int Dim> void change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value);
     void cancel();
     int rowOfMap() const; // -1: none

@@ -479,7 +479,7 @@ QString MapsModel::editText(int row, int column, double value) const {
 }
 
 QString MapsModel::placeOf(int row, int column) const {
-    return QStringLiteral("map %1 %2").arg(int(idAt(row))).arg(column);
+    return typedPlace(idAt(row), column);
 }
 
 void MapsModel::keepTyped(const QModelIndex& index, double value, const QString& text) {
@@ -496,10 +496,11 @@ QString MapsModel::typedText(const QModelIndex& index) const {
                  : QString();
 }
 
-void MapsModel::preview(const QModelIndex& index, double value) {
+void MapsModel::preview(const QModelIndex& index, double value, int kind) {
     if (!index.isValid() || !isEditable(index.column()) || !editObstacle(index).isEmpty()) return;
-    m_edit.preview(editText(index.row(), index.column(), value),
-                   [&](document::Fractal& fractal) { change(fractal, index, value); });
+    m_edit.preview(
+        editText(index.row(), index.column(), value),
+        [&](document::Fractal& fractal) { change(fractal, index, value); }, kind);
 }
 
 void MapsModel::previewName(const QModelIndex& index, const QString& name) {

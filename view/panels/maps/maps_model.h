@@ -61,8 +61,8 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-    // The typing in one cell: shown live, one undo step on commit.
-    void preview(const QModelIndex& index, double value);
+    // The typing in one cell: shown live, one undo step on commit. The kind: see EditGesture::describe().
+    void preview(const QModelIndex& index, double value, int kind = -1);
     void previewName(const QModelIndex& index, const QString& name);
     void revert() override { cancelEdit(); } // what item views call on Esc
     void commitEdit() { m_edit.commit(); }

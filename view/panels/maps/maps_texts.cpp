@@ -74,6 +74,10 @@ QString tableWhatsThis(int dimension) {
                      "to move it.");
 }
 
+QString typedPlace(ifs::MapId map, int column) {
+    return QStringLiteral("map %1 %2").arg(int(map)).arg(column);
+}
+
 QString factsText(const std::array<QString, 3>& facts, int row, int selected) {
     if (row < 0) return OfPanel::tr("Select a map to see and edit it here.");
     const QString text = OfPanel::tr("det %1    ‖A‖ %2    %3").arg(facts[0], facts[1], facts[2]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/system/decomposition.h"
+#include "ifs/system/iterated_function_system.h"
 
 #include <QString>
 
@@ -14,6 +15,8 @@ QString kindText(ifs::MapKind kind);
 QString kindTip(ifs::MapKind kind, int dimension);
 QString coefficientTip(int dimension);
 QString tableWhatsThis(int dimension);
+// Names the number in one column of a map for document::TypedNumbers.
+QString typedPlace(ifs::MapId map, int column);
 // Determinant, norm and kind of the map of a row, and which of several selected ones it is; a hint where the
 // row is −1.
 QString factsText(const std::array<QString, 3>& facts, int row, int selected);

@@ -2,6 +2,8 @@
 #include "panels/maps/symmetry_row.h"
 
 #include "document/edits/symmetry_edits.h"
+#include "widgets/document_undo.h"
+#include "widgets/number_box.h"
 #include "widgets/number_field.h"
 #include "widgets/symmetry_groups.h"
 
@@ -68,12 +70,13 @@ QWidget* SymmetryRow::makeChoice() {
            "centre, so the fractal is symmetric. The copies are not listed; Expand lists them. "
            "On the canvas, drag the handle of the centre."));
     label->setBuddy(m_groups);
-    m_order = new QSpinBox(line);
+    m_order = new WholeNumberBox(line);
     m_order->setAccessibleName(tr("Order of the symmetry"));
     m_order->setToolTip(tr("How many times the fractal repeats in a full turn"));
     m_order->setRange(ifs::minSymmetryOrder, ifs::maxSymmetryOrder);
     m_order->setValue(usualOrder);
     m_order->setKeyboardTracking(false);
+    leaveUndoToDocument(m_order);
     m_expand = new QToolButton(line);
     m_expand->setText(tr("Expand"));
     m_expand->setAccessibleName(tr("Expand the symmetry"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/ease_dialog.h"
 
+#include "widgets/number_box.h"
+
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -127,7 +129,7 @@ EaseDialog::EaseDialog(const animation::Ease& ease, QWidget* parent)
     grid->addWidget(new QLabel(tr("First handle:")), 1, 0);
     grid->addWidget(new QLabel(tr("Second handle:")), 2, 0);
     for (int i = 0; i < 4; ++i) {
-        m_numbers[i] = new QDoubleSpinBox;
+        m_numbers[i] = new NumberBox;
         m_numbers[i]->setRange(0, 1);
         m_numbers[i]->setDecimals(3);
         m_numbers[i]->setSingleStep(0.05);

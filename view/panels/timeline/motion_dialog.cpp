@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_dialog.h"
 
+#include "widgets/number_box.h"
+
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -20,23 +22,23 @@ constexpr double percent = 100;
 constexpr double maxPercent = 99.9;
 
 // Either way, but never none.
-class TurnsBox : public QSpinBox {
+class TurnsBox : public WholeNumberBox {
 public:
     void stepBy(int steps) override {
         const int wanted = value() + steps;
         const bool crosses = (value() < 0) != (wanted < 0) || wanted == 0;
-        QSpinBox::stepBy(crosses ? steps + (steps > 0 ? 1 : -1) : steps);
+        WholeNumberBox::stepBy(crosses ? steps + (steps > 0 ? 1 : -1) : steps);
     }
 
 protected:
     QValidator::State validate(QString& text, int& position) const override {
-        const QValidator::State state = QSpinBox::validate(text, position);
+        const QValidator::State state = WholeNumberBox::validate(text, position);
         return state == QValidator::Acceptable && valueFromText(text) == 0 ? QValidator::Intermediate : state;
     }
 };
 
 QDoubleSpinBox* strengthBox(double most, const QString& suffix, double step) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setRange(-most, most);
     box->setDecimals(2);
     box->setSingleStep(step);
@@ -87,7 +89,7 @@ QWidget* MotionDialog::field(std::size_t index, int ordinal) {
         return box;
     }
     const bool isTurns = number.kind == Kind::Turns;
-    auto* box = isTurns ? new TurnsBox : new QSpinBox;
+    auto* box = isTurns ? new TurnsBox : new WholeNumberBox;
     box->setRange(isTurns ? -animation::maxCycles : 1, animation::maxCycles);
     box->setValue(int(number.value));
     const auto all = std::ranges::count(m_numbers, Kind::Cycles, &document::MotionNumber::kind);

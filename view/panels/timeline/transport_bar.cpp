@@ -2,8 +2,10 @@
 #include "panels/timeline/transport_bar.h"
 
 #include "panels/timeline/timeline.h"
+#include "widgets/document_undo.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
+#include "widgets/number_box.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -24,9 +26,10 @@ constexpr std::chrono::milliseconds countEvery{500};
 constexpr int maxRate = 240;
 
 QSpinBox* spinBox(const QString& name, const QString& explanation, int min, int max) {
-    auto* box = new QSpinBox;
+    auto* box = new WholeNumberBox;
     box->setRange(min, max);
     box->setKeyboardTracking(false);
+    leaveUndoToDocument(box);
     box->setAccessibleName(name);
     box->setToolTip(explanation);
     return box;

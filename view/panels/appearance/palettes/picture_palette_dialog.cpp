@@ -2,6 +2,7 @@
 #include "panels/appearance/palettes/picture_palette_dialog.h"
 
 #include "attractor/colour/picture_palette.h"
+#include "widgets/number_box.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -113,7 +114,7 @@ PicturePaletteDialog::PicturePaletteDialog(const QImage& picture, QWidget* paren
                     ? picture.scaled(maxSide, maxSide, Qt::KeepAspectRatio, Qt::SmoothTransformation)
                     : picture),
       m_canvas(new LinePicture(m_picture, this)),
-      m_colours(new QSpinBox(this)) {
+      m_colours(new WholeNumberBox(this)) {
     setWindowTitle(tr("Palette from Picture"));
     m_colours->setRange(2, int(attractor::maxPictureColours));
     m_colours->setValue(usualColours);

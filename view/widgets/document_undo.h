@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+class QAbstractSpinBox;
+
+namespace view {
+
+// Leaves undo and redo in a field that edits the document to the document, as number fields do; the field
+// takes back only what is being typed.
+void leaveUndoToDocument(QAbstractSpinBox* field);
+
+} // namespace view

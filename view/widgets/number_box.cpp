@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/number_box.h"
+
+#include "widgets/number_text.h"
+
+#include <cmath>
+
+namespace view {
+
+namespace {
+
+template <class Box> QString withoutUnits(const Box& box, QString text) {
+    if (const QString prefix = box.prefix(); !prefix.isEmpty() && text.startsWith(prefix))
+        text.remove(0, prefix.size());
+    if (const QString suffix = box.suffix(); !suffix.isEmpty() && text.endsWith(suffix))
+        text.chop(suffix.size());
+    return text.trimmed();
+}
+
+std::optional<double> rounded(const std::optional<double>& value, int decimals) {
+    if (!value) return {};
+    return QString::number(*value, 'f', decimals).toDouble();
+}
+
+std::optional<int> whole(const std::optional<double>& value, int min, int max) {
+    if (!value || *value < min || *value > max || std::round(*value) != *value) return {};
+    return static_cast<int>(*value);
+}
+
+} // namespace
+
+NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    setLocale(QLocale::c());
+}
+
+QValidator::State NumberBox::validate(QString& text, int& position) const {
+    QString plain = text;
+    if (!text.contains(u'(')) plain.replace(u',', u'.'); // not in min(1, 2)
+    int at = position;
+    if (QDoubleSpinBox::validate(plain, at) == QValidator::Acceptable) {
+        text = plain;
+        position = at;
+        return QValidator::Acceptable;
+    }
+    const auto value = rounded(typedNumber(withoutUnits(*this, text)), decimals());
+    return value && *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
+                                                               : QValidator::Intermediate;
+}
+
+double NumberBox::valueFromText(const QString& text) const {
+    const auto value = rounded(typedNumber(withoutUnits(*this, text)), decimals());
+    return value ? *value : QDoubleSpinBox::valueFromText(text); // a text that stands for the least value
+}
+
+QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
+    QString plain = text;
+    int at = position;
+    const QValidator::State state = QSpinBox::validate(plain, at);
+    const QString typed = withoutUnits(*this, text);
+    if (state == QValidator::Acceptable || !isExpression(typed)) {
+        text = plain;
+        position = at;
+        return state;
+    }
+    return whole(typedNumber(typed), minimum(), maximum()) ? QValidator::Acceptable
+                                                           : QValidator::Intermediate;
+}
+
+int WholeNumberBox::valueFromText(const QString& text) const {
+    const QString typed = withoutUnits(*this, text);
+    const auto value = isExpression(typed) ? whole(typedNumber(typed), minimum(), maximum()) : std::nullopt;
+    return value ? *value : QSpinBox::valueFromText(text);
+}
+
+} // namespace view
