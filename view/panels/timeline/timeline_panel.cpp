@@ -16,6 +16,7 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -106,10 +107,16 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     column->setSpacing(0);
     column->addWidget(m_transport);
     column->addWidget(m_pages, 1);
+    m_lost = new QLabel;
+    m_lost->setWordWrap(true);
+    m_lost->setMargin(4);
+    m_lost->setAccessibleName(tr("Frame without an attractor"));
+    m_lost->hide();
     connect(m_page, &MotionPage::tableWanted, this, [this] {
         showTracks();
         m_tracks->setFocus();
     });
+    column->addWidget(m_lost);
     connect(&m_timeline, &Timeline::changed, this, &TimelinePanel::follow);
     connect(&m_timeline, &Timeline::message, this, &TimelinePanel::message);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
@@ -119,14 +126,31 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
         m_wantsTracks = false;
         follow();
     });
+        watch(change);
     follow();
 }
 
 bool TimelinePanel::showsTracks() const {
     return m_pages->currentWidget() == m_tracks;
+    connect(&m_watch, &AttractorWatch::changed, this, &TimelinePanel::showLost);
+    m_watch.look(document->currentEntry().fractal);
 }
 
 void TimelinePanel::showTracks() {
+// Of another entry, nothing is known yet.
+void TimelinePanel::watch(const document::Change& change) {
+    using document::Change;
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    if (isAnother) m_watch.look(nullptr);
+    if (isAnother || !change.live) m_watch.look(m_document->currentEntry().fractal);
+}
+
+void TimelinePanel::showLost() {
+    m_lost->setText(m_watch.sentence());
+    m_lost->setVisible(m_watch.lost().has_value());
+    m_tracks->setFlawedFrame(m_watch.lostFrame());
+}
+
     m_wantsTracks = true;
     follow();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bridges/attractor_watch.h"
 #include "panels/timeline/timeline.h"
 
 #include <QWidget>
@@ -9,6 +10,7 @@
 #include <stop_token>
 
 class QMenu;
+class QLabel;
 class QStackedWidget;
 
 namespace view {
@@ -53,9 +55,12 @@ private:
     void follow();
 
     document::Document* m_document;
+    void watch(const document::Change& change);
+    void showLost();
     Timeline m_timeline;
     QList<QAction*> m_actions;
     std::vector<Make> m_makes; // of each of them
+    AttractorWatch m_watch;
     QMenu* m_motions;
     QMenu* m_winds;
     QMenu* m_entries;
@@ -64,6 +69,7 @@ private:
     MotionPage* m_page = nullptr;
     QStackedWidget* m_pages = nullptr;
     bool m_wantsTracks = false;
+    QLabel* m_lost = nullptr; // says when the attractor is
 };
 
 } // namespace view
