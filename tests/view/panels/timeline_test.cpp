@@ -16,6 +16,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
 #include <QProgressDialog>
@@ -500,7 +501,8 @@ void TimelineTest::timingIsEdited() {
     QSignalSpy told(&timeline(), &view::Timeline::message);
     bar.length()->setValue(30);
     QCOMPARE(told.size(), 1); // a key is gone
-    bar.rate()->setValue(12);
+    bar.rate()->setCurrentText(QStringLiteral("12"));
+    QTest::keyClick(bar.rate()->lineEdit(), Qt::Key_Return);
     QCOMPARE(told.size(), 1);
     bar.loop()->setCurrentIndex(1);
     emit bar.loop()->activated(1);
