@@ -251,10 +251,11 @@ void TimelineTest::motionsAreShownMoving() {
     QTRY_VERIFY(page->isMoving());
     for (auto* button : page->findChildren<QToolButton*>()) {
         if (button->defaultAction()->property("isChoice").toBool()) continue; // there is no other entry
-        if (button->defaultAction()->text().startsWith(QStringLiteral("Zoom"))) continue; // not looked for
-        const QImage before = button->icon().pixmap(button->iconSize()).toImage();
-        QTRY_VERIFY2(button->icon().pixmap(button->iconSize()).toImage() != before,
-                     qPrintable(button->accessibleName()));
+        for (int change = 0; change < 2; ++change) { // the first may take the place of the icon
+            const QImage before = button->icon().pixmap(button->iconSize()).toImage();
+            QTRY_VERIFY2_WITH_TIMEOUT(button->icon().pixmap(button->iconSize()).toImage() != before,
+                                      qPrintable(button->accessibleName()), 60'000);
+        }
     }
     QVERIFY(m_document->undoStack()->count() == 0);
     m_panel->showTracks();

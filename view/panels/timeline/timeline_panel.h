@@ -7,10 +7,11 @@
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <stop_token>
 
-class QMenu;
 class QLabel;
+class QMenu;
 class QStackedWidget;
 
 namespace view {
@@ -47,29 +48,33 @@ private:
     void addWinds();
     void listEntries();
     std::optional<document::Fractal> morphToNext() const;
+    std::optional<document::Fractal> zoomOfEntry();
     void apply(const QString& text, const Make& make, const QString& failure);
     void zoomEndlessly();
     void morphTo(document::EntryId id);
     void choosePairs();
     void addMorph(document::Fractal morph, const QString& name);
     void follow();
-
-    document::Document* m_document;
     void watch(const document::Change& change);
     void showLost();
+
+    document::Document* m_document;
     Timeline m_timeline;
+    AttractorWatch m_watch;
     QList<QAction*> m_actions;
     std::vector<Make> m_makes; // of each of them
-    AttractorWatch m_watch;
     QMenu* m_motions;
     QMenu* m_winds;
     QMenu* m_entries;
     TransportBar* m_transport = nullptr;
     TrackView* m_tracks = nullptr;
     MotionPage* m_page = nullptr;
+    QLabel* m_lost = nullptr; // says at which frame there is no attractor
     QStackedWidget* m_pages = nullptr;
     bool m_wantsTracks = false;
-    QLabel* m_lost = nullptr; // says when the attractor is
+    std::shared_ptr<const document::Fractal> m_zoomed; // the entry of which the endless zoom is looked for
+    std::optional<document::Fractal> m_zoom;           // what has been found
+    NewestWork<document::Fractal> m_zooming;           // last: it stops before the rest goes
 };
 
 } // namespace view
