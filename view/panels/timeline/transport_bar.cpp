@@ -137,7 +137,8 @@ void TransportBar::takeRate() {
     }
     showAnimation();
     if (!rate)
-        emit m_timeline->message(tr("“%1” is no number of frames per second above 0 and up to %2.")
+        emit m_timeline->message(tr("“%1” is not a frame rate. Enter frames per second, above 0 and at most "
+                                    "%2, such as 24, 29.97 or 30000/1001.")
                                      .arg(typed)
                                      .arg(animation::maxRate));
 }
