@@ -18,8 +18,9 @@ void AttractorWatch::look(std::shared_ptr<const document::Fractal> entry) {
     m_work.cancel();
     if (!m_entry || !document::animationFacts(*m_entry)) return setLost(std::nullopt);
     m_work.submit([looked = m_entry](const std::stop_token& stop) -> std::optional<Lost> {
-        Lost lost = document::firstWithoutAttractor(*looked, stop);
-        return stop.stop_requested() ? std::nullopt : std::optional(std::move(lost));
+        const Lost lost = document::firstWithoutAttractor(*looked, stop);
+        if (stop.stop_requested()) return std::nullopt;
+        return std::optional<Lost>(std::in_place, lost);
     });
 }
 
