@@ -6,6 +6,7 @@
 #include "parser.h"
 #include "usage_error.h"
 
+#include "animation/frame_rate.h"
 #include "attractor/colour/palette_library.h"
 #include "io/file/save_file.h"
 #include "io/palette/palette_reader.h"
@@ -245,15 +246,12 @@ document::ShutterAngle shutterArgument(const std::string& option, const std::str
 }
 
 animation::FrameRate rateArgument(const std::string& option, const std::string& text) {
-    constexpr std::int64_t maxTerm = 1'000'000;
-    const auto rate = animation::parseMoment(text); // the same form
-    const bool isRate = rate && rate->numerator > 0 && rate->numerator <= maxTerm &&
-                        rate->denominator <= maxTerm && rate->numerator <= 1000 * rate->denominator;
-    if (!isRate)
+    const auto rate = animation::parseRate(text);
+    if (!rate)
         refuse(
             option, text,
             tr("it must be frames per second, above 0 and at most 1000, such as 24, 29.97 or 30000/1001."));
-    return {int(rate->numerator), int(rate->denominator)};
+    return *rate;
 }
 
 double rotationArgument(const std::string& option, const std::string& text) {

@@ -113,9 +113,10 @@ std::vector<animation::Moment> moments(const AnimationFacts& facts, int count) {
     return result;
 }
 
-std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal) {
+std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal,
+                                                            const std::stop_token& stop) {
     const auto facts = animationFacts(fractal);
-    return facts && !isSafeByNorm(fractal, *facts) ? firstTried(fractal, *facts, {}) : std::nullopt;
+    return facts && !isSafeByNorm(fractal, *facts) ? firstTried(fractal, *facts, stop) : std::nullopt;
 }
 
 std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token& stop) {

@@ -37,12 +37,13 @@ AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment);
 std::vector<animation::Moment> moments(const AnimationFacts& facts, int count);
 
 // The first of 33 evenly spaced moments at which no attractor is certain. Where the keys have a common norm
-// and no motion follows, none fails, and nothing is tried.
+// and no motion follows, none fails, and nothing is tried. What is returned once stopped means nothing.
 struct MomentWithoutAttractor {
     animation::Moment moment;
     ifs::Verdict verdict; // None, Empty or Undecided
 };
-std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal);
+std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal,
+                                                            const std::stop_token& stop = {});
 
 // Whether there is such a moment; nullopt when stopped before that is known.
 std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token& stop);

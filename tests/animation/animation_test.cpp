@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include <cmath>
 #include <cstring>
 #include <numbers>
 #include <random>
@@ -283,6 +284,30 @@ private slots:
         far.orientation = attractor::orbit(70, 20);
         far.height = 4;
         QVERIFY(std::abs(between(camera, far, 0.5).height - 2) < 1e-14);
+    }
+
+    // In space the orientation takes the shorter great circle, evenly, whichever sign its quaternion has.
+    void camerasInSpaceTurnEvenly() {
+        const ifs::Vector<3> axis = ifs::Vector<3>(1, 2, 3).normalized();
+        const auto turned = [&](double degrees) {
+            return attractor::Orientation(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis));
+        };
+        attractor::OrbitCamera from, to;
+        from.orientation = turned(0);
+        from.height = 1;
+        from.target = {0, 0, 0};
+        to.orientation = turned(120);
+        to.height = 4;
+        to.target = {3, 0, -6};
+        for (const double sign : {1.0, -1.0}) {
+            to.orientation.coeffs() *= sign;
+            const attractor::OrbitCamera half = between(from, to, 0.5), quarter = between(from, to, 0.25);
+            QVERIFY(half.orientation.angularDistance(turned(60)) < 1e-7);
+            QVERIFY(quarter.orientation.angularDistance(turned(30)) < 1e-7);
+            QVERIFY(std::abs(half.orientation.norm() - 1) < 1e-12);
+            QVERIFY((half.target - ifs::Vector<3>(1, 0, -2)).norm() < 1e-12); // a third of the way
+            QVERIFY(std::abs(quarter.height - std::sqrt(2.0)) < 1e-12);
+        }
     }
 
     void looksMixInOklab() {

@@ -9,6 +9,7 @@
 #include "bench/canvas_drag.h"
 #include "bench/collage_bench.h"
 #include "bench/engine_bench.h"
+#include "bench/frames_bench.h"
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
 #include "bench/noise_bench.h"
@@ -280,6 +281,15 @@ void addAddresses(std::vector<Metric>& metrics, bool quick) {
 
 void addTime(std::vector<Metric>& metrics, bool quick) {
     for (const timing::Row& row : timing::measure(quick ? 5 : 20))
+        metrics.push_back({row.name, row.value, row.target});
+    const document::Fractal moving = frames_bench::windyMaple(48);
+    metrics.push_back(
+        {"time.playback.late.1e7", lateInCanvas(moving, tenMillion, quick ? 72 : 240), "< 0.01"});
+    std::vector<double> scrubbed = scrubInCanvas(moving, tenMillion, quick ? 100 : 300);
+    std::sort(scrubbed.begin(), scrubbed.end());
+    metrics.push_back({"time.scrub_ms.p50", scrubbed[scrubbed.size() / 2], "reported"});
+    metrics.push_back({"time.scrub_ms.p99", scrubbed[scrubbed.size() * 99 / 100], "<= 16.7"});
+    for (const timing::Row& row : frames_bench::measure(quick ? 12 : 240, quick ? 3 : 10))
         metrics.push_back({row.name, row.value, row.target});
 }
 

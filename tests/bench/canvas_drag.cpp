@@ -7,10 +7,12 @@
 #include "canvas/scene/canvas_scene.h"
 #include "document/document.h"
 #include "document/fractal.h"
+#include "panels/timeline/playback.h"
 
 #include <QApplication>
 #include <QMouseEvent>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -22,8 +24,9 @@ public:
     Watch(const view::RenderBridge* bridge, QObject* viewport) : m_bridge(bridge) {
         viewport->installEventFilter(this);
     }
+    bool isShown() const { return m_bridge->isCurrent() && m_painted == m_bridge->frame()->revision; }
     void await() {
-        while (!(m_bridge->isCurrent() && m_painted == m_bridge->frame()->revision))
+        while (!isShown())
             QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
     }
 
@@ -45,30 +48,75 @@ void send(view::CanvasView& canvas, QEvent::Type type, const QPointF& at) {
     QCoreApplication::sendEvent(canvas.viewport(), &event);
 }
 
+// The canvas with a document whose first picture has been painted.
+struct Shown {
+    Shown(const document::Fractal& fractal, std::uint64_t samples) {
+        document.setFile(document::fileOf(fractal));
+        bridge.fixLiveSamples(samples);
+        canvas.setFixedSize(1920, 1080);
+        canvas.show();
+        watch.await();
+    }
+    document::Document document;
+    view::RenderBridge bridge{&document};
+    view::CanvasView canvas{&document, &bridge};
+    Watch watch{&bridge, canvas.viewport()};
+};
+
 } // namespace
+
+std::vector<double> scrubInCanvas(const document::Fractal& animated, std::uint64_t samples, int events) {
+    Shown shown(animated, samples);
+    const int length = document::animationFacts(animated)->length;
+    std::vector<double> times;
+    for (int event = 1; event <= events; ++event) {
+        const auto begin = std::chrono::steady_clock::now();
+        shown.document.setMoment(animation::moment(7 * event % length));
+        shown.watch.await();
+        times.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    }
+    return times;
+}
+
+double lateInCanvas(document::Fractal animated, std::uint64_t samples, int frames) {
+    constexpr double allowed = 16.7; // milliseconds
+    auto& animation = *document::plane(animated)->animation;
+    animation.length = frames;
+    animation.loop = animation::Loop::Off;
+    Shown shown(animated, samples);
+    view::Playback playback(&shown.document);
+    std::vector<double> paintedAt(std::size_t(frames) + 1, HUGE_VAL);
+    const auto begin = std::chrono::steady_clock::now();
+    playback.setPlaying(true);
+    do {
+        QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+        const std::chrono::duration<double, std::milli> now = std::chrono::steady_clock::now() - begin;
+        double& painted = paintedAt[std::size_t(playback.position())];
+        if (shown.watch.isShown()) painted = std::min(painted, now.count());
+    } while (playback.isPlaying());
+    int late = 0;
+    for (int frame = 0; frame < frames; ++frame) { // the last one may still be on its way
+        const double due = 1000.0 * frame * animation.rate.seconds / animation.rate.frames;
+        late += paintedAt[std::size_t(frame)] > due + allowed;
+    }
+    return double(late) / frames;
+}
 
 std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
                                  int events) {
-    document::Document document;
-    document::Fractal fractal = document.fractal();
+    document::Fractal fractal = document::Document().fractal();
     *document::system2(fractal) = system;
     document::plane(fractal)->cage.reset();
-    document.setFile(document::fileOf(fractal));
-    view::RenderBridge bridge(&document);
-    bridge.fixLiveSamples(samples);
-    view::CanvasView canvas(&document, &bridge);
-    canvas.setFixedSize(1920, 1080);
-    Watch watch(&bridge, canvas.viewport());
-    canvas.show();
-    watch.await();
-    const QPointF start = canvas.canvas().positionOf({view::CanvasPart::Kind::Vertex, 1});
-    send(canvas, QEvent::MouseButtonPress, start);
+    Shown shown(fractal, samples);
+    const QPointF start = shown.canvas.canvas().positionOf({view::CanvasPart::Kind::Vertex, 1});
+    send(shown.canvas, QEvent::MouseButtonPress, start);
     std::vector<double> times;
     for (int event = 1; event <= events; ++event) {
         const QPointF at = start + QPointF(40 * std::sin(0.1 * event), 25 * std::sin(0.17 * event));
         const auto begin = std::chrono::steady_clock::now();
-        send(canvas, QEvent::MouseMove, at);
-        watch.await();
+        send(shown.canvas, QEvent::MouseMove, at);
+        shown.watch.await();
         times.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
     }

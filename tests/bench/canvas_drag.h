@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/fractal.h"
 #include "ifs/system/iterated_function_system.h"
 
 #include <cstdint>
@@ -10,3 +11,10 @@
 // event to the window until the pixels of its picture are painted, event by event. Needs a QApplication.
 std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
                                  int events);
+
+// The playhead of an animation set here and there: milliseconds until the pixels of its picture are painted.
+std::vector<double> scrubInCanvas(const document::Fractal& animated, std::uint64_t samples, int events);
+
+// An animation played once, `frames` long: the share of its frames whose picture is painted more than 16.7 ms
+// after they are due, or not at all.
+double lateInCanvas(document::Fractal animated, std::uint64_t samples, int frames);

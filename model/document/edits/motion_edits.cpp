@@ -16,7 +16,7 @@ namespace {
 constexpr double swell = 0.1;
 constexpr int directions = 64;     // in which a piece is looked at
 constexpr double margin = 0.98;    // of the largest view that sees nothing else
-constexpr double roundOff = 1e-9;  // of a map that only scales
+constexpr double roundOff = 1e-9;  // of a similarity
 constexpr double tolerance = 1e-4; // of a support value, of the size of the attractor
 constexpr int maxNodes = 5'000;    // of its search: with more, the view only becomes a little larger
 
@@ -86,9 +86,26 @@ double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap
 
 struct SmallCopy {
     ifs::Vector<2> centre; // displayed
-    double ratio = 1;
-    double radius = 0; // of the largest ball about the centre that, scaled, meets no other piece
+    double ratio = 1;      // of what the view comes to
+    double turn = 0;       // counter-clockwise, in (−π, π]
+    double radius = 0;     // of the largest ball about the centre that, scaled, meets no other piece
 };
+
+double ratioOf(const ifs::AffineMap<2>& map) {
+    return std::sqrt(std::abs(map.linear.determinant()));
+}
+
+// Where the view comes to if the map is a similarity, with radius 0. After a mirrored copy comes one of that
+// copy, which is not mirrored and lies in the same place.
+std::optional<SmallCopy> copyUnder(const ifs::AffineMap<2>& map) {
+    const double ratio = ratioOf(map), square = ratio * ratio;
+    const auto centre = ifs::fixedPoint<2>(map);
+    const ifs::Matrix<2> excess = map.linear.transpose() * map.linear - square * ifs::Matrix<2>::Identity();
+    if (!centre || ratio <= roundOff || ratio >= 1 - roundOff || excess.norm() > roundOff * square)
+        return std::nullopt;
+    if (map.linear.determinant() < 0) return SmallCopy{*centre, square, 0, 0};
+    return SmallCopy{*centre, ratio, std::atan2(map.linear(1, 0), map.linear(0, 0)), 0};
+}
 
 std::optional<SmallCopy> largestCopy(const System2& shown, const std::stop_token& stop) {
     const auto active = ifs::activeMaps(shown);
@@ -97,18 +114,15 @@ std::optional<SmallCopy> largestCopy(const System2& shown, const std::stop_token
     if (!attractor) return best;
     for (std::size_t j = 0; j < active.maps.size(); ++j) {
         const ifs::AffineMap<2>& map = active.maps[j];
-        const double ratio = map.linear(0, 0);
-        const auto centre = ifs::fixedPoint<2>(map);
-        if (!centre || ratio <= roundOff || ratio >= 1 - roundOff ||
-            (map.linear - ratio * ifs::Matrix<2>::Identity()).norm() > roundOff)
-            continue;
+        auto copy = copyUnder(map);
+        if (!copy) continue;
         double clear = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < active.maps.size(); ++i) {
             if (stop.stop_requested()) return std::nullopt;
-            if (i != j) clear = std::min(clear, distanceTo(*attractor, active.maps[i], *centre));
+            if (i != j) clear = std::min(clear, distanceTo(*attractor, active.maps[i], copy->centre));
         }
-        const double radius = std::min(clear / ratio, 4 * attractor->radius());
-        if (radius > (best ? best->radius : 0)) best = SmallCopy{*centre, ratio, radius};
+        copy->radius = std::min(clear / ratioOf(map), 4 * attractor->radius());
+        if (copy->radius > (best ? best->radius : 0)) best = copy;
     }
     return best;
 }
@@ -172,7 +186,10 @@ std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attr
     if (!copy) return std::nullopt;
     const double height = margin * 2 * copy->radius / std::hypot(1, aspect);
     const attractor::View from{copy->centre, height, yAxis};
-    const attractor::View to{copy->centre, height * copy->ratio, yAxis};
+    // What lies counter-clockwise comes upright again as the picture turns the other way.
+    const double turn = yAxis == attractor::YAxis::Up ? -copy->turn : copy->turn;
+    const attractor::View to{copy->centre, height * copy->ratio, yAxis,
+                             attractor::rotationOf(attractor::degreesOf(turn))};
     Fractal result = entry;
     Shape<2>& shape = *plane(result);
     if (!shape.animation) shape.animation.emplace();

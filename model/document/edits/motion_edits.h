@@ -24,10 +24,10 @@ std::optional<Fractal> withBreathing(const Fractal& entry, const std::stop_token
 // The palette goes round.
 std::optional<Fractal> withPaletteCycle(const Fractal& entry);
 
-// Camera keys at both ends from a view to its image under a map that only scales what is displayed: as one
-// piece is a small copy of the whole, the last frame is the first. nullopt unless the entry is in the plane
-// and has such a piece, with all others certainly out of sight at the end. `aspect` is that of the picture,
-// width by height, ≥ 1 or below. docs/mathematics.md, "Animation".
+// Camera keys at both ends from a view to its image under a similarity among the maps of what is displayed,
+// or under its square if it mirrors: as one piece is a small copy of the whole, the last frame is the first.
+// nullopt unless the entry is in the plane and has such a piece, with all others certainly out of sight at
+// the end. `aspect` is that of the picture, width by height, ≥ 1 or below. docs/mathematics.md, "Animation".
 std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis,
                                        const std::stop_token& stop = {});
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
 
+#include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
+#include <QProcess>
+#include <QRandomGenerator>
 #include <QTest>
 
 // barycage-cli render --part, --band and --resume, and merge.
@@ -19,6 +23,8 @@ private slots:
     void aTransparentPictureIsNotMergedToJpeg();
     void whatMakesNoSenseIsRefused_data();
     void whatMakesNoSenseIsRefused();
+    void killedAtAnyTimeLeavesWholeFiles_data();
+    void killedAtAnyTimeLeavesWholeFiles();
 };
 
 namespace {
@@ -145,6 +151,47 @@ void CliPartsTest::whatMakesNoSenseIsRefused() {
     const Result result = run(arguments);
     QCOMPARE(result.status, 2);
     QVERIFY2(result.err.contains(sentence), result.err.constData());
+}
+
+void CliPartsTest::killedAtAnyTimeLeavesWholeFiles_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::newRow("picture") << QByteArray("all.png");
+    QTest::newRow("sums") << QByteArray("all.sum");
+}
+
+// kill −9 at any time leaves the file that was there or the new one, never a part of it.
+void CliPartsTest::killedAtAnyTimeLeavesWholeFiles() {
+    QFETCH(const QByteArray, name);
+    const QByteArray large = "systems.ifs --entry maple --size 1200x900 --points 20M ";
+    for (const char* part : {"0", "1"})
+        QCOMPARE(run("render " + large + "--part " + part + "/2 -o p" + part + ".sum").status, 0);
+    QDir().mkpath(path("killed"));
+    const QByteArray command = "merge p0.sum p1.sum -o killed/" + name;
+    QElapsedTimer clock;
+    clock.start();
+    QCOMPARE(run("merge p0.sum p1.sum -o whole-" + name).status, 0);
+    const int duration = int(clock.elapsed()) + 1;
+    const QByteArray whole = read("whole-" + name);
+    QVERIFY(!whole.isEmpty());
+    QRandomGenerator random(5);
+    for (int n = 0; n < 16; ++n) {
+        write("killed/" + name, "old");
+        QProcess process;
+        start(process, command);
+        QVERIFY(process.waitForStarted());
+        process.waitForFinished(random.bounded(duration));
+        process.kill();
+        process.waitForFinished();
+        const QStringList files =
+            QDir(path("killed")).entryList(QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot);
+        QVERIFY(files.contains(QString::fromUtf8(name)));
+        for (const QString& file : files) {
+            const QByteArray left = read("killed/" + file.toUtf8());
+            QVERIFY2(left == "old" || left == whole, qPrintable(file));
+        }
+    }
+    QCOMPARE(run(command).status, 0);
+    QVERIFY(read("killed/" + name) == whole);
 }
 
 QTEST_GUILESS_MAIN(CliPartsTest)

@@ -34,6 +34,7 @@ private slots:
     void videosOpenAsTheirAnimation_data();
     void videosOpenAsTheirAnimation();
     void gifsKeepOnePalette();
+    void theDitherOfGifsStaysInPlace();
     void aRateIsKept();
     void brokenSequencesAreRefused();
     void wrongUsageIsRefused_data();
@@ -350,6 +351,34 @@ void CliVideoTest::gifsKeepOnePalette() {
     const QImage &first = images[0], &second = images[1];
     for (const QPoint corner : {QPoint(0, 0), QPoint(63, 0), QPoint(1, 1)})
         QCOMPARE(first.pixel(corner), second.pixel(corner));
+}
+
+// What rests below does not change while something moves above it, in more colours than there are.
+void CliVideoTest::theDitherOfGifsStaysInPlace() {
+    constexpr int width = 64, height = 48;
+    QList<QImage> sources;
+    for (int n = 1; n <= 3; ++n) {
+        QImage image(width, height, QImage::Format_RGB32);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const int moved = y < height / 2 ? (x + 9 * n) % width : x;
+                image.setPixel(x, y, qRgb(4 * moved, 5 * y, (7 * moved + 3 * y) % 256));
+            }
+        QVERIFY(image.save(path("b/f." + QByteArray::number(n) + ".png")));
+        sources << image;
+    }
+    QCOMPARE(run("encode b/f.#.png -o a/v.gif").status, 0);
+    const auto half = [](const QImage& image, int top) {
+        return image.copy(0, top, width, height / 2).convertToFormat(QImage::Format_RGB32);
+    };
+    const QImage first = frame("a/v.gif", 0);
+    QCOMPARE(first.size(), QSize(width, height));
+    QVERIFY(half(first, height / 2) != half(sources[0], height / 2)); // it is dithered
+    for (const int n : {1, 2}) {
+        const QImage image = frame("a/v.gif", n);
+        QCOMPARE(half(image, height / 2), half(first, height / 2));
+        QVERIFY(half(image, 0) != half(first, 0));
+    }
 }
 
 void CliVideoTest::aRateIsKept() {

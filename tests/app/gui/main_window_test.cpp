@@ -52,6 +52,7 @@ private slots:
     void aKeyLeadsFromThePanelsToTheCanvasAndBack();
     void mapsInSpaceStaySelected();
     void theCameraInSpaceIsKeyed();
+    void framesAreKeyedFromTheCanvas();
     void theViewIsRotated();
     void aWindowMayGoInMidDrag_data();
     void aWindowMayGoInMidDrag();
@@ -361,6 +362,52 @@ void MainWindowTest::theCameraInSpaceIsKeyed() {
     timeline.setFrame(6);
     QVERIFY(navigation.camera() == first);
     document.undoStack()->setClean();
+}
+
+// K, Shift+K and the keys that move the playhead, while the canvas has the focus.
+void MainWindowTest::framesAreKeyedFromTheCanvas() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    canvas->setFocus();
+    auto* panel = window->findChild<view::TimelinePanel*>();
+    view::Timeline& timeline = panel->timeline();
+    const auto framesOf = [&](std::size_t row) {
+        std::vector<int> frames;
+        for (const auto& key : timeline.tracks()[row].keys)
+            frames.push_back(key.frame);
+        return frames;
+    };
+    timeline.setFrame(11);
+    QTest::keyClick(canvas, Qt::Key_Period);
+    QCOMPARE(timeline.frame(), 12);
+    QTest::keyClick(canvas, Qt::Key_K);
+    QTRY_VERIFY(panel->isVisible() && panel->showsTracks());
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 12}));
+    QVERIFY(framesOf(1).empty());
+    timeline.setRow(1);
+    QTest::keyClick(canvas, Qt::Key_K);
+    QCOMPARE(framesOf(1), (std::vector<int>{0, 12}));
+    timeline.setFrame(6);
+    QTest::keyClick(canvas, Qt::Key_K, Qt::ShiftModifier);
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 6, 12}));
+    QCOMPARE(framesOf(1), (std::vector<int>{0, 6, 12}));
+    QVERIFY(framesOf(2).empty());
+    QTest::keyClick(canvas, Qt::Key_Period, Qt::AltModifier);
+    QCOMPARE(timeline.frame(), 12);
+    QTest::keyClick(canvas, Qt::Key_Comma);
+    QCOMPARE(timeline.frame(), 11);
+    QTest::keyClick(canvas, Qt::Key_Comma, Qt::AltModifier);
+    QCOMPARE(timeline.frame(), 6);
+    for (int step = 0; step < 3; ++step)
+        window->document().undoStack()->undo();
+    QVERIFY(timeline.isEmpty());
+    timeline.setFrame(0);
+    QTest::keyClick(canvas, Qt::Key_K, Qt::ShiftModifier); // where none has keys, all get one
+    for (std::size_t row = 0; row < timeline.tracks().size(); ++row)
+        QCOMPARE(framesOf(row), std::vector<int>{0});
+    window->document().undoStack()->setClean();
 }
 
 // By the menu; the status bar says how far, and only of the plane.

@@ -22,11 +22,13 @@ private slots:
 
     void aKeyIsMadeAndPlayed();
     void windInOneClick();
+    void diamondsAreDragged();
 
 private:
     view::TimelinePanel& panel() const { return *window().findChild<view::TimelinePanel*>(); }
     view::TrackView& tracks() const { return *panel().trackView(); }
     QPoint inTracks(const QPoint& at) const { return tracks().viewport()->mapToGlobal(at); }
+    std::vector<int> framesOf(std::size_t row) const;
     std::size_t cageKeys() const { return panel().timeline().tracks().front().keys.size(); }
     void openTimeline();
 };
@@ -91,6 +93,41 @@ void RealTimelineTest::windInOneClick() {
     hand().key("Control+z");
     hand().key("Control+z");
     QTRY_VERIFY(document::frameAt(document().entryFractal(), {}).fractal == still);
+}
+
+std::vector<int> RealTimelineTest::framesOf(std::size_t row) const {
+    std::vector<int> frames;
+    for (const auto& key : panel().timeline().tracks()[row].keys)
+        frames.push_back(key.frame);
+    return frames;
+}
+
+// Moved, copied with Ctrl, selected in a band, and deleted.
+void RealTimelineTest::diamondsAreDragged() {
+    openTimeline();
+    click(named<QPushButton>(panel(), QStringLiteral("Make Keys")));
+    QTRY_VERIFY(panel().showsTracks());
+    hand().clickAt(inTracks(tracks().rulerPosition(12)));
+    QTRY_COMPARE(panel().timeline().frame(), 12);
+    hand().clickAt(inTracks(tracks().toggleOf(0)));
+    QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 12}));
+    const auto at = [this](int frame) { return inTracks(tracks().keyPosition(0, frame)); };
+    hand().drag(at(12), {at(16), at(24)});
+    QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 24}));
+    hand().hold("Control");
+    hand().drag(at(24), {at(30), at(36)});
+    hand().letUp("Control");
+    QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 24, 36}));
+    QCOMPARE(steps(), 3);
+    photograph(QStringLiteral("timeline-diamonds.png"));
+
+    const QPoint below = inTracks(tracks().keyPosition(1, 40));
+    hand().drag(at(18) - QPoint(0, 6), {at(30), below});
+    QTRY_COMPARE(panel().timeline().selected().size(), std::size_t(2));
+    hand().key("Delete");
+    QTRY_COMPARE(framesOf(0), std::vector<int>{0});
+    hand().key("Control+z");
+    QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 24, 36}));
 }
 
 int main(int argc, char** argv) {

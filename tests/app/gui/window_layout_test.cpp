@@ -50,6 +50,7 @@ private slots:
     void aSolidFitsASmallWindow();
     void theTimelineIsSeenWhole_data() { namesOfPanelsAreSeenWhole_data(); }
     void theTimelineIsSeenWhole();
+    void theTimelineIsRemembered();
 };
 
 void WindowLayoutTest::aNarrowWindowIsHalfPicture_data() {
@@ -383,6 +384,21 @@ void WindowLayoutTest::theTimelineIsSeenWhole() {
     QTRY_COMPARE(keys->visibleRegion().boundingRect(), keys->rect());
     QCOMPARE(window->size(), QSize(1024, 768));
     QSettings().clear();
+}
+
+void WindowLayoutTest::theTimelineIsRemembered() {
+    support::forgetSettings();
+    bool isWanted = false;
+    for (const bool shows : {true, true, false, false}) {
+        MainWindow* window = shown({});
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        auto* timeline = window->findChild<QDockWidget*>(QStringLiteral("timeline"));
+        QCOMPARE(timeline->isVisible(), isWanted);
+        timeline->setVisible(shows);
+        isWanted = shows;
+        window->close();
+        QTRY_VERIFY_WITH_TIMEOUT(windows().isEmpty(), 20'000);
+    }
 }
 
 QTEST_MAIN(WindowLayoutTest)

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/motion_edits.h"
 
+#include "attractor/render/renderer.h"
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <stop_token>
 #include <thread>
 
@@ -27,6 +32,38 @@ Fractal maple() {
     return fractal;
 }
 
+// A turned or mirrored copy in the middle of three pieces that are no similar copies.
+Fractal flake(double degrees, bool mirrors) {
+    const double turn = degrees * std::numbers::pi / 180, c = 0.4 * std::cos(turn), s = 0.4 * std::sin(turn);
+    Shape<2> shape;
+    ifs::append(shape.system, mirrors ? ifs::affineMap(c, s, s, -c, 0, 0) : ifs::affineMap(c, -s, s, c, 0, 0),
+                0.4);
+    for (const double angle : {0.1, 1.0, 3.0})
+        ifs::append(shape.system, ifs::affineMap(0.2, 0, 0, 0.14, std::cos(angle), std::sin(angle)), 0.2);
+    Fractal fractal;
+    fractal.shape = std::move(shape);
+    return fractal;
+}
+
+std::vector<std::uint32_t> picture(const Fractal& fractal, const attractor::View& view) {
+    attractor::RenderRequest request = renderRequest(fractal, attractor::cameraOf(view, {96, 64}));
+    request.samples = 1'000'000;
+    return attractor::render(request).pixels;
+}
+
+// In decibels, of what is seen on white.
+double likeness(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (int shift = 0; shift < 24; shift += 8) {
+            const auto onWhite = [&](std::uint32_t pixel) {
+                return double((pixel >> shift) & 255U) + 255.0 - double(pixel >> 24U);
+            };
+            sum += std::pow(onWhite(a[i]) - onWhite(b[i]), 2);
+        }
+    return 10 * std::log10(255.0 * 255 * 3 * double(a.size()) / std::max(sum, 1e-9));
+}
+
 } // namespace
 
 class MotionEditsTest : public QObject {
@@ -37,6 +74,8 @@ private slots:
     void nothingMovesWithoutMaps();
     void windSwaysAboutTheLowestPoint();
     void endlessZoomsEndWhereTheyBegan();
+    void endlessZoomsTurnAndMirror_data();
+    void endlessZoomsTurnAndMirror();
     void zoomsNeedACopyThatStandsClear();
     void whatTakesLongCanBeStopped();
 };
@@ -99,8 +138,46 @@ void MotionEditsTest::endlessZoomsEndWhereTheyBegan() {
     QVERIFY(isCorner);
 }
 
+void MotionEditsTest::endlessZoomsTurnAndMirror_data() {
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<bool>("mirrors");
+    QTest::addColumn<bool>("isUp");
+    QTest::addColumn<double>("rotation");
+    QTest::newRow("turned") << 40.0 << false << true << -40.0;
+    QTest::newRow("turned, y down") << 40.0 << false << false << 40.0;
+    QTest::newRow("clockwise") << -100.0 << false << true << 100.0;
+    QTest::newRow("mirrored") << 40.0 << true << true << 0.0;
+}
+
+// The last picture is like the first one, and would not be without the turn.
+void MotionEditsTest::endlessZoomsTurnAndMirror() {
+    QFETCH(double, degrees);
+    QFETCH(bool, mirrors);
+    QFETCH(bool, isUp);
+    QFETCH(double, rotation);
+    const Fractal fractal = flake(degrees, mirrors);
+    const auto zoom = withEndlessZoom(fractal, 1.5, isUp ? attractor::YAxis::Up : attractor::YAxis::Down);
+    QVERIFY(zoom);
+    QVERIFY(animation::isValid(*plane(*zoom)->animation));
+    const auto& keys = plane(*zoom)->animation->camera;
+    const attractor::View &from = keys[0].value, &to = keys[1].value;
+    QVERIFY(to.centre == from.centre && from.centre.norm() < 1e-12);
+    QVERIFY(std::abs(to.height / from.height - (mirrors ? 0.16 : 0.4)) < 1e-12);
+    QVERIFY(std::abs(attractor::degreesOf(to.rotation) - rotation) < 1e-5);
+    const double same = likeness(picture(fractal, from), picture(fractal, to));
+    attractor::View wrong = to;
+    wrong.rotation = attractor::rotationOf(rotation + 60);
+    const double other = likeness(picture(fractal, from), picture(fractal, wrong));
+    QVERIFY2(same > other + 6, qPrintable(QStringLiteral("%1 dB, %2 dB").arg(same).arg(other)));
+    // In the middle the camera has gone half the way of both.
+    const auto half = frameAt(*zoom, animation::moment(animationFacts(*zoom)->length / 2)).view;
+    QVERIFY(half);
+    QVERIFY(std::abs(attractor::degreesOf(half->rotation) - rotation / 2) < 1e-5);
+    QVERIFY(std::abs(half->height - std::sqrt(from.height * to.height)) < 1e-9);
+}
+
 void MotionEditsTest::zoomsNeedACopyThatStandsClear() {
-    QVERIFY(!withEndlessZoom(maple(), 1, attractor::YAxis::Up)); // every map turns or shears
+    QVERIFY(!withEndlessZoom(maple(), 1, attractor::YAxis::Up)); // no map is a similarity
     Fractal bent = sierpinskiTriangle();
     plane(bent)->cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     plane(bent)->cage->current[2] = {2, 2};

@@ -3,6 +3,8 @@
 #include "document/edits/animation_edits.h"
 #include "view/canvas/canvas_fixture.h"
 
+#include <cmath>
+
 using document::Track;
 
 // Keys on the paths of the canvas, which are dragged where they are, whatever moment is shown.
@@ -87,6 +89,32 @@ private slots:
         QCOMPARE(paths().ghosts()[0].size(), 3);
         show(0);
         QCOMPARE(paths().ghosts().size(), std::size_t(1));
+    }
+
+    void theCanvasFollowsTheCamera() {
+        const attractor::View from = attractor::viewOf(m_canvas->camera());
+        attractor::View to = from;
+        to.centre += Vector<2>(0.1, 0.2);
+        to.height /= 4;
+        to.rotation = 0.5;
+        document::Fractal entry = m_document->entryFractal();
+        document::plane(entry)->animation.emplace().camera = {{0, from, {}}, {24, to, {}}};
+        m_document->editEntry(QStringLiteral("Camera"), entry);
+        const auto shows = [this](const attractor::View& view) {
+            const attractor::View seen = attractor::viewOf(m_canvas->camera());
+            return (seen.centre - view.centre).norm() < 1e-9 && std::abs(seen.height - view.height) < 1e-9 &&
+                   std::abs(seen.rotation - view.rotation) < 1e-6;
+        };
+        show(24);
+        QTRY_VERIFY(shows(to));
+        show(0);
+        QTRY_VERIFY(shows(from));
+        show(12);
+        attractor::View half = to; // r = 1/4: two thirds of the way, at half the height
+        half.centre = from.centre + 2.0 / 3 * (to.centre - from.centre);
+        half.height = from.height / 2;
+        half.rotation = 0.25;
+        QTRY_VERIFY(shows(half));
     }
 
 private:

@@ -40,6 +40,7 @@ private slots:
     void completePicturesStay();
     void editingGoesOn();
     void stoppingLeavesNothing();
+    void theTimeLeftIsSaid();
     void failuresAreSaid();
     void whatAFormatLacksIsSaid();
     void aJobFolderHoldsAllThatItNeeds();
@@ -261,6 +262,17 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nothing was written")), 60000);
     QCOMPARE(files(), QStringList());
     QVERIFY(stop->text().contains(QStringLiteral("Close")));
+}
+
+void AnimationExportDialogTest::theTimeLeftIsSaid() {
+    number(QStringLiteral("Width"))->setValue(1600);
+    number(QStringLiteral("Height"))->setValue(1200);
+    named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
+    auto* left = named<QLabel>(QStringLiteral("Time left"));
+    QVERIFY(left && !left->isVisible());
+    m_dialog->setFormat(Dialog::Pictures);
+    m_dialog->exportTo(path("a.png"));
+    QTRY_VERIFY_WITH_TIMEOUT(left->isVisible() && left->text().endsWith(QStringLiteral(" left.")), 120'000);
 }
 
 void AnimationExportDialogTest::failuresAreSaid() {

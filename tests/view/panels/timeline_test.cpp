@@ -16,6 +16,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
 #include <QProgressDialog>
@@ -250,10 +251,11 @@ void TimelineTest::motionsAreShownMoving() {
     QTRY_VERIFY(page->isMoving());
     for (auto* button : page->findChildren<QToolButton*>()) {
         if (button->defaultAction()->property("isChoice").toBool()) continue; // there is no other entry
-        if (button->defaultAction()->text().startsWith(QStringLiteral("Zoom"))) continue; // not looked for
-        const QImage before = button->icon().pixmap(button->iconSize()).toImage();
-        QTRY_VERIFY2(button->icon().pixmap(button->iconSize()).toImage() != before,
-                     qPrintable(button->accessibleName()));
+        for (int change = 0; change < 2; ++change) { // the first may take the place of the icon
+            const QImage before = button->icon().pixmap(button->iconSize()).toImage();
+            QTRY_VERIFY2_WITH_TIMEOUT(button->icon().pixmap(button->iconSize()).toImage() != before,
+                                      qPrintable(button->accessibleName()), 60'000);
+        }
     }
     QVERIFY(m_document->undoStack()->count() == 0);
     m_panel->showTracks();
@@ -500,7 +502,8 @@ void TimelineTest::timingIsEdited() {
     QSignalSpy told(&timeline(), &view::Timeline::message);
     bar.length()->setValue(30);
     QCOMPARE(told.size(), 1); // a key is gone
-    bar.rate()->setValue(12);
+    bar.rate()->setCurrentText(QStringLiteral("12"));
+    QTest::keyClick(bar.rate()->lineEdit(), Qt::Key_Return);
     QCOMPARE(told.size(), 1);
     bar.loop()->setCurrentIndex(1);
     emit bar.loop()->activated(1);

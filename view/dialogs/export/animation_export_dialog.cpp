@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/animation_export_dialog.h"
 
+#include "bridges/attractor_watch.h"
 #include "dialogs/export/cluster_queue.h"
 #include "dialogs/export/start_export.h"
 #include "document/unique_names.h"
@@ -84,7 +85,8 @@ AnimationExportDialog::AnimationExportDialog(document::Document* document, const
       m_camera(camera),
       m_views(document::savedViews(m_entry)),
       m_form(new QFormLayout),
-      m_queue(new ClusterQueue(this)) {
+      m_queue(new ClusterQueue(this)),
+      m_watch(new AttractorWatch(this)) {
     setWindowTitle(tr("Export the Animation “%1”").arg(titleText(m_entry.name)));
     createFormat();
     createFrames();
@@ -95,6 +97,11 @@ AnimationExportDialog::AnimationExportDialog(document::Document* document, const
     createButtons();
     connect(m_queue, &ClusterQueue::stateChanged, this, &AnimationExportDialog::say);
     connect(m_queue, &ClusterQueue::finished, this, [this] { m_cluster->setEnabled(true); });
+    connect(m_watch, &AttractorWatch::changed, this, [this] {
+        m_lost->setText(m_watch->sentence());
+        m_lost->setVisible(m_watch->lost().has_value());
+    });
+    m_watch->look(document->currentEntry().fractal);
     update();
 }
 
@@ -172,6 +179,10 @@ QWidget* AnimationExportDialog::createResult() {
     m_plan = new QLabel(page);
     m_plan->setWordWrap(true);
     m_plan->setAccessibleName(tr("What will be written"));
+    m_lost = new QLabel(page);
+    m_lost->setWordWrap(true);
+    m_lost->setAccessibleName(tr("Frame without an attractor"));
+    m_lost->hide();
     m_message = new QLabel(page);
     m_message->setWordWrap(true);
     m_message->setTextFormat(Qt::PlainText);
@@ -188,7 +199,7 @@ QWidget* AnimationExportDialog::createResult() {
     m_left->hide();
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins({});
-    for (QWidget* row : std::initializer_list<QWidget*>{m_plan, m_message, m_progress, m_left})
+    for (QWidget* row : std::initializer_list<QWidget*>{m_plan, m_lost, m_message, m_progress, m_left})
         layout->addWidget(row);
     return page;
 }

@@ -24,6 +24,7 @@ class QSpinBox;
 
 namespace view {
 
+class AttractorWatch;
 class ClusterQueue;
 
 // Exports the animation of the current entry as it is when the dialog opens: as a video, as pictures, or as a
@@ -79,6 +80,7 @@ private:
     QComboBox* m_exposure = nullptr;
     QSpinBox* m_tasks = nullptr;
     QLabel* m_plan = nullptr;
+    QLabel* m_lost = nullptr; // says when there is no attractor
     QLabel* m_message = nullptr;
     QLabel* m_left = nullptr; // time
     QProgressBar* m_progress = nullptr;
@@ -86,6 +88,7 @@ private:
     QPushButton* m_cluster = nullptr;
     QPushButton* m_close = nullptr;
     ClusterQueue* m_queue = nullptr;
+    AttractorWatch* m_watch;
     QElapsedTimer m_clock;                // since the work began
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
 };

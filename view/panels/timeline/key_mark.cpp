@@ -2,6 +2,7 @@
 #include "panels/timeline/key_mark.h"
 
 #include <QPainter>
+#include <QPalette>
 
 namespace view {
 
@@ -27,6 +28,13 @@ void paintKeyMark(QPainter& painter, const QPointF& middle, const animation::Eas
         painter.drawEllipse(middle, radius, radius);
     else
         painter.drawPolygon(diamond(middle, diamondHalf));
+}
+
+void paintFlaw(QPainter& painter, const QPointF& top, double height, const QPalette& palette) {
+    const bool isDark = palette.color(QPalette::Window).lightness() < 128;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isDark ? QColor(255, 107, 107) : QColor(200, 40, 40));
+    painter.drawRect(QRectF(top.x() - 2, top.y(), 4, height));
 }
 
 } // namespace view

@@ -7,6 +7,7 @@
 #include <QPolygonF>
 
 class QPainter;
+class QPalette;
 
 // How keys look in the timeline.
 namespace view {
@@ -16,5 +17,8 @@ QPolygonF diamond(const QPointF& middle, double half);
 
 // With the pen and brush of the painter: a diamond, or a circle where the motion goes on without a corner.
 void paintKeyMark(QPainter& painter, const QPointF& middle, const animation::Ease& ease);
+
+// A red bar below `top`: something is wrong at this frame.
+void paintFlaw(QPainter& painter, const QPointF& top, double height, const QPalette& palette);
 
 } // namespace view

@@ -78,9 +78,11 @@ template <class Frame> QPixmap picture(const Frame& frame, const QRectF& box, co
     const QPointF middle(style.size.width() / 2.0, style.size.height() / 2.0);
     std::vector<QPointF> dots;
     dots.reserve(frame.points.size());
+    const ifs::Matrix<2> turn = attractor::screenTurn(frame.view ? frame.view->rotation : 0);
     for (const QPointF& point : frame.points) {
         const QPointF away = (point - centre) * scale;
-        dots.push_back(middle + QPointF(away.x(), -away.y()));
+        const ifs::Vector<2> dot = turn * ifs::Vector<2>(away.x(), -away.y());
+        dots.push_back(middle + QPointF(dot.x(), dot.y()));
     }
     painter.drawPoints(dots.data(), int(dots.size()));
     return pixmap;

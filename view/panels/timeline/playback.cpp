@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/playback.h"
 
-#include "document/edits/animation_edits.h"
-
 #include <algorithm>
 
 namespace view {
 
 namespace {
 
-constexpr int shortestTick = 4; // milliseconds
+constexpr qint64 shortestTick = 1, longestTick = 1000; // milliseconds
 constexpr qint64 second = 1000;
 
 } // namespace
@@ -61,8 +59,7 @@ void Playback::restart(int frame) {
     const document::Timing timing = document::timingOf(m_document->entryFractal());
     m_from = frame;
     m_clock.start();
-    // Twice a frame, so that none is late by more than half of its time.
-    m_timer.start(std::max(shortestTick, int(second * timing.rate.seconds / (2 * timing.rate.frames))));
+    m_timer.start(untilNext(timing));
     m_document->setMoment(animation::moment(frame), document::Document::Pace::Running);
 }
 
@@ -79,6 +76,15 @@ void Playback::advance() {
         return;
     }
     m_document->setMoment(animation::moment(frame % count), document::Document::Pace::Running);
+    m_timer.setInterval(untilNext(timing)); // which does not start it where it has been stopped
+}
+
+// Milliseconds; again before it is due where that is long from now.
+int Playback::untilNext(const document::Timing& timing) const {
+    const qint64 now = m_clock.elapsed(), period = second * timing.rate.seconds;
+    const qint64 next = now * timing.rate.frames / period + 1;
+    const qint64 due = (next * period + timing.rate.frames - 1) / timing.rate.frames;
+    return int(std::clamp(due - now, shortestTick, longestTick));
 }
 
 void Playback::countPicture() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/edits/animation_edits.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -35,6 +36,7 @@ signals:
 private:
     void advance();
     void restart(int frame);
+    int untilNext(const document::Timing& timing) const;
     int frames() const; // until it begins anew
 
     document::Document* m_document;

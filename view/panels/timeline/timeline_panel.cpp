@@ -16,6 +16,7 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -30,6 +31,7 @@ namespace {
 
 constexpr qsizetype maxListed = 60; // entries in a menu
 constexpr double usualAspect = 16.0 / 9;
+constexpr double previewAspect = 4.0 / 3;
 constexpr int previewLength = 24; // frames of a morph
 
 constexpr const char* windNames[] = {
@@ -80,7 +82,11 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
       m_timeline(document),
       m_motions(new QMenu(this)),
       m_winds(new QMenu(this)),
-      m_entries(new QMenu(this)) {
+      m_entries(new QMenu(this)),
+      m_zooming([this](std::optional<document::Fractal> zoom) {
+          m_zoom = std::move(zoom);
+          if (m_zoom) m_page->renew();
+      }) {
     createMotions();
     auto* add = new MenuButton(this);
     add->setText(tr("Add Motion"));
@@ -95,16 +101,22 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     for (const Make& make : m_makes)
         motions.push_back([this, make]() -> std::optional<document::Fractal> {
             const document::Fractal& entry = m_document->entryFractal();
-            return make && isPreviewed(entry) ? make(entry, {}) : std::nullopt;
+            return isPreviewed(entry) ? make(entry, {}) : std::nullopt;
         });
     m_page->setMotions(std::move(motions));
     m_pages = new QStackedWidget;
     m_pages->addWidget(new MotionArea(m_page));
     m_pages->addWidget(m_tracks);
+    m_lost = new QLabel;
+    m_lost->setWordWrap(true);
+    m_lost->setMargin(4);
+    m_lost->setAccessibleName(tr("Frame without an attractor"));
+    m_lost->hide();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_transport);
+    column->addWidget(m_lost);
     column->addWidget(m_pages, 1);
     connect(m_page, &MotionPage::tableWanted, this, [this] {
         showTracks();
@@ -114,12 +126,29 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     connect(&m_timeline, &Timeline::message, this, &TimelinePanel::message);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
+        watch(change);
         if (change.parts & ~Change::Parts(Change::Time)) m_page->renew();
         if (!(change.parts & (Change::Current | Change::File))) return;
         m_wantsTracks = false;
         follow();
     });
+    connect(&m_watch, &AttractorWatch::changed, this, &TimelinePanel::showLost);
+    m_watch.look(document->currentEntry().fractal);
     follow();
+}
+
+// Of another entry, nothing is known yet.
+void TimelinePanel::watch(const document::Change& change) {
+    using document::Change;
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    if (isAnother) m_watch.look(nullptr);
+    if (isAnother || !change.live) m_watch.look(m_document->currentEntry().fractal);
+}
+
+void TimelinePanel::showLost() {
+    m_lost->setText(m_watch.sentence());
+    m_lost->setVisible(m_watch.lost().has_value());
+    m_tracks->setFlawedFrame(m_watch.lostFrame());
 }
 
 bool TimelinePanel::showsTracks() const {
@@ -179,7 +208,7 @@ void TimelinePanel::createMotions() {
     QAction* zoom =
         addMotion("zoom-in", tr("Zoom In Endlessly"),
                   tr("The view moves into a small copy of the whole; the last frame matches the first."));
-    m_makes.push_back(nullptr); // to find the copy may take too long for a picture
+    m_makes.push_back([this](const document::Fractal&, const std::stop_token&) { return zoomOfEntry(); });
     connect(zoom, &QAction::triggered, this, &TimelinePanel::zoomEndlessly);
     QAction* morph = addMotion("morph", tr("Morph To"),
                                tr("The fractal becomes another entry of this file, and returns."));
@@ -237,6 +266,19 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
         m_tracks->reveal();
     }
     m_timeline.playback().setPlaying(true);
+}
+
+// For the moving picture. To find the copy may take long: until it is found, there is no picture.
+std::optional<document::Fractal> TimelinePanel::zoomOfEntry() {
+    const auto& entry = m_document->currentEntry().fractal;
+    if (m_zoomed == entry) return m_zoom;
+    m_zoomed = entry;
+    m_zoom.reset();
+    m_zooming.cancel();
+    m_zooming.submit([entry](const std::stop_token& stop) {
+        return document::withEndlessZoom(*entry, previewAspect, attractor::YAxis::Up, stop);
+    });
+    return std::nullopt;
 }
 
 // The next entry of the same dimension, for the moving picture.

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bridges/attractor_watch.h"
 #include "panels/timeline/timeline.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <stop_token>
 
+class QLabel;
 class QMenu;
 class QStackedWidget;
 
@@ -45,15 +48,19 @@ private:
     void addWinds();
     void listEntries();
     std::optional<document::Fractal> morphToNext() const;
+    std::optional<document::Fractal> zoomOfEntry();
     void apply(const QString& text, const Make& make, const QString& failure);
     void zoomEndlessly();
     void morphTo(document::EntryId id);
     void choosePairs();
     void addMorph(document::Fractal morph, const QString& name);
     void follow();
+    void watch(const document::Change& change);
+    void showLost();
 
     document::Document* m_document;
     Timeline m_timeline;
+    AttractorWatch m_watch;
     QList<QAction*> m_actions;
     std::vector<Make> m_makes; // of each of them
     QMenu* m_motions;
@@ -62,8 +69,12 @@ private:
     TransportBar* m_transport = nullptr;
     TrackView* m_tracks = nullptr;
     MotionPage* m_page = nullptr;
+    QLabel* m_lost = nullptr; // says at which frame there is no attractor
     QStackedWidget* m_pages = nullptr;
     bool m_wantsTracks = false;
+    std::shared_ptr<const document::Fractal> m_zoomed; // the entry of which the endless zoom is looked for
+    std::optional<document::Fractal> m_zoom;           // what has been found
+    NewestWork<document::Fractal> m_zooming;           // last: it stops before the rest goes
 };
 
 } // namespace view

@@ -5,7 +5,6 @@
 #include "panels/timeline/key_mark.h"
 #include "panels/timeline/timeline.h"
 #include "panels/timeline/track_menu.h"
-#include "widgets/number_text.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -451,21 +450,17 @@ void TrackView::paintEvent(QPaintEvent*) {
     painter.drawLine(namesWidth(), 0, namesWidth(), all.height());
 }
 
-// The smallest round step that leaves room for its label.
-int TrackView::rulerStep() const {
-    const double wanted = fontMetrics().horizontalAdvance(QStringLiteral("0000.0")) / m_scale;
-    const animation::FrameRate rate = m_timeline->timing().rate;
-    const double unit = m_unit->isChecked() ? double(rate.frames) / rate.seconds : 1;
-    double step = unit;
-    for (int i = 0; step < wanted; ++i)
-        step *= i % 3 == 1 ? 2.5 : 2; // 1, 2, 5, 10, …
-    return std::max(1, int(std::lround(step)));
+RulerUnit TrackView::rulerUnit() const {
+    return m_unit->isChecked() ? RulerUnit::Seconds : RulerUnit::Frames;
 }
 
 QString TrackView::rulerText(int frame) const {
-    if (!m_unit->isChecked()) return QString::number(frame);
-    const animation::FrameRate rate = m_timeline->timing().rate;
-    return roundedNumber(double(frame) * rate.seconds / rate.frames, 2);
+    return view::rulerText(frame, m_timeline->timing().rate, rulerUnit());
+}
+
+void TrackView::setFlawedFrame(std::optional<double> frame) {
+    m_flawed = frame;
+    viewport()->update();
 }
 
 void TrackView::paintRuler(QPainter& painter) const {
@@ -475,7 +470,9 @@ void TrackView::paintRuler(QPainter& painter) const {
     painter.setPen(faded(ink, 0.25));
     painter.drawLine(ruler.bottomLeft(), ruler.bottomRight());
     painter.setClipRect(ruler.adjusted(namesWidth(), 0, 0, 0));
-    const int step = rulerStep(), length = m_timeline->timing().length;
+    const double wanted = fontMetrics().horizontalAdvance(QStringLiteral("0000.0")) / m_scale;
+    const int step = rulerStep(wanted, m_timeline->timing().rate, rulerUnit());
+    const int length = m_timeline->timing().length;
     const int first = std::max(0, frameAt(namesWidth()) / step * step);
     for (int frame = first; frame <= length && xOf(frame) < ruler.width(); frame += step) {
         painter.setPen(faded(ink, 0.35));
@@ -484,6 +481,7 @@ void TrackView::paintRuler(QPainter& painter) const {
         const QRectF room(xOf(frame) - 40, 0, 80, ruler.height() - 4);
         painter.drawText(room, Qt::AlignCenter, rulerText(frame));
     }
+    if (m_flawed) paintFlaw(painter, QPointF(xOf(*m_flawed), 1), rowHeight() - 2, palette());
     painter.setClipping(false);
 }
 

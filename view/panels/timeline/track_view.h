@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/edits/animation_edits.h"
+#include "panels/timeline/ruler_scale.h"
 
 #include <QAbstractScrollArea>
 #include <QPointF>
@@ -29,8 +30,9 @@ public:
     QPoint toggleOf(int row) const; // the diamond in front
 
     double pixelsPerFrame() const { return m_scale; }
-    void fitLength(); // all frames into the width
-    void reveal();    // the playhead and the current row
+    void fitLength();                                 // all frames into the width
+    void reveal();                                    // the playhead and the current row
+    void setFlawedFrame(std::optional<double> frame); // marked in the ruler
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -78,13 +80,14 @@ private:
     void paintName(QPainter& painter, int row) const;
     void paintKeys(QPainter& painter, int row) const;
     void paintPlayhead(QPainter& painter) const;
+    RulerUnit rulerUnit() const;
     QString rulerText(int frame) const;
-    int rulerStep() const; // frames
 
     Timeline* m_timeline;
     QToolButton* m_unit;
     double m_scale = 8; // pixels for one frame
     bool m_isFitted = true;
+    std::optional<double> m_flawed;
     Drag m_drag = Drag::None;
     QPointF m_pressed, m_pointer;
     Qt::KeyboardModifiers m_modifiers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/transport_bar.h"
 
+#include "animation/frame_rate.h"
 #include "panels/timeline/timeline.h"
 #include "widgets/document_undo.h"
 #include "widgets/flat_buttons.h"
@@ -10,12 +11,12 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
 
 #include <chrono>
-#include <cmath>
 #include <tuple>
 
 namespace view {
@@ -23,7 +24,7 @@ namespace view {
 namespace {
 
 constexpr std::chrono::milliseconds countEvery{500};
-constexpr int maxRate = 240;
+constexpr const char* usualRates[] = {"12", "23.976", "24", "25", "29.97", "30", "50", "59.94", "60"};
 
 QSpinBox* spinBox(const QString& name, const QString& explanation, int min, int max) {
     auto* box = new WholeNumberBox;
@@ -44,6 +45,10 @@ QLabel* labelled(const QString& text, QWidget* field, QHBoxLayout* row) {
     return label;
 }
 
+QString shownRate(const animation::FrameRate& rate) {
+    return QString::fromStdString(animation::rateText(rate));
+}
+
 } // namespace
 
 TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
@@ -52,7 +57,7 @@ TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
       m_play(flatButton(QStringLiteral("play"), tr("Play"), tr("Play the animation"), this)),
       m_frame(spinBox(tr("Frame"), tr("The frame that is shown and edited"), 0, animation::maxLength)),
       m_length(spinBox(tr("Length"), tr("The length of the animation in frames"), 1, animation::maxLength)),
-      m_rate(spinBox(tr("Frames per second"), tr("The number of frames played per second"), 1, maxRate)),
+      m_rate(new QComboBox(this)),
       m_loop(new QComboBox(this)),
       m_pictures(new QLabel(this)) {
     auto* previous = flatButton(QStringLiteral("key-previous"), tr("Previous Key"),
@@ -73,6 +78,7 @@ TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
     row->addWidget(m_pictures);
     row->addStretch(1);
     row->addWidget(last);
+    makeRate();
     makeFields();
     connect(previous, &QToolButton::clicked, timeline, [timeline] { timeline->stepToKey(-1); });
     connect(next, &QToolButton::clicked, timeline, [timeline] { timeline->stepToKey(1); });
@@ -105,6 +111,41 @@ void TransportBar::fitInto(int width) {
     }
 }
 
+void TransportBar::makeRate() {
+    m_rate->setAccessibleName(tr("Frames per second"));
+    m_rate->setToolTip(tr("The number of frames played per second"));
+    m_rate->setWhatsThis(
+        tr("The number of frames played per second: a number or a fraction, such as 24, 12.5 "
+           "or 30000/1001. 29.97 stands for the latter, the rate of television."));
+    m_rate->setEditable(true);
+    m_rate->setInsertPolicy(QComboBox::NoInsert);
+    m_rate->setCompleter(nullptr); // 2 is a rate, and not the beginning of one
+    m_rate->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_rate->setMinimumContentsLength(6);
+    for (const char* rate : usualRates)
+        m_rate->addItem(QLatin1String(rate));
+    connect(m_rate->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::takeRate);
+    connect(m_rate, &QComboBox::activated, this, &TransportBar::takeRate);
+}
+
+void TransportBar::takeRate() {
+    document::Timing timing = m_timeline->timing();
+    const QString typed = m_rate->currentText().trimmed();
+    if (typed == shownRate(timing.rate)) return;
+    const QString text = QString(typed).replace(u',', u'.'); // as many keyboards have it
+    const auto rate = animation::parseRate(text.toStdString());
+    if (rate) {
+        timing.rate = *rate;
+        m_timeline->setTiming(tr("Frames per second: %1").arg(shownRate(*rate)), timing);
+    }
+    showAnimation();
+    if (!rate)
+        emit m_timeline->message(tr("“%1” is not a frame rate. Enter frames per second, above 0 and at most "
+                                    "%2, such as 24, 29.97 or 30000/1001.")
+                                     .arg(typed)
+                                     .arg(animation::maxRate));
+}
+
 void TransportBar::makeFields() {
     m_loop->setAccessibleName(tr("Loop"));
     m_loop->setToolTip(tr("What happens after the last frame"));
@@ -122,11 +163,6 @@ void TransportBar::makeFields() {
         timing.length = length;
         m_timeline->setTiming(tr("Length of the animation: %1 frames").arg(length), timing);
     });
-    connect(m_rate, &QSpinBox::valueChanged, this, [this](int rate) {
-        document::Timing timing = m_timeline->timing();
-        timing.rate = {rate, 1};
-        m_timeline->setTiming(tr("Frames per second: %1").arg(rate), timing);
-    });
     connect(m_loop, &QComboBox::activated, this, [this](int index) {
         document::Timing timing = m_timeline->timing();
         timing.loop = animation::Loop(m_loop->itemData(index).toInt());
@@ -139,7 +175,7 @@ void TransportBar::showAnimation() {
     const QSignalBlocker quietFrame(m_frame), quietLength(m_length), quietRate(m_rate);
     m_frame->setMaximum(m_timeline->lastFrame());
     m_length->setValue(timing.length);
-    m_rate->setValue(int(std::lround(double(timing.rate.frames) / timing.rate.seconds)));
+    m_rate->setCurrentText(shownRate(timing.rate));
     m_loop->setCurrentIndex(m_loop->findData(int(timing.loop)));
     setEnabled(m_timeline->rowCount() > 0);
 }

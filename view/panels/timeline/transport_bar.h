@@ -24,7 +24,7 @@ public:
     QToolButton* play() const { return m_play; }
     QSpinBox* frame() const { return m_frame; }
     QSpinBox* length() const { return m_length; }
-    QSpinBox* rate() const { return m_rate; }
+    QComboBox* rate() const { return m_rate; }
     QComboBox* loop() const { return m_loop; }
 
     // Where there is less room than for all of it, it goes without names, and then without more.
@@ -35,17 +35,19 @@ protected:
 
 private:
     void fitInto(int width);
+    void makeRate();
     void makeFields();
     void showAnimation();
     void showFrame();
     void showPlaying(bool playing);
     void showRate();
+    void takeRate(); // what is typed or chosen
 
     Timeline* m_timeline;
     QToolButton* m_play;
     QSpinBox* m_frame;
     QSpinBox* m_length;
-    QSpinBox* m_rate;
+    QComboBox* m_rate;
     QComboBox* m_loop;
     QLabel* m_pictures;            // how many a second
     QList<QWidget*> m_dispensable; // the first ones first

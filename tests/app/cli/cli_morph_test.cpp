@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.h"
+
+#include <QJsonArray>
+#include <QTest>
+
+// barycage-cli morph.
+class CliMorphTest : public CommandLineTest {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void aMorphLeadsFromOneToTheOther();
+    void theLengthIsThatGiven();
+    void pinnedMapsBelongTogether();
+    void movedBranchesStayBehind();
+    void whatMakesNoSenseIsRefused_data();
+    void whatMakesNoSenseIsRefused();
+    void whatCannotBeMorphedIsSaid();
+
+private:
+    QJsonArray maps(const QByteArray& input) const {
+        return run("info --json " + input).entry()[QLatin1String("maps")].toArray();
+    }
+};
+
+namespace {
+
+// The maps of the second are listed the other way round.
+const QByteArray near = "near {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 8 0 .5\n}\n";
+const QByteArray far = "far {\n .5 0 0 .5 8 1 .5\n .5 0 0 .5 0 1 .5\n}\n";
+const QByteArray solid = "solid (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 .5\n .5 0 0 0 .5 0 0 0 .5 1 0 0 .5\n}\n";
+
+} // namespace
+
+void CliMorphTest::init() {
+    QByteArray many = "many {\n";
+    for (int i = 0; i < 257; ++i)
+        many += " .1 0 0 .1 " + QByteArray::number(i) + " 0 1\n";
+    write("ends.ifs", near + far + solid + many + "}\n");
+}
+
+void CliMorphTest::aMorphLeadsFromOneToTheOther() {
+    const Result result = run("morph ends.ifs --from near --to far -o morph.ifs");
+    QCOMPARE(result.err, QByteArray());
+    QCOMPARE(result.status, 0);
+    QCOMPARE(maps("morph.ifs --frame 0"), maps("ends.ifs --entry near"));
+    // Maps keep their places in the first, and each is paired with the nearest one of the second.
+    const QJsonArray end = maps("morph.ifs --frame 120"), wanted = maps("ends.ifs --entry far");
+    QCOMPARE(end.size(), 2);
+    QCOMPARE(end[0], wanted[1]);
+    QCOMPARE(end[1], wanted[0]);
+    QVERIFY(maps("morph.ifs --frame 60") != end);
+}
+
+void CliMorphTest::theLengthIsThatGiven() {
+    const auto frames = [&] {
+        return run("info --json morph.ifs").entry()[QLatin1String("animation")][QLatin1String("frames")];
+    };
+    QCOMPARE(run("morph ends.ifs --from near --to far -o morph.ifs").status, 0);
+    const int usual = frames().toInt();
+    QCOMPARE(run("morph ends.ifs --from near --to far --length 30 -o morph.ifs").status, 0);
+    QCOMPARE(usual - frames().toInt(), 90);
+}
+
+void CliMorphTest::pinnedMapsBelongTogether() {
+    QCOMPARE(run("morph ends.ifs --from near --to far --pin 1:1 -o morph.ifs").status, 0);
+    QCOMPARE(maps("morph.ifs --frame 120"), maps("ends.ifs --entry far"));
+}
+
+void CliMorphTest::whatMakesNoSenseIsRefused_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::addColumn<QByteArray>("words");
+    const QByteArray ends = "--from near --to far ";
+    QTest::newRow("a pin from 0") << ends + "--pin 0:1" << QByteArray("0:1");
+    QTest::newRow("no such map") << ends + "--pin 1:3" << QByteArray("1:3");
+    QTest::newRow("half a pin") << ends + "--pin 1" << QByteArray("“1”");
+    QTest::newRow("three parts") << ends + "--pin 1:2:3" << QByteArray("1:2:3");
+    QTest::newRow("no length") << ends + "--length 0" << QByteArray("--length");
+    QTest::newRow("no frames") << ends + "--length 1.5" << QByteArray("--length");
+    QTest::newRow("no end") << QByteArray("--from near") << QByteArray("--to");
+}
+
+void CliMorphTest::whatMakesNoSenseIsRefused() {
+    QFETCH(const QByteArray, options);
+    QFETCH(const QByteArray, words);
+    const Result result = run("morph ends.ifs -o refused.ifs " + options);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.err.contains(words), result.err.constData());
+    QVERIFY(read("refused.ifs").isEmpty());
+}
+
+void CliMorphTest::whatCannotBeMorphedIsSaid() {
+    const auto said = [&](const QByteArray& ends) {
+        const Result result = run("morph ends.ifs -o none.ifs " + ends);
+        return result.status == 1 && read("none.ifs").isEmpty() ? result.err : QByteArray("no failure");
+    };
+    QVERIFY2(said("--from near --to solid").contains("space"), said("--from near --to solid").constData());
+    QVERIFY2(said("--from many --to far").contains("256"), said("--from many --to far").constData());
+    QVERIFY(said("--from near --to nobody").contains("nobody"));
+}
+
+void CliMorphTest::movedBranchesStayBehind() {
+    write("moved.ifs",
+          "moved {\n; barycage: branch 1\n; barycage: by 1 0\n; barycage: by 0 1\n; barycage: by 2 0\n"
+          " .5 0 0 .5 0 0 .5\n .5 0 0 .5 8 0 .5\n}\n" +
+              far);
+    const Result result = run("morph moved.ifs --from moved --to far -o morph.ifs");
+    QVERIFY2(result.err.contains("moved branches"), result.err.constData());
+    QVERIFY(read("morph.ifs").contains("track map"));
+}
+
+QTEST_GUILESS_MAIN(CliMorphTest)
+#include "cli_morph_test.moc"

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/timeline_panel.h"
+#include "panels/timeline/track_view.h"
+#include "panels/timeline/transport_bar.h"
+#include "support/own_settings.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QTest>
+#include <QThread>
+#include <QTimer>
+
+#include <cstdlib>
+#include <memory>
+
+// Keys that snap where frames lie close together, and time that runs on whatever drawing takes.
+class TimelinePlayingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { support::useOwnSettings(); }
+    void init();
+    void cleanup() { m_panel.reset(); }
+
+    void draggedKeysSnap();
+    void timeIsNeverLate();
+    void theRateIsShown();
+
+private:
+    view::Timeline& timeline() { return m_panel->timeline(); }
+    view::TrackView& tracks() { return *m_panel->trackView(); }
+    void key(int row, int frame);
+    void drag(const QPoint& from, const QPoint& to);
+    int lastKey() { return timeline().tracks()[0].keys.back().frame; }
+
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<view::TimelinePanel> m_panel;
+};
+
+void TimelinePlayingTest::init() {
+    m_document = std::make_unique<document::Document>();
+    m_panel = std::make_unique<view::TimelinePanel>(m_document.get());
+    m_panel->resize(900, 300);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    m_panel->showTracks();
+}
+
+void TimelinePlayingTest::key(int row, int frame) {
+    timeline().setRow(row);
+    timeline().setFrame(frame);
+    timeline().keys().set();
+}
+
+void TimelinePlayingTest::drag(const QPoint& from, const QPoint& to) {
+    QWidget* viewport = tracks().viewport();
+    const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button) {
+        QMouseEvent event(type, at, viewport->mapToGlobal(at), button,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+        QApplication::sendEvent(viewport, &event);
+    };
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+    send(QEvent::MouseMove, (from + to) / 2, Qt::NoButton);
+    send(QEvent::MouseMove, to, Qt::NoButton);
+    send(QEvent::MouseButtonRelease, to, Qt::LeftButton);
+}
+
+// To a key of another row, to the playhead and to the end; elsewhere they stay where they are dropped.
+void TimelinePlayingTest::draggedKeysSnap() {
+    timeline().setTiming(QStringLiteral("long"), {{24, 1}, 800, animation::Loop::Off});
+    key(0, 100);
+    key(1, 200);
+    timeline().setFrame(500);
+    timeline().select({});
+    tracks().fitLength();
+    QVERIFY(tracks().pixelsPerFrame() < 2);
+    const auto dragTo = [this](int frame, int pixels) {
+        drag(tracks().keyPosition(0, lastKey()), tracks().keyPosition(0, frame) + QPoint(pixels, 0));
+        return lastKey();
+    };
+    QCOMPARE(dragTo(200, 4), 200);
+    QCOMPARE(dragTo(500, -4), 500);
+    QCOMPARE(dragTo(800, -4), 800);
+    const int free = dragTo(350, 0);
+    QVERIFY2(std::abs(free - 350) <= 2, qPrintable(QString::number(free)));
+    const int beside = dragTo(200, 40); // too far from 200
+    QVERIFY2(beside > 210, qPrintable(QString::number(beside)));
+}
+
+// Each moment is that of the clock at a time after the picture before it was drawn.
+void TimelinePlayingTest::timeIsNeverLate() {
+    key(0, 10);
+    timeline().setTiming(QStringLiteral("fast"), {{100, 1}, 100'000, animation::Loop::Off});
+    timeline().setFrame(0);
+    QElapsedTimer before, after; // the clock of the playback starts in between
+    qint64 drawn = 0;            // when the last picture was finished
+    int pictures = 0;
+    QString flaw;
+    QObject scope;
+    connect(m_document.get(), &document::Document::changed, &scope, [&](const document::Change& change) {
+        if (!(change.parts & document::Change::Time) || !timeline().playback().isPlaying()) return;
+        const qint64 now = before.elapsed();
+        const int frame = timeline().playback().position();
+        if (frame < drawn / 10 - 1 || frame > now / 10 + 1)
+            flaw = QStringLiteral("frame %1 between %2 and %3 ms").arg(frame).arg(drawn).arg(now);
+        ++pictures;
+        QThread::msleep(70); // as long as drawing takes
+        drawn = after.elapsed();
+    });
+    before.start();
+    timeline().playback().setPlaying(true);
+    after.start();
+    QTRY_VERIFY_WITH_TIMEOUT(pictures >= 12, 60'000);
+    timeline().playback().setPlaying(false);
+    QVERIFY2(flaw.isEmpty(), qPrintable(flaw));
+    QVERIFY(timeline().frame() >= 60); // 100 a second, and not one for each picture
+}
+
+void TimelinePlayingTest::theRateIsShown() {
+    QLabel* label = nullptr;
+    for (auto* one : m_panel->transport()->findChildren<QLabel*>())
+        if (one->toolTip().contains(QStringLiteral("drawn per second"))) label = one;
+    QVERIFY(label);
+    key(0, 40);
+    timeline().setTiming(QStringLiteral("cycle"), {{24, 1}, 48, animation::Loop::Cycle});
+    view::Playback& playback = timeline().playback();
+    playback.countPicture(); // does not count: nothing plays
+    QCOMPARE(playback.picturesPerSecond(), 0.0);
+    playback.setPlaying(true);
+    QCOMPARE(label->text(), QString());
+    QTimer pictures;
+    connect(&pictures, &QTimer::timeout, this, [&] { playback.countPicture(); });
+    pictures.start(20);
+    QTRY_VERIFY_WITH_TIMEOUT(label->text().endsWith(QStringLiteral(" fps")), 60'000);
+    const double rate = label->text().section(u' ', 0, 0).toDouble();
+    QVERIFY2(rate > 0 && rate < 60, qPrintable(label->text())); // one every 20 ms at most
+    playback.setPlaying(false);
+    QCOMPARE(label->text(), QString());
+}
+
+QTEST_MAIN(TimelinePlayingTest)
+#include "timeline_playing_test.moc"

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "panels/timeline/ruler_scale.h"
+#include "panels/timeline/timeline_panel.h"
+#include "panels/timeline/track_view.h"
+#include "panels/timeline/transport_bar.h"
+#include "support/own_settings.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTest>
+#include <QToolButton>
+
+#include <memory>
+
+using animation::FrameRate;
+using view::RulerUnit;
+
+// Rates as they are typed, and what the ruler makes of them.
+class TransportBarTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { support::useOwnSettings(); }
+    void init();
+    void cleanup() { m_panel.reset(); }
+
+    void ratesAreFractions();
+    void whatIsNoRateIsRefused();
+    void rulersHaveRoundSteps_data();
+    void rulersHaveRoundSteps();
+    void theRulerSaysSeconds();
+
+private:
+    void type(const char* rate);
+    FrameRate rate() const { return m_panel->timeline().timing().rate; }
+    QComboBox* field() const { return m_panel->transport()->rate(); }
+
+    std::unique_ptr<document::Document> m_document;
+    std::unique_ptr<view::TimelinePanel> m_panel;
+};
+
+void TransportBarTest::init() {
+    m_document = std::make_unique<document::Document>();
+    m_panel = std::make_unique<view::TimelinePanel>(m_document.get());
+    m_panel->resize(900, 300);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    m_panel->showTracks();
+}
+
+void TransportBarTest::type(const char* rate) {
+    field()->lineEdit()->selectAll();
+    QTest::keyClicks(field()->lineEdit(), QLatin1String(rate));
+    QTest::keyClick(field()->lineEdit(), Qt::Key_Return);
+}
+
+void TransportBarTest::ratesAreFractions() {
+    QCOMPARE(field()->currentText(), QStringLiteral("24"));
+    type("29.97");
+    QCOMPARE(rate(), (FrameRate{30000, 1001}));
+    QCOMPARE(field()->currentText(), QStringLiteral("29.97"));
+    QCOMPARE(m_document->undoStack()->count(), 1);
+    type("30000/1001"); // the same
+    QCOMPARE(m_document->undoStack()->count(), 1);
+    QCOMPARE(field()->currentText(), QStringLiteral("29.97"));
+    type("25/2");
+    QCOMPARE(rate(), (FrameRate{25, 2}));
+    QCOMPARE(field()->currentText(), QStringLiteral("12.5"));
+    QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Frames per second: 12.5"));
+    type("7,5");
+    QCOMPARE(rate(), (FrameRate{15, 2}));
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    QCOMPARE(rate(), (FrameRate{30000, 1001}));
+    QCOMPARE(field()->currentText(), QStringLiteral("29.97"));
+    m_panel->transport()->length()->setValue(30); // leaves the rate alone
+    QCOMPARE(rate(), (FrameRate{30000, 1001}));
+}
+
+void TransportBarTest::whatIsNoRateIsRefused() {
+    QSignalSpy told(&m_panel->timeline(), &view::Timeline::message);
+    type("fast");
+    QCOMPARE(told.size(), 1);
+    QVERIFY(told[0][0].toString().contains(QStringLiteral("“fast”")));
+    type("0");
+    QCOMPARE(told.size(), 2);
+    QCOMPARE(rate(), (FrameRate{24, 1}));
+    QCOMPARE(field()->currentText(), QStringLiteral("24"));
+    QCOMPARE(m_document->undoStack()->count(), 0);
+}
+
+void TransportBarTest::rulersHaveRoundSteps_data() {
+    QTest::addColumn<double>("wanted");
+    QTest::addColumn<int>("frames");
+    QTest::addColumn<int>("seconds");
+    QTest::addColumn<int>("inFrames");
+    QTest::addColumn<int>("inSeconds");
+    QTest::newRow("close") << 0.5 << 24 << 1 << 1 << 24;
+    QTest::newRow("a few") << 3.0 << 24 << 1 << 5 << 24;
+    QTest::newRow("more than a second") << 25.0 << 24 << 1 << 50 << 48;
+    QTest::newRow("five seconds") << 100.0 << 24 << 1 << 100 << 120;
+    QTest::newRow("television") << 90.0 << 30000 << 1001 << 100 << 150;
+    QTest::newRow("slow") << 1.0 << 1 << 4 << 1 << 1;
+}
+
+void TransportBarTest::rulersHaveRoundSteps() {
+    QFETCH(double, wanted);
+    QFETCH(int, frames);
+    QFETCH(int, seconds);
+    QFETCH(int, inFrames);
+    QFETCH(int, inSeconds);
+    QCOMPARE(view::rulerStep(wanted, {frames, seconds}, RulerUnit::Frames), inFrames);
+    QCOMPARE(view::rulerStep(wanted, {frames, seconds}, RulerUnit::Seconds), inSeconds);
+}
+
+void TransportBarTest::theRulerSaysSeconds() {
+    QCOMPARE(view::rulerText(36, {24, 1}, RulerUnit::Frames), QStringLiteral("36"));
+    QCOMPARE(view::rulerText(36, {24, 1}, RulerUnit::Seconds), QStringLiteral("1.5"));
+    QCOMPARE(view::rulerText(3000, {30000, 1001}, RulerUnit::Seconds), QStringLiteral("100.1"));
+    view::TrackView* tracks = m_panel->trackView();
+    QToolButton* unit = nullptr;
+    for (auto* button : tracks->findChildren<QToolButton*>())
+        if (button->accessibleName() == QStringLiteral("Unit of the ruler")) unit = button;
+    QVERIFY(unit);
+    QVERIFY(!unit->isChecked());
+    const auto ruler = [&] {
+        const QPoint from = tracks->rulerPosition(6), to = tracks->rulerPosition(48);
+        return tracks->viewport()->grab(QRect(from - QPoint(0, 8), QSize(to.x() - from.x(), 16))).toImage();
+    };
+    const QImage frames = ruler();
+    QTest::mouseClick(unit, Qt::LeftButton);
+    QCOMPARE(unit->text(), QStringLiteral("Seconds"));
+    QVERIFY(ruler() != frames);
+    const view::TrackView again(&m_panel->timeline()); // it is remembered
+    QVERIFY(again.findChild<QToolButton*>()->isChecked());
+    QTest::mouseClick(unit, Qt::LeftButton);
+    QCOMPARE(ruler(), frames);
+}
+
+QTEST_MAIN(TransportBarTest)
+#include "transport_bar_test.moc"
