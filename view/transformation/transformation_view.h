@@ -55,8 +55,9 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    struct Continuity {
-        std::optional<ifs::Tear> tear;
+    struct Continuity { // nothing where there is no transformation
+        std::optional<ifs::Tear> there, back;
+        ifs::Homeomorphism verdict = ifs::Homeomorphism::Unknown;
     };
 
     void create();

@@ -4,8 +4,11 @@
 #include "bridges/construction.h"
 #include "bridges/render_bridge.h"
 #include "canvas/canvas_view.h"
+#include "canvas/scene/handle_text.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
+#include "document/edits/coupled_entries.h"
+#include "document/edits/entries_edits.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/theft_starters.h"
 #include "io/collection_source.h"
@@ -15,6 +18,7 @@
 #include "panels/entries/entries_panel.h"
 #include "stage.h"
 #include "transformation/theft_export_dialog.h"
+#include "transformation/theft_sentences.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
 
@@ -46,6 +50,7 @@ private slots:
     void showsAndHides();
     void aStarterIsOneStep();
     void draggingThePartnerIsLive();
+    void correspondingMapsLookAlike();
     void slidersMoveTheFamily();
     void aDroppedPictureIsKept();
     void aMissingPictureIsSaid();
@@ -138,7 +143,18 @@ void TransformationWindowTest::aStarterIsOneStep() {
     QCOMPARE(steps(), 1);
     QCOMPARE(document().file().entries.size(), before + 2);
     QCOMPARE(kept().mode, TheftMode::TransformPicture);
-    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->continuity().startsWith(QStringLiteral("Continuous to")), 30000);
+    // To 1/256 of the size, there and back.
+    const document::Fractal& partner = view()->partnerCanvas()->canvas().document().fractal();
+    const auto entries = document::coupled(document().fractal(), partner, {}).entries;
+    QVERIFY(entries);
+    const auto &f = entries->fromAttractor, &g = entries->toAttractor;
+    const ifs::Tear there = ifs::tear(f, g, f.radius() / 128, 1U << 17);
+    const ifs::Tear back = ifs::tear(g, f, g.radius() / 128, 1U << 17);
+    QVERIFY(there.size > 0 && there.size < 0.5 && back.size > 0 && back.size < 0.5 && back.place);
+    const QString expected = view::sentenceOf(there) + QStringLiteral(". ") +
+                             view::sentenceOf(there, back, ifs::Homeomorphism::Unknown);
+    QVERIFY(expected.contains(QStringLiteral(". Homeomorphism to ")));
+    QTRY_COMPARE_WITH_TIMEOUT(view()->bar()->continuity(), expected, 60000);
     QVERIFY(view()->bar()->problem().isEmpty());
     document().undoStack()->undo();
     QCOMPARE(document().file().entries.size(), before);
@@ -183,6 +199,40 @@ void TransformationWindowTest::draggingThePartnerIsLive() {
     document().undoStack()->undo();
     QVERIFY(!document::plane(partner->canvas().document().fractal())->cage ||
             (partner->canvas().positionOf({Kind::Vertex, 0}).toPoint() - corner).manhattanLength() < 3);
+}
+
+// Also where others take part in the partner, which keeps its own colours.
+void TransformationWindowTest::correspondingMapsLookAlike() {
+    openFamily();
+    const document::EntryId partner = document::entryNamed(document().file(), kept().partner);
+    const auto ofPartner = [&] {
+        const document::FractalFile& file = document().file();
+        return *file.entries[document::indexOf(file, partner)].fractal;
+    };
+    document::Fractal from = document().entryFractal();
+    const attractor::Rgba teal{10, 130, 120, 255};
+    from.appearance.mapColours[document::system2(from)->maps[1].id] = teal;
+    document::system2(from)->maps[0].enabled = false;
+    document().editEntry(QStringLiteral("colour"), from);
+    document::Fractal to = ofPartner();
+    const auto ownColours = to.appearance.mapColours;
+    document::system2(to)->maps[3].enabled = false;
+    document().editFile(QStringLiteral("off"), document::replaced(document().file(), partner, to),
+                        document().currentId());
+    canvas()->setTool(view::CanvasView::Tool::Maps);
+    const view::CanvasScene& shown = view()->partnerCanvas()->canvas();
+    QTRY_COMPARE(shown.frames().size(), std::size_t{4});
+    QCOMPARE(shown.frames()[0].colour, QColor(10, 130, 120));
+    QCOMPARE(view::mapName(shown.handles(), 0), QStringLiteral("Map 2"));
+    QCOMPARE(view::mapName(shown.handles(), 2), QStringLiteral("Map 4"));
+    QCOMPARE(view::mapName(shown.handles(), 3), QStringLiteral("Map that takes no part"));
+    QCOMPARE(shown.frames()[2].colour, canvas()->canvas().frames()[3].colour);
+    QVERIFY(ofPartner().appearance.mapColours == ownColours);
+    canvas()->options().setMapNumbersVisible(true);
+    QVERIFY(view()->partnerCanvas()->options().areMapNumbersVisible());
+    document().undoStack()->undo();
+    document().undoStack()->undo();
+    QCOMPARE(view::mapName(shown.handles(), 0), QStringLiteral("Map 1"));
 }
 
 void TransformationWindowTest::slidersMoveTheFamily() {
