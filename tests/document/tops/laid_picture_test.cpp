@@ -108,7 +108,7 @@ private slots:
     }
 
     // Whatever picture was chosen, the grid covers the box of G.
-    void layAGrid() {
+    void theGridCoversThePartner() {
         const auto laid = laidOn(slopes(), TheftMode::DeformationGrid);
         QVERIFY(laid);
         const attractor::MipPicture grid = attractor::picture(attractor::Pattern::Grid);
