@@ -10,3 +10,9 @@
 // event to the window until the pixels of its picture are painted, event by event. Needs a QApplication.
 std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
                                  int events);
+
+// The same with colours stolen from `to`, which has as many maps, in a window of that size with two canvases:
+// until the picture of F is painted. The first moves, until the number of points fits the machine, are left
+// out.
+std::vector<double> dragWithStolenColours(const ifs::IteratedFunctionSystem<2>& from,
+                                          const ifs::IteratedFunctionSystem<2>& to, int events);
