@@ -93,11 +93,16 @@ void TransformationView::setTransformationShown(bool shown) {
         widget->setVisible(shown);
     if (shown) {
         refresh();
-        const int half = m_splitter->width() / 2;
-        m_splitter->setSizes({half, half});
+        arrange(m_splitter->orientation());
     }
     m_theft->setActive(shown);
     m_canvas->fit();
+}
+
+void TransformationView::arrange(Qt::Orientation orientation) {
+    m_splitter->setOrientation(orientation);
+    const int half = (orientation == Qt::Horizontal ? m_splitter->width() : m_splitter->height()) / 2;
+    m_splitter->setSizes({half, half});
 }
 
 void TransformationView::create() {
@@ -208,6 +213,8 @@ void TransformationView::connectBar() {
     });
     connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
+    connect(m_bar, &TransformationBar::stacked, this,
+            [this](bool on) { arrange(on ? Qt::Vertical : Qt::Horizontal); });
     connect(m_bar, &TransformationBar::exportWanted, this, &TransformationView::chooseExport);
     connect(m_bar, &TransformationBar::divideWanted, this, [this] {
         m_document->editFile(

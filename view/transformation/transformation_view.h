@@ -63,6 +63,7 @@ private:
     void create();
     void connectBar();
     void followTools();
+    void arrange(Qt::Orientation orientation); // both canvases are as large
     void refresh();
     void showPicture();
     void showProblem();

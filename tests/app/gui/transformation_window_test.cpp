@@ -50,6 +50,8 @@ private slots:
     void showsAndHides();
     void aStarterIsOneStep();
     void draggingThePartnerIsLive();
+    void draggingTheCageIsLive();
+    void theCanvasesCanBeStacked();
     void correspondingMapsLookAlike();
     void slidersMoveTheFamily();
     void aDroppedPictureIsKept();
@@ -121,6 +123,14 @@ void drop(QWidget* target, const QPoint& at, const QString& path) {
     QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(target, &drop);
     QVERIFY(drop.isAccepted());
+}
+
+QRect coloured(const QImage& picture) { // what is not background
+    QRect seen;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (picture.pixel(x, y) != picture.pixel(0, 0)) seen |= QRect(x, y, 1, 1);
+    return seen;
 }
 
 } // namespace
@@ -199,6 +209,52 @@ void TransformationWindowTest::draggingThePartnerIsLive() {
     document().undoStack()->undo();
     QVERIFY(!document::plane(partner->canvas().document().fractal())->cage ||
             (partner->canvas().positionOf({Kind::Vertex, 0}).toPoint() - corner).manhattanLength() < 3);
+}
+
+// The cage of F: the picture follows while the button is down.
+void TransformationWindowTest::draggingTheCageIsLive() {
+    openFamily();
+    canvas()->setTool(view::CanvasView::Tool::Cage);
+    const auto corner = [this](int vertex) { return canvas()->canvas().positionOf({Kind::Vertex, vertex}); };
+    int left = 0, right = 0;
+    for (int vertex = 1; vertex < 3; ++vertex) {
+        if (corner(vertex).x() < corner(left).x()) left = vertex;
+        if (corner(vertex).x() > corner(right).x()) right = vertex;
+    }
+    const auto width = [this] { return coloured(canvas()->picture()).width(); };
+    const int before = int(corner(right).x() - corner(left).x()), stepsBefore = steps();
+    QVERIFY(before > 100);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(width() - before) < 8, 30000); // the cage is the triangle
+    QWidget* target = canvas()->viewport();
+    const QPoint from = corner(right).toPoint();
+    QTest::mousePress(target, Qt::LeftButton, {}, from);
+    for (int k = 1; k <= 12; ++k) {
+        const QPoint to = from - QPoint(5 * k, 0);
+        QMouseEvent move(QEvent::MouseMove, to, target->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(target, &move);
+        QCoreApplication::processEvents();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(width() < before - 40, 30000);
+    QVERIFY(isStolen());
+    QCOMPARE(steps(), stepsBefore);
+    QTest::mouseRelease(target, Qt::LeftButton, {}, from - QPoint(60, 0));
+    QCOMPARE(steps(), stepsBefore + 1);
+    document().undoStack()->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(width() - before) < 8, 30000);
+}
+
+void TransformationWindowTest::theCanvasesCanBeStacked() {
+    openFamily();
+    const auto corner = [this](view::CanvasView* of) { return of->mapTo(view(), QPoint()); };
+    view::CanvasView* partner = view()->partnerCanvas();
+    QVERIFY(corner(partner).x() > corner(canvas()).x() && corner(partner).y() == corner(canvas()).y());
+    click(QStringLiteral("Stack"));
+    QTRY_COMPARE(corner(partner).x(), corner(canvas()).x());
+    QVERIFY(corner(partner).y() >= corner(canvas()).y() + canvas()->height());
+    QVERIFY(std::abs(partner->height() - canvas()->height()) < 4);
+    QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 30000);
+    click(QStringLiteral("Stack"));
+    QTRY_COMPARE(corner(partner).y(), corner(canvas()).y());
 }
 
 // Also where others take part in the partner, which keeps its own colours.
@@ -391,10 +447,7 @@ void TransformationWindowTest::exportsThePicture() {
     QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, 60000);
     const QImage written(path);
     QCOMPARE(written.size(), QSize(600, 400));
-    QRect seen;
-    for (int y = 0; y < written.height(); ++y)
-        for (int x = 0; x < written.width(); ++x)
-            if (written.pixel(x, y) != written.pixel(0, 0)) seen |= QRect(x, y, 1, 1);
+    const QRect seen = coloured(written);
     QVERIFY(seen.height() > 330 && seen.height() < 370); // the whole triangle, with a margin of a twentieth
     dialog->exportTo(folder.filePath(QStringLiteral("absent/stolen.png")));
     QTRY_VERIFY_WITH_TIMEOUT(dialog->message().contains(QStringLiteral("absent")), 30000);
