@@ -6,6 +6,7 @@
 #include "attractor/tops/deferred_theft.h"
 #include "attractor/tops/key_tops.h"
 #include "attractor/tops/picture_patterns.h"
+#include "bench/canvas_drag.h"
 #include "document/edits/cage_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/tops/theft_thread.h"
@@ -140,6 +141,10 @@ std::vector<Ratio> measure(int repetitions) {
     const std::vector<double> drag = cageDrag(10 * repetitions);
     ratios.push_back({"tops.drag_ms.p50", drag[drag.size() / 2], "reported"});
     ratios.push_back({"tops.drag_ms.p99", drag[drag.size() * 99 / 100], "<= 16.7"});
+    std::vector<double> inWindow = dragWithStolenColours(systems::fern(), systems::maple(), 10 * repetitions);
+    std::ranges::sort(inWindow);
+    ratios.push_back({"tops.window_drag_ms.p50", inWindow[inWindow.size() / 2], "reported"});
+    ratios.push_back({"tops.window_drag_ms.p99", inWindow[inWindow.size() * 99 / 100], "<= 16.7"});
     System round = systems::maple();
     round.symmetry = {ifs::SymmetryGroup::Rotation, 12, 0, {0, 0}, ifs::Matrix<2>::Identity()};
     ratios.push_back(

@@ -13,7 +13,7 @@ struct Ratio {
     std::string target;
 };
 
-// The shortest of `repetitions` times each; what is compared takes turns.
+// The shortest of `repetitions` times each; what is compared takes turns. Needs a QApplication.
 std::vector<Ratio> measure(int repetitions);
 
 } // namespace addresses

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "bench/canvas_drag.h"
 
+#include "attractor/tops/picture_patterns.h"
 #include "bridges/render_bridge.h"
+#include "bridges/theft_bridge.h"
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_part.h"
 #include "canvas/scene/canvas_scene.h"
 #include "document/document.h"
+#include "document/edits/entries_edits.h"
 #include "document/fractal.h"
 #include "panels/timeline/playback.h"
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSplitter>
 
 #include <algorithm>
 #include <chrono>
@@ -63,6 +67,22 @@ struct Shown {
     Watch watch{&bridge, canvas.viewport()};
 };
 
+// Events that are measured, after so many that are not.
+std::vector<double> dragged(view::CanvasView& canvas, Watch& watch, int before, int events) {
+    const QPointF start = canvas.canvas().positionOf({view::CanvasPart::Kind::Vertex, 1});
+    send(canvas, QEvent::MouseButtonPress, start);
+    std::vector<double> times;
+    for (int event = 1; event <= before + events; ++event) {
+        const QPointF at = start + QPointF(40 * std::sin(0.1 * event), 25 * std::sin(0.17 * event));
+        const auto begin = std::chrono::steady_clock::now();
+        send(canvas, QEvent::MouseMove, at);
+        watch.await();
+        const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+        if (event > before) times.push_back(time.count());
+    }
+    return times;
+}
+
 } // namespace
 
 std::vector<double> scrubInCanvas(const document::Fractal& animated, std::uint64_t samples, int events) {
@@ -109,16 +129,38 @@ std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, s
     *document::system2(fractal) = system;
     document::plane(fractal)->cage.reset();
     Shown shown(fractal, samples);
-    const QPointF start = shown.canvas.canvas().positionOf({view::CanvasPart::Kind::Vertex, 1});
-    send(shown.canvas, QEvent::MouseButtonPress, start);
-    std::vector<double> times;
-    for (int event = 1; event <= events; ++event) {
-        const QPointF at = start + QPointF(40 * std::sin(0.1 * event), 25 * std::sin(0.17 * event));
-        const auto begin = std::chrono::steady_clock::now();
-        send(shown.canvas, QEvent::MouseMove, at);
-        shown.watch.await();
-        times.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
-    }
-    return times;
+    return dragged(shown.canvas, shown.watch, 0, events);
+}
+
+std::vector<double> dragWithStolenColours(const ifs::IteratedFunctionSystem<2>& from,
+                                          const ifs::IteratedFunctionSystem<2>& to, int events) {
+    constexpr int warm = 60;
+    document::Fractal first, second;
+    first.name = QStringLiteral("F");
+    first.shape = document::Shape<2>{from};
+    second.name = QStringLiteral("G");
+    second.shape = document::Shape<2>{to};
+    const document::Inserted both = document::inserted(
+        document::fileOf(first), document::fileOf(second).entries, document::EntryId::None);
+    document::Document document;
+    document.setFile(both.file);
+    document::PartnerDocument partner(&document);
+    partner.setPartner(both.ids.front());
+    view::RenderBridge onFirst(&document), onSecond(&partner.document());
+    view::TheftBridge theft(&document, &onFirst, &partner, &onSecond);
+    QSplitter window; // owns the canvases
+    auto* canvas = new view::CanvasView(&document, &onFirst, &window);
+    window.addWidget(canvas);
+    window.addWidget(new view::CanvasView(&partner.document(), &onSecond, &window));
+    window.setFixedSize(1920, 1080);
+    window.setSizes({960, 960});
+    Watch watch(&onFirst, canvas->viewport());
+    theft.setPicture(
+        std::make_shared<const attractor::MipPicture>(attractor::picture(attractor::Pattern::Wheel)));
+    theft.setActive(true);
+    window.show();
+    while (!onFirst.isSubstituted())
+        QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+    watch.await();
+    return dragged(*canvas, watch, warm, events);
 }

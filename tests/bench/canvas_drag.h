@@ -18,3 +18,9 @@ std::vector<double> scrubInCanvas(const document::Fractal& animated, std::uint64
 // An animation played once, `frames` long: the share of its frames whose picture is painted more than 16.7 ms
 // after they are due, or not at all.
 double lateInCanvas(document::Fractal animated, std::uint64_t samples, int frames);
+
+// The same with colours stolen from `to`, which has as many maps, in a window of that size with two canvases:
+// until the picture of F is painted. The first moves, until the number of points fits the machine, are left
+// out.
+std::vector<double> dragWithStolenColours(const ifs::IteratedFunctionSystem<2>& from,
+                                          const ifs::IteratedFunctionSystem<2>& to, int events);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_menu.h"
 
+#include "canvas/scene/handle_text.h"
 #include "canvas/tools/vertex_dialog.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/cage_edits.h"
@@ -96,8 +97,11 @@ void addVertexActions(QMenu& menu, const MenuContext& context, int index) {
 void addMapActions(QMenu& menu, const MenuContext& context, int index) {
     document::Document& document = context.scene.document();
     const QString number = QString::number(index + 1);
-    const QString title = document::mapTitle(document.fractal(), std::size_t(index));
-    menu.addSection(Menu::tr("Map %1").arg(QString(title).replace(QLatin1String("&"), QLatin1String("&&"))));
+    const bool hasFace = !context.scene.handles().faces().empty();
+    const QString title =
+        hasFace ? mapName(context.scene.handles(), std::size_t(index))
+                : Menu::tr("Map %1").arg(document::mapTitle(document.fractal(), std::size_t(index)));
+    menu.addSection(QString(title).replace(QLatin1String("&"), QLatin1String("&&")));
     document::Fractal switched = document.fractal();
     bool& enabled = document::system2(switched)->maps[std::size_t(index)].enabled;
     enabled = !enabled;

@@ -38,6 +38,7 @@ public:
     const std::vector<ifs::MapId>& selectedMaps() const { return m_scene->selection().maps(); }
     void selectMaps(const std::vector<ifs::MapId>& maps) { m_scene->selection().setMaps(maps); }
 
+    void setMapFaces(document::MapFaces faces) { m_scene->handles().setFaces(std::move(faces)); }
     void pointAt(ifs::MapId map) { m_scene->selection().setPointed(map); } // in the table; None: at none
 
     CanvasNavigation& navigation() { return m_navigation; }

@@ -8,7 +8,11 @@
 #include "document/edits/maps_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
+#include "space/keypad_views.h"
+#include "space/space_symmetry.h"
 #include "widgets/arrow_keys.h"
+
+#include <QLineF>
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +26,13 @@ constexpr double degreesPerKey = 5;
 constexpr double pixelsPerKey = 20;
 constexpr double clickReach = 4;  // pixels that a click may move
 constexpr double shiftReach = 6;  // pixels of motion by which Shift chooses an axis
+constexpr double knobReach = 11;  // pixels around the handle of a symmetry
 constexpr double pushPixels = 20; // by one notch of the wheel
 
 // X, Y or Z of a drag; with Ctrl they are shortcuts of the window.
 bool isAxisKey(const QKeyEvent& event) {
     const bool isShortcut = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
     return !isShortcut && event.key() >= Qt::Key_X && event.key() <= Qt::Key_Z;
-}
-
-bool isOnKeypad(const QKeyEvent& event) {
-    return event.modifiers().testFlag(Qt::KeypadModifier);
 }
 
 double notches(const QWheelEvent& event) {
@@ -48,6 +49,7 @@ SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation
       m_map(items.map),
       m_definition(items.definition),
       m_slice(items.slice),
+      m_symmetry(items.symmetry),
       m_ball(items.ball) {}
 
 void SpaceInput::press(const QMouseEvent& event) {
@@ -68,6 +70,8 @@ void SpaceInput::press(const QMouseEvent& event) {
         defineAt(m_pointer);
     } else if (event.button() == Qt::LeftButton && m_isEnabled && pressHandle(m_pointer, event)) {
         // it is held now
+    } else if (event.button() == Qt::LeftButton && isOnSymmetry(m_pointer)) {
+        beginSymmetryDrag();
     } else if (event.button() == Qt::LeftButton && isOnSlice(m_pointer)) {
         m_gesture.emplace<Slicing>(Slicing{m_document->beginGesture(tr("Move the Slice")),
                                            m_navigation.camera(), *m_slice.plane(), toVector(m_pointer)});
@@ -178,25 +182,8 @@ void SpaceInput::beginDrag(std::size_t vertex, const QMouseEvent& event) {
 void SpaceInput::beginFaceDrag(std::size_t face, const QMouseEvent& event) {
     const After after = afterCage();
     if (!after) return;
-    SpatialDrag drag;
-    drag.camera = m_navigation.camera();
-    drag.vertices = m_cage.vertices();
-    drag.together = m_cage.face(face);
+    SpatialDrag drag = faceDrag(m_navigation.camera(), m_cage.vertices(), m_cage.face(face));
     drag.press = toVector(event.position());
-    drag.held = drag.vertices.size();
-    ifs::Vector<3> middle = ifs::Vector<3>::Zero();
-    for (const int corner : drag.together)
-        middle += drag.vertices[std::size_t(corner)] / double(drag.together.size());
-    ifs::Vector<3> normal = ifs::Vector<3>::Zero(); // of a face that is not plane, the mean one
-    for (std::size_t k = 0; k < drag.together.size(); ++k) {
-        const auto spoke = [&](std::size_t i) {
-            return ifs::Vector<3>(drag.vertices[std::size_t(drag.together[i % drag.together.size()])] -
-                                  middle);
-        };
-        normal += spoke(k).cross(spoke(k + 1));
-    }
-    if (normal.norm() > 0) drag.normal = normal.normalized();
-    drag.vertices.push_back(middle);
     const After cageAfter = [after](std::vector<ifs::Vector<3>> vertices) {
         vertices.pop_back();
         return after(vertices);
@@ -210,6 +197,30 @@ void SpaceInput::beginFaceDrag(std::size_t face, const QMouseEvent& event) {
                                          pull,
                                          {},
                                          false});
+}
+
+bool SpaceInput::isOnSymmetry(const QPointF& position) const {
+    const auto knob = m_isEnabled ? m_symmetry.knob() : std::nullopt;
+    return knob && QLineF(*knob, position).length() <= knobReach;
+}
+
+// Its centre is held in place of a vertex.
+void SpaceInput::beginSymmetryDrag() {
+    const auto centre = displayedCentre(m_document->fractal());
+    After after = afterCentreMoved(m_document->sharedFractal());
+    if (!centre || !after) return;
+    SpatialDrag drag;
+    drag.camera = m_navigation.camera();
+    drag.vertices = {*centre};
+    drag.press = toVector(m_pointer);
+    const Pull pull{drag.press, 0};
+    m_gesture.emplace<Dragging>(Dragging{m_document->beginGesture(tr("Move the centre of the symmetry")),
+                                         std::move(after),
+                                         std::move(drag),
+                                         pull,
+                                         {},
+                                         false,
+                                         true});
 }
 
 QString SpaceInput::stepText(SpatialDrag::Mode mode, std::size_t vertex) const {
@@ -243,7 +254,9 @@ void SpaceInput::move(const QMouseEvent& event) {
     } else {
         const auto handles = m_isEnabled ? held().handlesAt(m_pointer) : std::vector<std::size_t>();
         m_hovered = handles.empty() ? std::nullopt : std::optional(handles.front());
-        m_face = m_isEnabled && !m_hovered && !isOnSlice(m_pointer) ? held().faceAt(m_pointer) : std::nullopt;
+        m_face = m_isEnabled && !m_hovered && !isOnSlice(m_pointer) && !isOnSymmetry(m_pointer)
+                     ? held().faceAt(m_pointer)
+                     : std::nullopt;
         report(m_pointer);
     }
     emit changed();
@@ -386,7 +399,8 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
         emit prompted();
         return true;
     }
-    if (lockBy(event) || viewBy(event) || mapsKeyPress(event)) return true;
+    if (isIdle() && !m_isFixed && lookBy(m_navigation, event)) return true;
+    if (lockBy(event) || mapsKeyPress(event)) return true;
     if (event.key() == Qt::Key_Space) {
         m_isSpaceHeld = true;
         emit changed();
@@ -423,33 +437,6 @@ bool SpaceInput::lockBy(const QKeyEvent& event) {
     dragging->isLockedByShift = false;
     preview(*dragging);
     return true;
-}
-
-// The keypad's views, as in modelling programs; with Ctrl from the opposite side.
-bool SpaceInput::viewBy(const QKeyEvent& event) {
-    if (!isIdle() || m_isFixed) return false;
-    const bool isOpposite = event.modifiers().testFlag(Qt::ControlModifier);
-    if (event.key() == Qt::Key_Home) {
-        m_navigation.lookFrom(directions::isometric);
-        return true;
-    }
-    if (!isOnKeypad(event)) return false;
-    switch (event.key()) {
-    case Qt::Key_1:
-        m_navigation.lookFrom(isOpposite ? directions::back : directions::front);
-        return true;
-    case Qt::Key_3:
-        m_navigation.lookFrom(isOpposite ? directions::left : directions::right);
-        return true;
-    case Qt::Key_7:
-        m_navigation.lookFrom(isOpposite ? directions::bottom : directions::top);
-        return true;
-    case Qt::Key_5:
-        m_navigation.setPerspective(!m_navigation.isPerspective());
-        return true;
-    default:
-        return false;
-    }
 }
 
 // Of the maps, as in the plane: Delete and Insert, and Alt with a digit selects one.
@@ -533,7 +520,9 @@ void SpaceInput::setEnabled(bool enabled) {
 
 void SpaceInput::showMarks(bool hasFocus) {
     std::optional<std::size_t> pressed;
-    if (const auto* dragging = std::get_if<Dragging>(&m_gesture)) pressed = dragging->drag.held;
+    const auto* dragging = std::get_if<Dragging>(&m_gesture);
+    if (dragging && !dragging->isOfSymmetry) pressed = dragging->drag.held;
+    m_symmetry.setHeld(dragging && dragging->isOfSymmetry);
     const bool isSlicing = std::holds_alternative<Slicing>(m_gesture);
     m_slice.setHeld(isIdle() && !m_hovered && isOnSlice(m_pointer), isSlicing);
     m_cage.setFaceMark(m_face);
@@ -545,7 +534,8 @@ Qt::CursorShape SpaceInput::cursor() const {
     if (std::holds_alternative<Dragging>(m_gesture) || std::holds_alternative<Panning>(m_gesture) ||
         std::holds_alternative<Slicing>(m_gesture))
         return Qt::ClosedHandCursor;
-    if (isIdle() && (m_hovered || m_face || m_isSpaceHeld || isOnSlice(m_pointer))) return Qt::OpenHandCursor;
+    if (isIdle() && (m_hovered || m_face || m_isSpaceHeld || isOnSlice(m_pointer) || isOnSymmetry(m_pointer)))
+        return Qt::OpenHandCursor;
     if (isIdle() && m_isEnabled && !m_isFixed && m_ball.covers(m_pointer)) return Qt::PointingHandCursor;
     return Qt::CrossCursor;
 }
@@ -584,7 +574,9 @@ void SpaceInput::report(const Dragging& dragging) {
     SpacePosition at;
     at.world = ifs::Vector<3>::Zero(); // of a face, its middle
     const std::vector<int>& together = dragging.drag.together;
-    if (together.empty() && dragging.drag.held < held().vertices().size())
+    if (dragging.isOfSymmetry)
+        at.world = displayedCentre(m_document->fractal()).value_or(at.world);
+    else if (together.empty() && dragging.drag.held < held().vertices().size())
         at.world = held().vertices()[dragging.drag.held];
     for (const int corner : together)
         at.world += held().vertices()[std::size_t(corner)] / double(together.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "canvas/items/symmetry_item.h"
 #include "ifs/system/barycentric.h"
 #include "space/slice_item.h"
 #include "space/space_cage_item.h"
@@ -45,6 +46,7 @@ public:
         SpaceCageItem& map; // the one that is held
         SpaceDefinition& definition;
         SliceItem& slice;
+        SymmetryItem& symmetry;
         AxisBall& ball;
     };
     SpaceInput(document::Document* document, SpaceNavigation& navigation, const Items& items);
@@ -112,6 +114,7 @@ private:
         Pull pull;
         AxisLock lock;
         bool isLockedByShift = false;
+        bool isOfSymmetry = false; // its centre
     };
 
     bool isIdle() const { return std::holds_alternative<std::monostate>(m_gesture); }
@@ -129,12 +132,13 @@ private:
     void follow(Dragging& dragging, const QMouseEvent& event);
     void follow(Slicing& slicing, const QPointF& position);
     bool isOnSlice(const QPointF& position) const;
+    bool isOnSymmetry(const QPointF& position) const;
+    void beginSymmetryDrag();
     void preview(Dragging& dragging);
     void report(const Dragging& dragging);
     void nudge(const QPointF& pixels);
     void defineAt(const QPointF& position);
     bool lockBy(const QKeyEvent& event);
-    bool viewBy(const QKeyEvent& event);
     void report(const QPointF& position);
     void reportDirection();
 
@@ -145,6 +149,7 @@ private:
     SpaceCageItem& m_map;
     SpaceDefinition& m_definition;
     SliceItem& m_slice;
+    SymmetryItem& m_symmetry;
     AxisBall& m_ball;
     std::variant<std::monostate, Orbiting, Panning, Dragging, Slicing> m_gesture;
     QPointF m_pointer{-1, -1};  // when it is elsewhere

@@ -5,6 +5,7 @@
 #include "canvas/geometry/canvas_note.h"
 #include "canvas/items/note_item.h"
 #include "document/space_geometry.h"
+#include "space/space_symmetry.h"
 
 #include <QContextMenuEvent>
 #include <QGraphicsScene>
@@ -45,13 +46,15 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_mapItem(new SpaceCageItem),
       m_definitionLines(new SpaceOutlinesItem),
       m_slice(new SliceItem),
+      m_symmetry(new SymmetryItem),
       m_ball(new AxisBall),
       m_note(new NoteItem(NoteItem::Edge::Top)),
       m_title(new NoteItem(NoteItem::Edge::Bottom)),
       m_navigation(document, bridge, viewport()),
       m_maps(document, *m_mapOutlines, *m_mapItem),
       m_definition(*m_definitionLines),
-      m_input(document, m_navigation, {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_ball}),
+      m_input(document, m_navigation,
+              {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
     setScene(new QGraphicsScene(this)); // owns the items
@@ -59,7 +62,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
     for (OverlayItem* item :
          std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
-                                             m_definitionLines, m_slice, m_ball, m_note, m_title})
+                                             m_definitionLines, m_slice, m_symmetry, m_ball, m_note, m_title})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -241,6 +244,7 @@ void SpaceView::layOut() {
     m_definitionLines->layOut(camera);
     m_cageItem->setVisible(isShown);
     m_slice->setVisible(isShown);
+    m_symmetry->setVisible(isShown);
     m_ball->setVisible(isShown && !m_isFixed);
     m_mapOutlines->setVisible(isShown && m_maps.isActive());
     m_mapItem->setVisible(isShown && m_maps.isActive());
@@ -248,6 +252,7 @@ void SpaceView::layOut() {
     m_ball->layOut(camera);
     m_outlines->layOut(camera);
     layOutSlice();
+    m_symmetry->setMarks(symmetryLayout(m_document->fractal(), camera));
     const auto frame = m_bridge->isCurrent() ? m_bridge->frame() : nullptr;
     const double touching = 3 / pixelsPerUnit(camera); // a vertex on the surface is not behind it
     const auto isHidden = [&](const attractor::ScreenPoint& seen) {
@@ -268,7 +273,7 @@ void SpaceView::applyStyle() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
     for (OverlayItem* item :
          std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
-                                             m_definitionLines, m_slice, m_ball, m_note, m_title})
+                                             m_definitionLines, m_slice, m_symmetry, m_ball, m_note, m_title})
         item->setStyle(style);
     m_note->setFont(font());
     m_title->setFont(font());

@@ -37,6 +37,7 @@ public:
     void showOutlines(std::vector<document::SpaceOutline> shapes);
     const SpaceCageItem& cageItem() const { return *m_cageItem; }
     const SliceItem& sliceItem() const { return *m_slice; }
+    const SymmetryItem& symmetryItem() const { return *m_symmetry; }
     const AxisBall& ball() const { return *m_ball; }
     QString note() const; // about the picture, if there is one
 
@@ -90,6 +91,7 @@ private:
     SpaceCageItem* m_mapItem;
     SpaceOutlinesItem* m_definitionLines;
     SliceItem* m_slice;
+    SymmetryItem* m_symmetry;
     AxisBall* m_ball;
     NoteItem* m_note;
     NoteItem* m_title;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 namespace view {
 
@@ -107,6 +108,28 @@ Vector<3> middleOf(const std::vector<Vector<3>>& points) {
 }
 
 } // namespace
+
+SpatialDrag faceDrag(const OrbitCamera& camera, std::vector<Vector<3>> vertices,
+                     const std::vector<int>& corners) {
+    SpatialDrag drag;
+    drag.camera = camera;
+    drag.vertices = std::move(vertices);
+    drag.together = corners;
+    drag.held = drag.vertices.size();
+    Vector<3> middle = Vector<3>::Zero();
+    for (const int corner : corners)
+        middle += drag.vertices[std::size_t(corner)] / double(corners.size());
+    Vector<3> normal = Vector<3>::Zero(); // of a face that is not plane, the mean one
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const auto spoke = [&](std::size_t i) {
+            return Vector<3>(drag.vertices[std::size_t(corners[i % corners.size()])] - middle);
+        };
+        normal += spoke(k).cross(spoke(k + 1));
+    }
+    if (normal.norm() > 0) drag.normal = normal.normalized();
+    drag.vertices.push_back(middle);
+    return drag;
+}
 
 std::vector<Vector<3>> dragged(const SpatialDrag& drag, const Pull& pull, const AxisLock& lock) {
     std::vector<Vector<3>> result = drag.vertices;

@@ -40,6 +40,10 @@ struct SpatialDrag {
     Mode mode = Mode::Move;
 };
 
+// Of a face: its corners follow its middle, which is held as one more vertex, the last.
+SpatialDrag faceDrag(const attractor::OrbitCamera& camera, std::vector<ifs::Vector<3>> vertices,
+                     const std::vector<int>& corners);
+
 struct Pull {
     ifs::Vector<2> pointer = ifs::Vector<2>::Zero(); // pixel
     double away = 0;                                 // pushed from the eye, in units of space

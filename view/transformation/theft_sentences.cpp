@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace view {
 
 namespace {
@@ -12,6 +14,19 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
+
+QString sizeText(double size) {
+    return QString::number(size, 'g', 2);
+}
+
+ifs::Vector<2> middleOf(const std::array<ifs::Vector<2>, 2>& place) {
+    return (place.front() + place.back()) / 2;
+}
+
+QString placeText(const std::array<ifs::Vector<2>, 2>& place) {
+    const ifs::Vector<2> middle = middleOf(place);
+    return QStringLiteral("(%1, %2)").arg(shortNumber(middle.x()), shortNumber(middle.y()));
+}
 
 } // namespace
 
@@ -44,10 +59,27 @@ QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, c
 
 QString sentenceOf(const ifs::Tear& tear) {
     if (!tear.place) return Text::tr("Continuous: the pieces do not touch");
-    const ifs::Vector<2> place = (tear.place->front() + tear.place->back()) / 2;
+    const ifs::Vector<2> place = middleOf(*tear.place);
     const QString text = tear.isCutShort ? Text::tr("Continuous to %1 or better, worst at (%2, %3)")
                                          : Text::tr("Continuous to %1, worst at (%2, %3)");
-    return text.arg(QString::number(tear.size, 'g', 2), shortNumber(place.x()), shortNumber(place.y()));
+    return text.arg(sizeText(tear.size), shortNumber(place.x()), shortNumber(place.y()));
+}
+
+QString sentenceOf(const ifs::Tear& there, const ifs::Tear& back, ifs::Homeomorphism verdict) {
+    if (verdict == ifs::Homeomorphism::Proved) return Text::tr("A homeomorphism, as is proved");
+    if (verdict == ifs::Homeomorphism::Refuted) {
+        if (!back.place) return Text::tr("Not a homeomorphism");
+        return Text::tr("Not a homeomorphism: torn by %1 on the way back, worst at %2")
+            .arg(sizeText(back.size), placeText(*back.place));
+    }
+    const bool isCutShort = there.isCutShort || back.isCutShort;
+    const QString size = sizeText(std::max(there.size, back.size));
+    if (!back.place)
+        return (isCutShort ? Text::tr("Homeomorphism to %1 or better") : Text::tr("Homeomorphism to %1"))
+            .arg(size);
+    return (isCutShort ? Text::tr("Homeomorphism to %1 or better, worst on the way back at %2")
+                       : Text::tr("Homeomorphism to %1, worst on the way back at %2"))
+        .arg(size, placeText(*back.place));
 }
 
 } // namespace view

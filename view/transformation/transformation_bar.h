@@ -43,6 +43,7 @@ signals:
     void starterChosen(document::TheftFamily family);
     void divideWanted();
     void exportWanted();
+    void stacked(bool on); // the canvases one above the other, instead of side by side
 
 private:
     void addPictures();
@@ -57,6 +58,7 @@ private:
     QToolButton* m_export;
     ElidedLabel* m_status;
     QToolButton* m_remedy;
+    QToolButton* m_stack;
     QString m_continuity;
     QString m_problem;
     Remedy m_wanted = Remedy::None;

@@ -2,6 +2,7 @@
 #include "transformation/transformation_view.h"
 
 #include "canvas/canvas_view.h"
+#include "canvas/marks/map_numbers.h"
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
 #include "io/file/background.h"
@@ -36,7 +37,7 @@ using document::EntryId;
 using document::KeptTheft;
 
 constexpr std::chrono::milliseconds restPause{400};
-constexpr double resolution = 1.0 / 256;        // of F's size, at which continuity is measured
+constexpr double resolution = 1.0 / 256;        // of an attractor's size, at which continuity is measured
 constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
 
 // Other files are the window's business.
@@ -48,6 +49,10 @@ QString pictureOf(const QMimeData& data) {
     const QString path =
         urls.size() == 1 && urls.first().isLocalFile() ? urls.first().toLocalFile() : QString();
     return endings.contains(QFileInfo(path).suffix().toLower()) ? path : QString();
+}
+
+ifs::Tear tearOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunction<2>& to) {
+    return ifs::tear(from, to, std::max(2 * from.radius() * resolution, 1e-300), measuredPairs);
 }
 
 } // namespace
@@ -88,11 +93,16 @@ void TransformationView::setTransformationShown(bool shown) {
         widget->setVisible(shown);
     if (shown) {
         refresh();
-        const int half = m_splitter->width() / 2;
-        m_splitter->setSizes({half, half});
+        arrange(m_splitter->orientation());
     }
     m_theft->setActive(shown);
     m_canvas->fit();
+}
+
+void TransformationView::arrange(Qt::Orientation orientation) {
+    m_splitter->setOrientation(orientation);
+    const int half = (orientation == Qt::Horizontal ? m_splitter->width() : m_splitter->height()) / 2;
+    m_splitter->setSizes({half, half});
 }
 
 void TransformationView::create() {
@@ -144,7 +154,10 @@ void TransformationView::create() {
     connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
         if (m_measuring.future().resultCount() == 0) return; // memory was short
         const Continuity found = m_measuring.result();
-        m_bar->showContinuity(found.tear ? sentenceOf(*found.tear) : QString());
+        m_bar->showContinuity(
+            found.there ? QStringLiteral("%1. %2").arg(sentenceOf(*found.there),
+                                                       sentenceOf(*found.there, *found.back, found.verdict))
+                        : QString());
     });
 }
 
@@ -164,6 +177,12 @@ void TransformationView::followTools() {
     connect(&own, &CanvasOptions::axesVisibleChanged, other, &CanvasOptions::setAxesVisible);
     connect(&own, &CanvasOptions::overlaysVisibleChanged, other, &CanvasOptions::setOverlaysVisible);
     connect(m_partnerCanvas, &CanvasView::message, this, &TransformationView::message);
+    auto* numbers = new MapNumbers; // the scene owns it
+    m_partnerCanvas->scene()->addItem(numbers);
+    connect(other, &CanvasOptions::mapNumbersVisibleChanged, m_partnerCanvas,
+            [numbers](bool visible) { numbers->setVisible(visible); });
+    other->setMapNumbersVisible(own.areMapNumbersVisible());
+    connect(&own, &CanvasOptions::mapNumbersVisibleChanged, other, &CanvasOptions::setMapNumbersVisible);
 }
 
 void TransformationView::connectBar() {
@@ -194,6 +213,8 @@ void TransformationView::connectBar() {
     });
     connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
+    connect(m_bar, &TransformationBar::stacked, this,
+            [this](bool on) { arrange(on ? Qt::Vertical : Qt::Horizontal); });
     connect(m_bar, &TransformationBar::exportWanted, this, &TransformationView::chooseExport);
     connect(m_bar, &TransformationBar::divideWanted, this, [this] {
         m_document->editFile(
@@ -227,6 +248,8 @@ void TransformationView::refresh() {
     m_guessedFor = kept ? EntryId::None : current;
     m_partner->setPartner(partner);
     m_partnerCanvas->setEnabled(partner != EntryId::None);
+    m_partnerCanvas->setMapFaces(
+        document::facesOfPartner(m_document->fractal(), m_partner->document().fractal()));
     m_theft->setTheft(m_kept);
     m_order->show(m_document->fractal(), m_kept.order);
     m_bar->show(file, current, partner, m_kept);
@@ -268,6 +291,7 @@ void TransformationView::showProblem() {
 }
 
 void TransformationView::measure() {
+    m_measuring.future().cancel(); // what was measured before is out of date
     if (!m_isShown || m_partner->id() == EntryId::None) return m_bar->showContinuity({});
     m_measuring.setFuture(io::inBackground<Continuity>([from = m_document->sharedFractal(),
                                                         to = m_partner->document().sharedFractal(),
@@ -277,7 +301,11 @@ void TransformationView::measure() {
         if (coupling.entries) {
             const ifs::SupportFunction<2>& f = coupling.entries->fromAttractor;
             const ifs::SupportFunction<2>& g = coupling.entries->toAttractor;
-            found.tear = ifs::tear(f, g, std::max(2 * f.radius() * resolution, 1e-300), measuredPairs);
+            found.there = tearOf(f, g);
+            if (promise.isCanceled()) return;
+            found.back = tearOf(g, f);
+            if (promise.isCanceled()) return;
+            found.verdict = ifs::homeomorphism(f, g);
         }
         promise.addResult(found);
     }));

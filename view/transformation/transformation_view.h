@@ -55,13 +55,15 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    struct Continuity {
-        std::optional<ifs::Tear> tear;
+    struct Continuity { // nothing where there is no transformation
+        std::optional<ifs::Tear> there, back;
+        ifs::Homeomorphism verdict = ifs::Homeomorphism::Unknown;
     };
 
     void create();
     void connectBar();
     void followTools();
+    void arrange(Qt::Orientation orientation); // both canvases are as large
     void refresh();
     void showPicture();
     void showProblem();

@@ -2,6 +2,7 @@
 #include "widgets/document_undo.h"
 
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 
@@ -12,11 +13,12 @@ namespace {
 // Watches one field; belongs to it.
 class UndoKeys : public QObject {
 public:
-    explicit UndoKeys(QAbstractSpinBox* field) : QObject(field), m_line(field->findChild<QLineEdit*>()) {
+    // The keys come to `field`; its text is that of `line`.
+    UndoKeys(QWidget* field, QLineEdit* line) : QObject(field), m_line(line) {
         field->installEventFilter(this);
-        connect(m_line, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
-        connect(field, &QAbstractSpinBox::editingFinished, this, [this] { m_isTyped = false; });
+        connect(line, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
     }
+    void endTyping() { m_isTyped = false; }
 
 protected:
     bool eventFilter(QObject*, QEvent* event) override {
@@ -37,7 +39,14 @@ private:
 } // namespace
 
 void leaveUndoToDocument(QAbstractSpinBox* field) {
-    new UndoKeys(field);
+    auto* keys = new UndoKeys(field, field->findChild<QLineEdit*>());
+    QObject::connect(field, &QAbstractSpinBox::editingFinished, keys, &UndoKeys::endTyping);
+}
+
+void leaveUndoToDocument(QComboBox* field) {
+    QLineEdit* line = field->lineEdit();
+    auto* keys = new UndoKeys(line, line);
+    QObject::connect(line, &QLineEdit::editingFinished, keys, &UndoKeys::endTyping);
 }
 
 } // namespace view

@@ -2,11 +2,13 @@
 #pragma once
 
 class QAbstractSpinBox;
+class QComboBox;
 
 namespace view {
 
 // Leaves undo and redo in a field that edits the document to the document, as number fields do; the field
 // takes back only what is being typed.
 void leaveUndoToDocument(QAbstractSpinBox* field);
+void leaveUndoToDocument(QComboBox* field); // one that takes text
 
 } // namespace view

@@ -172,11 +172,43 @@ LinkedExtent::Height LinkedExtent::operator()(const Vector<2>& u, double toleran
     return search(std::move(open), u, tolerance);
 }
 
-BoundingBox<2> boundingBox(const LinkedExtent& extent) {
-    const auto right = extent({1, 0}), left = extent({-1, 0}), top = extent({0, 1}), bottom = extent({0, -1});
+namespace {
+
+// Of what has such heights in every direction.
+template <class Heights> BoundingBox<2> boxOf(const Heights& height) {
+    const auto right = height({1, 0}), left = height({-1, 0}), top = height({0, 1}), bottom = height({0, -1});
     BoundingBox<2> box{{0.0 - left.value, 0.0 - bottom.value}, {right.value, top.value}};
     box.error = std::sqrt(2.0) * std::max({right.error, left.error, top.error, bottom.error});
     return box;
+}
+
+} // namespace
+
+BoundingBox<2> boundingBox(const LinkedExtent& extent) {
+    return boxOf([&](const Vector<2>& u) { return extent(u); });
+}
+
+std::vector<std::optional<BoundingBox<2>>>
+boxesOfParts(const ActiveMaps<2>& active, const Existence& existence, std::size_t maps, std::size_t copies) {
+    constexpr std::size_t maxParts = 64;
+    const auto extent = active.isLinked() && active.maps.size() <= maxParts
+                            ? LinkedExtent::of(active, existence)
+                            : std::nullopt;
+    if (!extent) return {};
+    std::vector<std::optional<BoundingBox<2>>> boxes(maps);
+    for (std::size_t part = 0; part < extent->parts(); ++part) {
+        const auto box =
+            boxOf([&](const Vector<2>& u) { return extent->ofPart(part, u, 1e-12 * extent->radius()); });
+        auto& all = boxes[active.index[part] / copies];
+        if (!all) {
+            all = box;
+            continue;
+        }
+        all->min = all->min.cwiseMin(box.min);
+        all->max = all->max.cwiseMax(box.max);
+        all->error = std::max(all->error, box.error);
+    }
+    return boxes;
 }
 
 CanonicalSimplex<2> minimalCanonicalSimplex(const LinkedExtent& extent) {

@@ -53,6 +53,10 @@ private:
 // As of plain maps, to rounding where the search allows it.
 BoundingBox<2> boundingBox(const LinkedExtent& extent);
 CanonicalSimplex<2> minimalCanonicalSimplex(const LinkedExtent& extent);
+// The boxes of the parts by the maps that make them, of which so many in a row are the copies of one map. No
+// box for a map that takes no part; none at all unless maps are linked, at most 64, and the attractor exists.
+std::vector<std::optional<BoundingBox<2>>>
+boxesOfParts(const ActiveMaps<2>& active, const Existence& existence, std::size_t maps, std::size_t copies);
 std::optional<ConvexHull> convexHull(const LinkedExtent& extent, double tolerance,
                                      const std::stop_token& stop = {}); // nullopt when stopped
 

@@ -34,12 +34,13 @@ QPointF middleOf(const QPolygonF& polygon) {
 // In the order in which they lie on each other.
 class Shapes {
 public:
-    Shapes(const document::Fractal& fractal, const attractor::Camera& camera, const PictureOverlay& overlay)
+    Shapes(const document::Fractal& fractal, const attractor::Camera& camera, const PictureOverlay& overlay,
+           const document::MapFaces& faces)
         : m_camera(camera), m_width(std::max(1.5, std::min(camera.width, camera.height) / 500.0)) {
         const bool onDark = isDark(fractal.appearance.background);
         m_ink = onDark ? QColor(214, 224, 240) : QColor(28, 36, 50);
         m_halo = onDark ? QColor(0, 0, 0) : QColor(255, 255, 255);
-        if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal);
+        if (overlay.maps || overlay.fixedPoints || overlay.numbers) findMaps(fractal, faces);
         if (overlay.maps) std::ranges::for_each(m_maps, [this](const Map& map) { addMap(map); });
         if (overlay.hull) addHull(fractal);
         if (overlay.cage)
@@ -47,21 +48,22 @@ public:
                               std::back_inserter(m_marks));
         for (const Map& map : m_maps)
             if (overlay.fixedPoints && map.hasFixedPoint) addFixedPoint(map);
-        if (overlay.numbers) std::ranges::for_each(m_maps, [this](const Map& map) { addNumber(map); });
+        for (const Map& map : m_maps)
+            if (overlay.numbers && map.number > 0) addNumber(map);
     }
 
     OverlayMarks taken() { return std::move(m_marks); }
 
 private:
     struct Map {
-        std::size_t number = 0; // from 1
+        std::size_t number = 0; // from 1; 0: none
         QPolygonF image;        // of the cage
         QColor colour;
         bool takesPart = true;
         bool hasFixedPoint = false;
         QPointF fixedPoint;
     };
-    void findMaps(const document::Fractal& fractal);
+    void findMaps(const document::Fractal& fractal, const document::MapFaces& faces);
     void addMap(const Map& map);
     void addHull(const document::Fractal& fractal);
     void addFixedPoint(const Map& map);
@@ -83,15 +85,17 @@ QPointF Shapes::onScreen(const ifs::Vector<2>& displayed) const {
     return {pixel.x(), pixel.y()};
 }
 
-void Shapes::findMaps(const document::Fractal& fractal) {
+void Shapes::findMaps(const document::Fractal& fractal, const document::MapFaces& faces) {
     const document::MapHandles handles(std::make_shared<document::Fractal>(fractal),
                                        document::effectiveCage(fractal));
     const ifs::Placement placement = document::placement(fractal);
     const auto& maps = handles.maps();
     const std::vector<double> probabilities = ifs::probabilities(*document::system2(fractal));
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        Map map{i + 1, {}, colourOf(mapColour(fractal.appearance, maps[i].id, i)), probabilities[i] > 0,
-                false, {}};
+        const document::MapFace face =
+            i < faces.size() ? faces[i]
+                             : document::MapFace{mapColour(fractal.appearance, maps[i].id, i), i + 1};
+        Map map{face.number, {}, colourOf(face.colour), probabilities[i] > 0, false, {}};
         for (const ifs::Vector<2>& corner : handles.outline(i))
             map.image << onScreen(corner);
         if (const auto point = ifs::fixedPoint(maps[i].map)) {
@@ -171,8 +175,8 @@ void Shapes::addNumber(const Map& map) {
 } // namespace
 
 OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
-                          const PictureOverlay& overlay) {
-    return Shapes(fractal, camera, overlay).taken();
+                          const PictureOverlay& overlay, const document::MapFaces& faces) {
+    return Shapes(fractal, camera, overlay, faces).taken();
 }
 
 void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow) {

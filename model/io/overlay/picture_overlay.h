@@ -3,6 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "document/fractal.h"
+#include "document/tops/map_faces.h"
 #include "io/overlay/overlay_marks.h"
 
 #include <QImage>
@@ -22,8 +23,9 @@ struct PictureOverlay {
 };
 
 // The shapes of an overlay, worked out once for all rows of a picture. The fractal is a system of the plane.
+// Its maps have those faces; empty: their own.
 OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
-                          const PictureOverlay& overlay);
+                          const PictureOverlay& overlay, const document::MapFaces& faces = {});
 
 // Over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
 void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow);

@@ -147,8 +147,7 @@ template <int Dim> void writeMoments(JsonWriter& json, const ifs::Facts<Dim>& fa
 }
 
 template <int Dim> void writeBox(JsonWriter& json, const std::optional<ifs::BoundingBox<Dim>>& box) {
-    if (!box) return writeNull(json, "bounding_box");
-    json.key("bounding_box");
+    if (!box) return json.null();
     json.beginObject(Layout::Inline);
     json.key("min");
     writeVector<Dim>(json, box->min);
@@ -156,6 +155,16 @@ template <int Dim> void writeBox(JsonWriter& json, const std::optional<ifs::Boun
     writeVector<Dim>(json, box->max);
     json.member("error", box->error);
     json.endObject();
+}
+
+// By the maps that make them, null for one that takes no part; all is null for maps that are not linked.
+void writeParts(JsonWriter& json, const std::vector<std::optional<ifs::BoundingBox<2>>>& parts) {
+    if (parts.empty()) return writeNull(json, "parts");
+    json.key("parts");
+    json.beginArray();
+    for (const auto& box : parts)
+        writeBox<2>(json, box);
+    json.endArray();
 }
 
 template <int Dim>
@@ -331,7 +340,12 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
     else
         writeExistence(json, facts.existence, facts.active.index);
     writeMoments<Dim>(json, facts);
+    json.key("bounding_box");
     writeBox<Dim>(json, facts.box);
+    if constexpr (Dim == 2)
+        writeParts(json, partsOf(system, facts));
+    else
+        writeNull(json, "parts");
     writeSimplex<Dim>(json, facts.simplex);
     writeHull<Dim>(json, facts);
     json.member("similarity_dimension", facts.similarityDimension);
@@ -476,6 +490,7 @@ void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubj
                                 "covariance",
                                 "covariance_error",
                                 "bounding_box",
+                                "parts",
                                 "canonical_simplex",
                                 "hull",
                                 "similarity_dimension",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/report/info_report.h"
 
+#include "ifs/links/linked_extent.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -32,5 +34,11 @@ ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const Q
 
 template ifs::Facts<2> factsFor(const ifs::IteratedFunctionSystem<2>&, const QString&, const InfoSubject&);
 template ifs::Facts<3> factsFor(const ifs::IteratedFunctionSystem<3>&, const QString&, const InfoSubject&);
+
+std::vector<std::optional<ifs::BoundingBox<2>>> partsOf(const ifs::IteratedFunctionSystem<2>& system,
+                                                        const ifs::Facts<2>& facts) {
+    if (facts.isLate(ifs::LongFact::Extents)) return {};
+    return ifs::boxesOfParts(facts.active, facts.existence, system.maps.size(), ifs::copiesOfEachMap(system));
+}
 
 } // namespace io

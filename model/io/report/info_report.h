@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace io {
 
@@ -32,5 +33,10 @@ struct InfoSubject {
 template <int Dim>
 ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const QString& entry,
                          const InfoSubject& subject);
+
+// The boxes of the parts of linked maps by the maps that make them, from the facts of the expanded system: no
+// box for a map that takes no part, none at all of maps that are not linked.
+std::vector<std::optional<ifs::BoundingBox<2>>> partsOf(const ifs::IteratedFunctionSystem<2>& system,
+                                                        const ifs::Facts<2>& facts);
 
 } // namespace io

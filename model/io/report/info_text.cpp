@@ -200,6 +200,14 @@ template <int Dim> void addBoxAndSimplex(Lines& lines, const ifs::Facts<Dim>& fa
     }
 }
 
+void addParts(Lines& lines, const std::vector<std::optional<ifs::BoundingBox<2>>>& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (const auto& box = parts[i])
+            lines.add(Text::tr("part of map %1").arg(i + 1), tuple(withoutNoise(box->min, box->error)) +
+                                                                 QStringLiteral(" ") +
+                                                                 tuple(withoutNoise(box->max, box->error)));
+}
+
 // The size of the attractor, as far as it is known: that of the hull, if no box is.
 template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
     if (facts.box) return (facts.box->max - facts.box->min).norm();
@@ -348,6 +356,7 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
               isExistenceLate ? notComputed() : verdictSentence(facts.existence, facts.active.index));
     addMoments<Dim>(lines, facts);
     addBoxAndSimplex<Dim>(lines, facts);
+    if constexpr (Dim == 2) addParts(lines, partsOf(system, facts));
     addHull(lines, facts);
     lines.add(Text::tr("similarity dimension"),
               isExistenceLate

@@ -44,10 +44,21 @@ void CliLinksTest::infoShowsThem() {
     compare(entry["visits"_L1].toArray().at(0).toDouble(), 2 / 3.0, 1e-15);
     compare(entry["similarity_dimension"_L1].toDouble(), 0.694241913630617, 1e-14);
     compare(entry["bounding_box"_L1].toObject()["max"_L1].toArray().at(0).toDouble(), 2 / 3.0, 1e-13);
+    // A₁ = w₁(A₁ ∪ A₂) and A₂ = w₂(A₁): [0, 1/3] and [1/2, 2/3]
+    const auto side = [&](int part, const char* end) {
+        return entry["parts"_L1].toArray().at(part).toObject()[QLatin1String(end)].toArray().at(0).toDouble(
+            9);
+    };
+    compare(side(0, "min"), 0, 1e-9);
+    compare(side(0, "max"), 1 / 3.0, 1e-9);
+    compare(side(1, "min"), 0.5, 1e-9);
+    compare(side(1, "max"), 2 / 3.0, 1e-9);
     for (const char* key : {"separation", "connectedness", "joint_spectral_radius"})
         QVERIFY(entry[QLatin1String(key)].isNull());
-    QVERIFY(run("info golden.ifs").out.contains("links from map 2"));
-    QVERIFY(run("info --json systems.ifs").entry()["links"_L1].isNull());
+    const QByteArray text = run("info golden.ifs").out;
+    QVERIFY(text.contains("links from map 2") && text.contains("part of map 2"));
+    const QJsonObject plain = run("info --json systems.ifs").entry();
+    QVERIFY(plain["links"_L1].isNull() && plain["parts"_L1].isNull());
 }
 
 void CliLinksTest::infoShowsWhatTakesNoPart() {

@@ -4,8 +4,11 @@
 #include "bridges/construction.h"
 #include "bridges/render_bridge.h"
 #include "canvas/canvas_view.h"
+#include "canvas/scene/handle_text.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
+#include "document/edits/coupled_entries.h"
+#include "document/edits/entries_edits.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/theft_starters.h"
 #include "io/collection_source.h"
@@ -15,6 +18,7 @@
 #include "panels/entries/entries_panel.h"
 #include "stage.h"
 #include "transformation/theft_export_dialog.h"
+#include "transformation/theft_sentences.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
 
@@ -46,6 +50,9 @@ private slots:
     void showsAndHides();
     void aStarterIsOneStep();
     void draggingThePartnerIsLive();
+    void draggingTheCageIsLive();
+    void theCanvasesCanBeStacked();
+    void correspondingMapsLookAlike();
     void slidersMoveTheFamily();
     void aDroppedPictureIsKept();
     void aMissingPictureIsSaid();
@@ -118,6 +125,14 @@ void drop(QWidget* target, const QPoint& at, const QString& path) {
     QVERIFY(drop.isAccepted());
 }
 
+QRect coloured(const QImage& picture) { // what is not background
+    QRect seen;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (picture.pixel(x, y) != picture.pixel(0, 0)) seen |= QRect(x, y, 1, 1);
+    return seen;
+}
+
 } // namespace
 
 void TransformationWindowTest::showsAndHides() {
@@ -138,7 +153,18 @@ void TransformationWindowTest::aStarterIsOneStep() {
     QCOMPARE(steps(), 1);
     QCOMPARE(document().file().entries.size(), before + 2);
     QCOMPARE(kept().mode, TheftMode::TransformPicture);
-    QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->continuity().startsWith(QStringLiteral("Continuous to")), 30000);
+    // To 1/256 of the size, there and back.
+    const document::Fractal& partner = view()->partnerCanvas()->canvas().document().fractal();
+    const auto entries = document::coupled(document().fractal(), partner, {}).entries;
+    QVERIFY(entries);
+    const auto &f = entries->fromAttractor, &g = entries->toAttractor;
+    const ifs::Tear there = ifs::tear(f, g, f.radius() / 128, 1U << 17);
+    const ifs::Tear back = ifs::tear(g, f, g.radius() / 128, 1U << 17);
+    QVERIFY(there.size > 0 && there.size < 0.5 && back.size > 0 && back.size < 0.5 && back.place);
+    const QString expected = view::sentenceOf(there) + QStringLiteral(". ") +
+                             view::sentenceOf(there, back, ifs::Homeomorphism::Unknown);
+    QVERIFY(expected.contains(QStringLiteral(". Homeomorphism to ")));
+    QTRY_COMPARE_WITH_TIMEOUT(view()->bar()->continuity(), expected, 60000);
     QVERIFY(view()->bar()->problem().isEmpty());
     document().undoStack()->undo();
     QCOMPARE(document().file().entries.size(), before);
@@ -183,6 +209,86 @@ void TransformationWindowTest::draggingThePartnerIsLive() {
     document().undoStack()->undo();
     QVERIFY(!document::plane(partner->canvas().document().fractal())->cage ||
             (partner->canvas().positionOf({Kind::Vertex, 0}).toPoint() - corner).manhattanLength() < 3);
+}
+
+// The cage of F: the picture follows while the button is down.
+void TransformationWindowTest::draggingTheCageIsLive() {
+    openFamily();
+    canvas()->setTool(view::CanvasView::Tool::Cage);
+    const auto corner = [this](int vertex) { return canvas()->canvas().positionOf({Kind::Vertex, vertex}); };
+    int left = 0, right = 0;
+    for (int vertex = 1; vertex < 3; ++vertex) {
+        if (corner(vertex).x() < corner(left).x()) left = vertex;
+        if (corner(vertex).x() > corner(right).x()) right = vertex;
+    }
+    const auto width = [this] { return coloured(canvas()->picture()).width(); };
+    const int before = int(corner(right).x() - corner(left).x()), stepsBefore = steps();
+    QVERIFY(before > 100);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(width() - before) < 8, 30000); // the cage is the triangle
+    QWidget* target = canvas()->viewport();
+    const QPoint from = corner(right).toPoint();
+    QTest::mousePress(target, Qt::LeftButton, {}, from);
+    for (int k = 1; k <= 12; ++k) {
+        const QPoint to = from - QPoint(5 * k, 0);
+        QMouseEvent move(QEvent::MouseMove, to, target->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(target, &move);
+        QCoreApplication::processEvents();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(width() < before - 40, 30000);
+    QVERIFY(isStolen());
+    QCOMPARE(steps(), stepsBefore);
+    QTest::mouseRelease(target, Qt::LeftButton, {}, from - QPoint(60, 0));
+    QCOMPARE(steps(), stepsBefore + 1);
+    document().undoStack()->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(width() - before) < 8, 30000);
+}
+
+void TransformationWindowTest::theCanvasesCanBeStacked() {
+    openFamily();
+    const auto corner = [this](view::CanvasView* of) { return of->mapTo(view(), QPoint()); };
+    view::CanvasView* partner = view()->partnerCanvas();
+    QVERIFY(corner(partner).x() > corner(canvas()).x() && corner(partner).y() == corner(canvas()).y());
+    click(QStringLiteral("Stack"));
+    QTRY_COMPARE(corner(partner).x(), corner(canvas()).x());
+    QVERIFY(corner(partner).y() >= corner(canvas()).y() + canvas()->height());
+    QVERIFY(std::abs(partner->height() - canvas()->height()) < 4);
+    QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 30000);
+    click(QStringLiteral("Stack"));
+    QTRY_COMPARE(corner(partner).y(), corner(canvas()).y());
+}
+
+// Also where others take part in the partner, which keeps its own colours.
+void TransformationWindowTest::correspondingMapsLookAlike() {
+    openFamily();
+    const document::EntryId partner = document::entryNamed(document().file(), kept().partner);
+    const auto ofPartner = [&] {
+        const document::FractalFile& file = document().file();
+        return *file.entries[document::indexOf(file, partner)].fractal;
+    };
+    document::Fractal from = document().entryFractal();
+    const attractor::Rgba teal{10, 130, 120, 255};
+    from.appearance.mapColours[document::system2(from)->maps[1].id] = teal;
+    document::system2(from)->maps[0].enabled = false;
+    document().editEntry(QStringLiteral("colour"), from);
+    document::Fractal to = ofPartner();
+    const auto ownColours = to.appearance.mapColours;
+    document::system2(to)->maps[3].enabled = false;
+    document().editFile(QStringLiteral("off"), document::replaced(document().file(), partner, to),
+                        document().currentId());
+    canvas()->setTool(view::CanvasView::Tool::Maps);
+    const view::CanvasScene& shown = view()->partnerCanvas()->canvas();
+    QTRY_COMPARE(shown.frames().size(), std::size_t{4});
+    QCOMPARE(shown.frames()[0].colour, QColor(10, 130, 120));
+    QCOMPARE(view::mapName(shown.handles(), 0), QStringLiteral("Map 2"));
+    QCOMPARE(view::mapName(shown.handles(), 2), QStringLiteral("Map 4"));
+    QCOMPARE(view::mapName(shown.handles(), 3), QStringLiteral("Map that takes no part"));
+    QCOMPARE(shown.frames()[2].colour, canvas()->canvas().frames()[3].colour);
+    QVERIFY(ofPartner().appearance.mapColours == ownColours);
+    canvas()->options().setMapNumbersVisible(true);
+    QVERIFY(view()->partnerCanvas()->options().areMapNumbersVisible());
+    document().undoStack()->undo();
+    document().undoStack()->undo();
+    QCOMPARE(view::mapName(shown.handles(), 0), QStringLiteral("Map 1"));
 }
 
 void TransformationWindowTest::slidersMoveTheFamily() {
@@ -341,10 +447,7 @@ void TransformationWindowTest::exportsThePicture() {
     QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, 60000);
     const QImage written(path);
     QCOMPARE(written.size(), QSize(600, 400));
-    QRect seen;
-    for (int y = 0; y < written.height(); ++y)
-        for (int x = 0; x < written.width(); ++x)
-            if (written.pixel(x, y) != written.pixel(0, 0)) seen |= QRect(x, y, 1, 1);
+    const QRect seen = coloured(written);
     QVERIFY(seen.height() > 330 && seen.height() < 370); // the whole triangle, with a margin of a twentieth
     dialog->exportTo(folder.filePath(QStringLiteral("absent/stolen.png")));
     QTRY_VERIFY_WITH_TIMEOUT(dialog->message().contains(QStringLiteral("absent")), 30000);

@@ -37,6 +37,9 @@ private slots:
     void everyPictureIsTheSame_data();
     void everyPictureIsTheSame();
     void identityCopiesThePicture();
+    void conjugacyMovesThePicture_data();
+    void conjugacyMovesThePicture();
+    void pixelsOfSquaresShowTheTransformation();
     void hostileSystems_data();
     void hostileSystems();
     void stops();
@@ -339,6 +342,70 @@ void TopsTest::identityCopiesThePicture() {
         QVERIFY(std::abs(channel(8) - pixels[k].green) <= 4);
         QCOMPARE(channel(0), 128);
     }
+}
+
+void TopsTest::conjugacyMovesThePicture_data() {
+    everyPictureIsTheSame_data();
+}
+
+// G = MFM⁻¹, so T is M: the unit square turned onto [1, 3] × [1, 2]. A pixel has the colour of the picture at
+// M of it, and T magnifies areas by |det M| = 2 everywhere.
+void TopsTest::conjugacyMovesThePicture() {
+    QFETCH(bool, isExact);
+    const Maps from = square(.5, .5);
+    const ifs::AffineMap<2> change = ifs::affineMap(0, -2, 1, 0, 3, 1);
+    QVERIFY(change({1, 0}) == Vector<2>(3, 2));
+    Maps to;
+    for (const auto& map : from)
+        to.push_back(*ifs::conjugate<2>(change, map));
+    attractor::TheftRequest request;
+    request.camera = {{.5, .5}, 64, 64, 64, attractor::YAxis::Up};
+    request.toPicture = ifs::affineMap(32, 0, 0, -64, -32, 128); // the box of G to 64 × 64 pixels
+    request.isExact = isExact;
+    request.points = 3'000'000;
+    std::vector<attractor::Rgba> colours;
+    for (int k = 0; k < 64 * 64; ++k)
+        colours.push_back({std::uint8_t(k % 64 * 4), std::uint8_t(k / 64 * 4), 128, 255});
+    const auto result = stolen(coupled(from, to), {64, 64, colours}, request);
+    QCOMPARE(result.size(), std::size_t(64 * 64));
+    for (int row = 1; row < 63; ++row)
+        for (int column = 1; column < 63; ++column) {
+            const std::uint32_t pixel = result[std::size_t(64 * row + column)];
+            QVERIFY(std::abs(int(pixel >> 16 & 255) - 4 * row) <= 5); // a pixel
+            QVERIFY(std::abs(int(pixel >> 8 & 255) - 4 * (63 - column)) <= 5);
+            QCOMPARE(int(pixel & 255), 128);
+        }
+    const CoupledSystem system = coupled(from, to);
+    const Points points =
+        isExact ? exact(system, request.camera) : sampled(system, request.camera, request.points);
+    QCOMPARE(points.size(), std::size_t(64 * 64));
+    int filled = 0;
+    for (const TopPoint& point : points) {
+        QVERIFY(point.isEmpty() || std::abs(point.stretch - 2) < 1e-4);
+        filled += point.isEmpty() ? 0 : 1;
+    }
+    QVERIFY(filled >= 62 * 62);
+}
+
+// T(x, y) = (h(x), h(y)) takes every pixel into a rectangle of its own.
+void TopsTest::pixelsOfSquaresShowTheTransformation() {
+    constexpr int side = 48;
+    const CoupledSystem system = coupled(square(.5, .5), square(.3, 1.0 / 3));
+    const Camera camera{{.5, .5}, side, side, side, attractor::YAxis::Up};
+    const auto holds = [](double alpha, int pixel, double image) {
+        constexpr double rounding = 0.01; // pixels, of single precision
+        return image >= hFunction(alpha, (pixel - rounding) / side) - 1e-9 &&
+               image <= hFunction(alpha, (pixel + 1 + rounding) / side) + 1e-9;
+    };
+    const Points points = sampled(system, camera, 3'000'000);
+    QCOMPARE(points.size(), std::size_t(side * side));
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const TopPoint& point = points[std::size_t(side * row + column)];
+            QVERIFY(!point.isEmpty());
+            QVERIFY(holds(.3, column, point.x));
+            QVERIFY(holds(1.0 / 3, side - 1 - row, point.y));
+        }
 }
 
 void TopsTest::hostileSystems_data() {

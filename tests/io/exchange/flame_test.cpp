@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "ifs/system/links.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
 #include "io/picture/png_export.h"
@@ -13,6 +14,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <vector>
 
 using document::System2;
 
@@ -339,6 +342,7 @@ void FlameTest::flam3DrawsTheSame_data() {
     QTest::newRow("maple") << 0;
     QTest::newRow("fern") << 1;
     QTest::newRow("sierpinski") << 2;
+    QTest::newRow("linked") << 3;
 }
 
 // The same way up, in the same place: what one draws, the other draws beside it at most.
@@ -355,6 +359,7 @@ void FlameTest::flam3DrawsTheSame() {
                            : index == 1 ? canonical::fern()
                                         : canonical::sierpinskiRight())
         ifs::append(system, map);
+    if (index == 3) ifs::setLinks(system, std::vector<double>{1, 0, 1, 1, 1, 1, 1, 1, 1});
     fractal.shape = document::Shape<2>{system};
     fractal.appearance.colourBy = attractor::ColourBy::Plain;
     fractal.appearance.plain = {255, 255, 255, 255};
@@ -383,11 +388,18 @@ void FlameTest::flam3DrawsTheSame() {
     const QImage theirs = drawnByFlam3(program, file.fileName(), part);
     QCOMPARE(theirs.size(), QSize(camera.width, camera.height));
 
-    io::PngExport png{fractal, document::renderRequest(fractal, camera), {}};
-    png.request.samples = 20'000'000;
-    const QImage ours = io::drawPicture(png).image;
+    const auto drawn = [&] {
+        io::PngExport png{fractal, document::renderRequest(fractal, camera), {}};
+        png.request.samples = 20'000'000;
+        return io::drawPicture(png).image;
+    };
+    const QImage ours = drawn();
     QCOMPARE(missing(theirs, ours), 0);
     QCOMPARE(missing(ours, theirs), 0);
+    if (index == 3) { // in the other order, other pieces are missing
+        ifs::setLinks(*document::system2(fractal), std::vector<double>{1, 1, 1, 0, 1, 1, 1, 1, 1});
+        QVERIFY(missing(theirs, drawn()) > 20);
+    }
     QVERIFY(missing(ours, theirs.mirrored()) > 100); // it could fail
 }
 

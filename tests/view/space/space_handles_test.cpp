@@ -29,6 +29,7 @@ private slots:
     void fourViewsShowTheSameDrag();
     void aCornerOfABoxBendsTheSolid();
     void aFaceTakesItsCornersAlong();
+    void theCentreOfASymmetryIsDragged();
 };
 
 // The simplex is not asked for in this thread: the cage comes with the finder, and the view then fits it.
@@ -275,6 +276,50 @@ void SpaceHandlesTest::aFaceTakesItsCornersAlong() {
     QCOMPARE(window.document.undoStack()->undoText(), QStringLiteral("Move Face %1").arg(*top + 1));
     window.document.undoStack()->undo();
     QVERIFY(window.document.fractal() == boxed);
+}
+
+// Under a cage that has been pulled, too. Nothing is there to be held without a symmetry.
+void SpaceHandlesTest::theCentreOfASymmetryIsDragged() {
+    document::Fractal twice = cubeOfEight();
+    ifs::Symmetry<3>& symmetry = document::system3(twice)->symmetry;
+    symmetry.group = ifs::SymmetryGroup::Rotation;
+    symmetry.order = 2;
+    symmetry.centre = {0.3, 0.6, 0.2};
+    ifs::ControlCage<3> cage = *document::spaceCage(cubeOfEight());
+    for (ifs::Vector<3>& vertex : cage.current)
+        vertex.x() *= 1.25;
+    document::space(twice)->cage = cage;
+    Window window(twice);
+    const auto centre = [&] { return document::system3(window.document.fractal())->symmetry.centre; };
+    const auto pixel = [&] {
+        const ifs::Vector<3> shown(1.25 * centre().x(), centre().y(), centre().z());
+        return view::toPoint(toScreen(window.camera(), shown).pixel);
+    };
+    const auto knob = window.view->symmetryItem().knob();
+    QVERIFY(knob && window.view->viewport()->rect().contains(knob->toPoint()));
+    QVERIFY(window.view->cageItem().handlesAt(*knob).empty());
+    const QPointF before = pixel(), way(36, -20);
+    window.drag(*knob, *knob + way);
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QVERIFY(QLineF(pixel(), before + way).length() < 1);
+    QVERIFY(QLineF(*window.view->symmetryItem().knob(), *knob + way).length() < 1);
+    QVERIFY(window.vertices() == cage.current);
+    window.document.undoStack()->undo();
+    QVERIFY(window.document.fractal() == twice);
+
+    // Z keeps it on the axis.
+    window.send(QEvent::MouseButtonPress, *knob, Qt::LeftButton);
+    window.send(QEvent::MouseMove, *knob + QPointF(0, -30), Qt::LeftButton);
+    QTest::keyClick(window.view.get(), Qt::Key_Z);
+    window.send(QEvent::MouseMove, *knob + QPointF(0, -40), Qt::LeftButton);
+    window.send(QEvent::MouseButtonRelease, *knob + QPointF(0, -40), Qt::LeftButton);
+    QVERIFY(std::abs(centre().x() - 0.3) < 1e-9 && std::abs(centre().y() - 0.6) < 1e-9);
+    QVERIFY(std::abs(centre().z() - 0.2) > 1e-3);
+
+    document::Fractal plain = twice;
+    document::system3(plain)->symmetry = {};
+    window.document.edit(QStringLiteral("None"), plain);
+    QVERIFY(!window.view->symmetryItem().knob());
 }
 
 QTEST_MAIN(SpaceHandlesTest)

@@ -8,6 +8,8 @@
 #include "view/panels/maps_support.h"
 
 #include <QAction>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QSpinBox>
 #include <QTest>
 #include <QUndoStack>
@@ -106,8 +108,19 @@ void DocumentUndoTest::theTimingOfAnAnimation() {
     panel->showTracks();
     show(panel);
     takeBack(panel->transport()->length(), QStringLiteral("30"));
-    takeBack(panel->transport()->rate(), QStringLiteral("12"));
-    QCOMPARE(panel->timeline().timing(), (document::Timing{{12, 1}, 30, animation::Loop::Off}));
+    QCOMPARE(panel->timeline().timing().length, 30);
+
+    QLineEdit* rate = panel->transport()->rate()->lineEdit();
+    const animation::FrameRate before = panel->timeline().timing().rate;
+    const int index = history().index();
+    rate->setFocus();
+    rate->selectAll();
+    QTest::keyClicks(rate, QStringLiteral("12"));
+    QTest::keyClick(rate, Qt::Key_Return);
+    QCOMPARE(panel->timeline().timing().rate, (animation::FrameRate{12, 1}));
+    QTest::keySequence(rate, QKeySequence(QKeySequence::Undo));
+    QCOMPARE(history().index(), index);
+    QCOMPARE(panel->timeline().timing().rate, before);
 }
 
 QTEST_MAIN(DocumentUndoTest)

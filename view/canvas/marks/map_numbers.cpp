@@ -15,7 +15,7 @@ void MapNumbers::paintOver(QPainter& painter, const CanvasScene& canvas, const O
     io::PictureOverlay overlay;
     overlay.fixedPoints = true;
     overlay.numbers = true;
-    io::paint(painter, io::overlayMarks(fractal, canvas.camera(), overlay));
+    io::paint(painter, io::overlayMarks(fractal, canvas.camera(), overlay, canvas.handles().faces()));
 }
 
 } // namespace view

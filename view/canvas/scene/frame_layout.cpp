@@ -56,8 +56,7 @@ public:
 
 private:
     QColor colourOf(std::size_t index) const {
-        const auto colour =
-            attractor::mapColour(m_fractal.appearance, document::system2(m_fractal)->maps[index].id, index);
+        const attractor::Rgba colour = m_handles.colourOf(index);
         return {colour.red, colour.green, colour.blue};
     }
 

@@ -67,6 +67,18 @@ void HandleModel::setTarget(HandleTarget target) {
     emit targetChanged();
 }
 
+void HandleModel::setFaces(document::MapFaces faces) {
+    if (faces == m_faces) return;
+    m_faces = std::move(faces);
+    emit changed();
+}
+
+attractor::Rgba HandleModel::colourOf(std::size_t map) const {
+    if (map < m_faces.size()) return m_faces[map].colour;
+    const document::Fractal& fractal = m_document.fractal();
+    return attractor::mapColour(fractal.appearance, document::system2(fractal)->maps[map].id, map);
+}
+
 void HandleModel::setBranch(const ifs::Word& branch) {
     if (branch == m_branch) return;
     m_branch = branch;

@@ -4,6 +4,7 @@
 #include "canvas/scene/canvas_selection.h"
 #include "document/addresses.h"
 #include "document/map_handles.h"
+#include "document/tops/map_faces.h"
 #include "ifs/cage/control_cage.h"
 
 #include <QFutureWatcher>
@@ -39,6 +40,11 @@ public:
     const document::MapHandles* maps() const;      // nullptr: there is no cage
     const document::MapHandles* branchMap() const; // the branch as it is shown, at index 0; nullptr: none
 
+    // Maps of a partner look like their counterparts. Empty: like themselves.
+    void setFaces(document::MapFaces faces);
+    const document::MapFaces& faces() const { return m_faces; }
+    attractor::Rgba colourOf(std::size_t map) const; // by index in the system
+
     // The branch that is held, by indices in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
     void setBranch(const ifs::Word& branch);
@@ -67,7 +73,7 @@ public:
 
 signals:
     void targetChanged();
-    void changed(); // the branch or the pivot
+    void changed(); // the branch, the pivot or the faces
     void addressesFound();
 
 private:
@@ -78,6 +84,7 @@ private:
     const CanvasSelection& m_selection;
     std::optional<ifs::ControlCage<2>> m_cage;
     HandleTarget m_target = HandleTarget::Cage;
+    document::MapFaces m_faces;
     ifs::Word m_branch;
     std::optional<ifs::Vector<2>> m_pivot;
     mutable std::optional<document::MapHandles> m_maps;

@@ -25,12 +25,18 @@ QString coordinates(const attractor::Camera& camera, const ifs::Vector<2>& point
 
 } // namespace
 
+QString mapName(const HandleModel& handles, std::size_t map) {
+    const document::MapFaces& faces = handles.faces();
+    const std::size_t number = map < faces.size() ? faces[map].number : map + 1;
+    return number > 0 ? Text::tr("Map %1").arg(number) : Text::tr("Map that takes no part");
+}
+
 QString nameOf(const HandleModel& handles, const CanvasPart& part) {
     if (part.map >= 0) {
         const QString name =
             handles.target() == HandleTarget::Branch
                 ? Text::tr("Branch %1").arg(document::addressText(handles.branch(), handles.branch().size()))
-                : Text::tr("Map %1").arg(part.map + 1);
+                : mapName(handles, std::size_t(part.map));
         return part.kind == Kind::Vertex ? Text::tr("%1, corner %2").arg(name).arg(part.index + 1) : name;
     }
     switch (part.kind) {

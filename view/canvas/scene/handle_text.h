@@ -8,6 +8,7 @@
 
 namespace view {
 
+QString mapName(const HandleModel& handles, std::size_t map); // by its number
 QString nameOf(const HandleModel& handles, const CanvasPart& part);
 // Coordinates, or what the arrow keys do.
 QString valueOf(const HandleModel& handles, const attractor::Camera& camera, const CanvasPart& part);

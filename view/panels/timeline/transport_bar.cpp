@@ -124,6 +124,7 @@ void TransportBar::makeRate() {
     m_rate->setMinimumContentsLength(6);
     for (const char* rate : usualRates)
         m_rate->addItem(QLatin1String(rate));
+    leaveUndoToDocument(m_rate);
     connect(m_rate->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::takeRate);
     connect(m_rate, &QComboBox::activated, this, &TransportBar::takeRate);
 }

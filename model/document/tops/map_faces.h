@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace document {
+
+// How a map of one entry is shown beside another: with the colour and number of its counterpart there.
+struct MapFace {
+    attractor::Rgba colour;
+    std::size_t number = 0; // from 1; 0: it takes no part, and has none
+
+    friend bool operator==(const MapFace&, const MapFace&) = default;
+};
+using MapFaces = std::vector<MapFace>;
+
+// Of the maps of `to`, by their indices: the k-th of the maps that take part has the face of the k-th in
+// `from`, whichever of them is on top. Maps that take no part keep their colours. Empty where the numbers
+// of these maps differ, or where an entry is not a system of the plane.
+MapFaces facesOfPartner(const Fractal& from, const Fractal& to);
+
+} // namespace document
