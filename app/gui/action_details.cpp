@@ -68,7 +68,7 @@ constexpr Detail details[] = {
                                  "Only the view is flipped: coefficients and coordinates do not change.")},
     {"hide", QT_TRANSLATE_NOOP("ActionDetails",
                                "Press the key again to show the cage, handles, grid, axes and outlines.")},
-    {"arising", QT_TRANSLATE_NOOP(
+    {"construction", QT_TRANSLATE_NOOP(
                     "ActionDetails",
                     "A bar appears under the canvas: choose the number of steps, or let the chaos game run "
                     "point by point at any speed.")},

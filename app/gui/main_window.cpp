@@ -53,6 +53,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDataStream>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFile>
@@ -74,6 +75,13 @@ namespace {
 constexpr int cascade = 32;         // pixels from one window to the next
 constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
+
+QByteArray streamed(const QString& text) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << text;
+    return bytes;
+}
 
 } // namespace
 
@@ -294,14 +302,14 @@ void MainWindow::childEvent(QChildEvent* event) {
 
 void MainWindow::createConstructionBar() {
     auto* bar = new QToolBar(tr("How It Is Built"), this);
-    bar->setObjectName(QStringLiteral("arising"));
+    bar->setObjectName(QStringLiteral("construction"));
     bar->setMovable(false);
     bar->addWidget(new view::ConstructionBar(m_construction));
     addToolBar(Qt::BottomToolBarArea, bar);
     bar->hide();
     QAction* shown = bar->toggleViewAction();
     shown->setText(tr("&How It Is Built"));
-    shown->setIcon(view::icon(QStringLiteral("arising")));
+    shown->setIcon(view::icon(QStringLiteral("construction")));
     shown->setShortcut(QKeySequence(tr("W")));
     shown->setStatusTip(
         tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
@@ -491,7 +499,12 @@ void MainWindow::restoreLayout() {
     if (const QWidget* other = QApplication::activeWindow();
         other && other->geometry().topLeft() == geometry().topLeft())
         setGeometry(geometry().translated(cascade, cascade));
-    restoreState(view::stored(QStringLiteral("window/state")).toByteArray());
+    const QByteArray state = view::stored(QStringLiteral("window/state")).toByteArray();
+    auto* construction = findChild<QToolBar*>(QStringLiteral("construction"));
+    if (const QString before = QStringLiteral("arising"); state.contains(streamed(before)))
+        construction->setObjectName(before); // as earlier versions called it
+    restoreState(state);
+    construction->setObjectName(QStringLiteral("construction"));
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 
@@ -503,7 +516,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::present(bool on) {
-    auto* construction = findChild<QToolBar*>(QStringLiteral("arising"));
+    auto* construction = findChild<QToolBar*>(QStringLiteral("construction"));
     const bool isBuilding = !construction->isHidden();
     if (on) {
         m_before = {saveGeometry(), saveState(), isFullScreen()};

@@ -45,7 +45,7 @@ constexpr Step steps[] = {
          "two with the check boxes on the left of the table, and see how little of the picture is left. With "
          "a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back."),
      view::MapsModel::Enabled},
-    {"arising", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
+    {"construction", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
      QT_TRANSLATE_NOOP("Tour", "Press Chaos Game, then Play. A single point jumps around, each time by a map "
                                "chosen at random, and leaves a dot where it lands. Make it faster: whatever "
                                "random numbers come up, the dots fill the same picture, the attractor.")},
