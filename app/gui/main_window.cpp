@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "action_details.h"
 #include "animation_menu.h"
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
@@ -44,6 +45,7 @@
 #include "stage.h"
 #include "status_connections.h"
 #include "status_line.h"
+#include "stored_layout.h"
 #include "view_menu.h"
 #include "widgets/draggable_names.h"
 #include "widgets/icon.h"
@@ -53,7 +55,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDataStream>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFile>
@@ -75,13 +76,6 @@ namespace {
 constexpr int cascade = 32;         // pixels from one window to the next
 constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
-
-QByteArray streamed(const QString& text) {
-    QByteArray bytes;
-    QDataStream stream(&bytes, QIODevice::WriteOnly);
-    stream << text;
-    return bytes;
-}
 
 } // namespace
 
@@ -313,6 +307,7 @@ void MainWindow::createConstructionBar() {
     shown->setShortcut(QKeySequence(tr("W")));
     shown->setStatusTip(
         tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
+    shown->setWhatsThis(shown->statusTip() + QStringLiteral(". ") + actionDetails("construction"));
     m_viewMenu->addShared(shown);
     m_viewMenu->addToolBarGroup({shown});
     connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
@@ -499,12 +494,7 @@ void MainWindow::restoreLayout() {
     if (const QWidget* other = QApplication::activeWindow();
         other && other->geometry().topLeft() == geometry().topLeft())
         setGeometry(geometry().translated(cascade, cascade));
-    const QByteArray state = view::stored(QStringLiteral("window/state")).toByteArray();
-    auto* construction = findChild<QToolBar*>(QStringLiteral("construction"));
-    if (const QString before = QStringLiteral("arising"); state.contains(streamed(before)))
-        construction->setObjectName(before); // as earlier versions called it
-    restoreState(state);
-    construction->setObjectName(QStringLiteral("construction"));
+    restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 

@@ -16,7 +16,7 @@
     <message numerus="yes">
         <source>%n exports from the last session are in the queue.</source>
         <translation>
-            <numerusform>%n export from last time is in the queue.</numerusform>
+            <numerusform>%n export from the last session is in the queue.</numerusform>
             <numerusform>%n exports from the last session are in the queue.</numerusform>
         </translation>
     </message>
