@@ -8439,7 +8439,7 @@
         <translation>&amp;Erneut versuchen</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed again.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Die ausgewählten Exporte, die fehlgeschlagen sind, noch einmal zeichnen.</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schritt zeigen</translation>
     </message>
     <message>
-        <source>Restore the state of the window that the selected step has</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Das Fenster in den Zustand des gewählten Schritts bringen</translation>
     </message>
     <message>

@@ -8439,7 +8439,7 @@
         <translation>Rein&amp;tentar</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed again.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Volver a dibujar las exportaciones seleccionadas que fallaron.</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mostrar el paso</translation>
     </message>
     <message>
-        <source>Restore the state of the window that the selected step has</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Poner la ventana en el estado del paso elegido</translation>
     </message>
     <message>

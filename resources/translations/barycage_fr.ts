@@ -8439,7 +8439,7 @@
         <translation>R&amp;éessayer</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed again.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Redessiner les exports sélectionnés qui ont échoué.</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Montrer l’étape</translation>
     </message>
     <message>
-        <source>Restore the state of the window that the selected step has</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Mettre la fenêtre dans l’état de l’étape choisie</translation>
     </message>
     <message>

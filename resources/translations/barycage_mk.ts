@@ -8464,7 +8464,7 @@
         <translation>&amp;Обиди се повторно</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed again.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Нацртај ги повторно избраните извози што не успеале.</translation>
     </message>
     <message>
@@ -9163,7 +9163,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Прикажи го чекорот</translation>
     </message>
     <message>
-        <source>Restore the state of the window that the selected step has</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Доведи го прозорецот во состојбата на избраниот чекор</translation>
     </message>
     <message>

@@ -90,7 +90,7 @@ void ExportsPanel::createActions() {
     m_down->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Down));
     connect(m_down, &QAction::triggered, this, [this] { moveSelected(1); });
     m_retry = addAction(QStringLiteral("restart"), tr("&Try Again"),
-                        tr("Draw the selected exports that failed again."));
+                        tr("Try again to draw the selected exports that failed."));
     connect(m_retry, &QAction::triggered, this, [this] {
         for (const QString& id : selectedIds())
             m_queue->retry(id);

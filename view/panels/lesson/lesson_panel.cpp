@@ -62,7 +62,7 @@ void LessonPanel::createActions() {
     m_update = make("reset", tr("Update Step"),
                     tr("Replace the state of the selected step by the current state of the window"),
                     [this] { emit updateRequested(); });
-    m_show = make("fit", tr("Show Step"), tr("Restore the state of the window that the selected step has"),
+    m_show = make("fit", tr("Show Step"), tr("Restore the window to the state of the selected step"),
                   [this] { emit showRequested(); });
     m_remove = make("remove", tr("Remove Step"), tr("Remove the selected step"),
                     [this] { m_notebook->removeStep(); });
