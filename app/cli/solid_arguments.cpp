@@ -40,8 +40,7 @@ void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
         "Lift systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
         "Dimension");
     add("--flatten", arguments.flatten, "X,Y,Z",
-        "Project systems in space to the plane, along a direction that every map keeps", "",
-        "Dimension");
+        "Project systems in space to the plane, along a direction that every map keeps", "", "Dimension");
 }
 
 bool asksForVoxels(const SolidArguments& arguments) {

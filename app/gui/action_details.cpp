@@ -68,10 +68,11 @@ constexpr Detail details[] = {
                                  "Only the view is flipped: coefficients and coordinates do not change.")},
     {"hide", QT_TRANSLATE_NOOP("ActionDetails",
                                "Press the key again to show the cage, handles, grid, axes and outlines.")},
-    {"construction", QT_TRANSLATE_NOOP(
-                    "ActionDetails",
-                    "A bar appears under the canvas: choose the number of steps, or let the chaos game run "
-                    "point by point at any speed.")},
+    {"construction",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "A bar appears under the canvas: choose the number of steps, or let the chaos game run "
+         "point by point at any speed.")},
     {"transform", QT_TRANSLATE_NOOP(
                       "ActionDetails",
                       "As a placement, it leaves the coefficients unchanged; as code, it replaces them by "

@@ -9,7 +9,7 @@
 // Finite groups of symmetries of the plane and of space. docs/mathematics.md, "Symmetry".
 namespace ifs {
 
-// In space, the first four act in the plane of x and y and leave z unchanged, so that a lifted system keeps its
+// In space, the first four act in the plane of x and y and leave z alone, so that a lifted system keeps its
 // symmetry. The last three are the rotations of the polyhedra, in space alone.
 enum class SymmetryGroup { None, Mirror, Rotation, Dihedral, Tetrahedral, Octahedral, Icosahedral };
 
