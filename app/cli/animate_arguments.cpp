@@ -34,10 +34,9 @@ std::vector<FileRange> rangesOf(const std::string& text) {
         if (!match.captured(2).isEmpty()) range.last = match.captured(2).toInt();
         if (!match.captured(3).isEmpty()) range.step = match.captured(3).toInt();
         if (!match.hasMatch() || range.first < 1 || range.last < range.first || range.step < 1)
-            throw UsageError{
-                tr("--frames “%1” is not valid: it must be numbers of files from 1 on and rising "
-                   "ranges, such as 7, 1-240, 1-240x2 or 1-48,60.")
-                    .arg(QString::fromStdString(text))};
+            throw UsageError{tr("--frames “%1” is not valid: it must be file numbers, counted from 1, or "
+                                "ascending ranges, such as 7, 1-240, 1-240x2 or 1-48,60.")
+                                 .arg(QString::fromStdString(text))};
         ranges.push_back(range);
     }
     return ranges;
@@ -57,8 +56,8 @@ Chunk chunkOf(const std::string& text) {
 // What pictures have and a video has not.
 void refuseForVideo(const AnimateArguments& arguments) {
     refuseIf(arguments.chunk.has_value(), "--chunk",
-             tr("one program writes a video. Share out the frames as NAME.####.png, and make the video from "
-                "them with encode."));
+             tr("only one process can write a video. Draw the frames as NAME.####.png, and make the video "
+                "from them with encode."));
     refuseIf(arguments.existing == "skip", "--existing skip",
              tr("a video is written in one piece. Frames written as NAME.####.png can be skipped."));
     refuseIf(is16Bit(arguments.picture), "--bits 16", tr("videos have 8 bits per channel."));
@@ -84,7 +83,7 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
     command
         .add_option("-o,--output", arguments.picture.output,
                     "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
-                    "zeros in front; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+                    "leading zeros; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
         ->type_name("OUT")
         ->group("Files")
         ->required();
@@ -104,7 +103,7 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
     add("--existing", "WHAT", arguments.existing,
         "What happens to files that exist: skip those that are complete and of the same request, replace "
         "them, or fail",
-        "skip; of a video replace");
+        "skip; for a video replace");
     add("--fps", "R", arguments.rate, "Frames per second of a video, such as 24, 29.97 or 30000/1001",
         "those of the animation");
     add("--shutter", "DEG", arguments.picture.shutter,
@@ -113,7 +112,7 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
         "0");
     add("--exposure", "HOW", arguments.picture.exposure,
         "Brightness: smooth follows the whole animation without flicker, fixed is that of frame 0, each is "
-        "measured for every frame by itself",
+        "measured separately for every frame",
         "smooth");
     addFrameOptions(command, arguments.picture);
     command.get_option("--points")->description("Samples of each frame, such as 250000, 1e9 or 2G");

@@ -59,7 +59,7 @@ bool isAnyBeyond(const std::vector<FileRange>& ranges, int count);
 // Throws UsageError unless the name has one group of #, and ends in .png.
 void checkPattern(const QString& pattern);
 
-// The name of the file with this number: it stands for ####, with zeros in front.
+// The name of the file with this number: it stands for ####, with leading zeros.
 QString numbered(const QString& pattern, int number);
 
 } // namespace cli

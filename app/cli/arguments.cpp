@@ -232,7 +232,7 @@ void putOn(attractor::Appearance& appearance, const attractor::Rgba& background)
 
 animation::Moment momentArgument(const std::string& option, const std::string& text) {
     const auto moment = animation::parseMoment(text);
-    if (!moment) refuse(option, text, tr("it must be a frame from 0 on, such as 12, 12.5 or 25/2."));
+    if (!moment) refuse(option, text, tr("it must be a frame, counted from 0, such as 12, 12.5 or 25/2."));
     return *moment;
 }
 

@@ -98,9 +98,9 @@ collage::SearchOptions optionsOf(const CollageArguments& arguments) {
 void checkOutputs(const CollageArguments& arguments) {
     const QString output = fileNameOf(arguments.output), picture = fileNameOf(arguments.picture);
     if (!isStandardOutput(output) && QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))
-        throw UsageError{tr("The system is written as .ifs, and “%1” is named otherwise.").arg(output)};
+        throw UsageError{tr("The output must be an .ifs file, and “%1” is not.").arg(output)};
     if (!isStandardOutput(output) && isSameFile(output, picture))
-        throw UsageError{tr("“%1” is the picture that is read. Write to another file.").arg(output)};
+        throw UsageError{tr("“%1” is the input picture. Write to another file.").arg(output)};
     if (!arguments.report) return;
     const QString report = fileNameOf(*arguments.report);
     if (report == output || (!isStandardOutput(report) && isSameFile(report, picture)))
@@ -205,15 +205,16 @@ void addSearchOptions(CLI::App& command, CollageArguments& arguments) {
             ->group("Search");
     };
     add("--maps", "N|MIN-MAX", arguments.maps,
-        "Number of maps, 2 to 16, or a range in which each map must pay for itself", "2-8");
+        "Number of maps, 2 to 16, or a range, in which a map is added only if it improves the fit enough",
+        "2-8");
     add("--seconds", "S", arguments.seconds, "How long to search", "2");
     add("--starts", "K", arguments.starts,
         "Number of random starts, instead of a time; the result is then the same on every run");
     add("--seed", "K", arguments.seed, "Seed of the random starts", "1");
     command.add_flag("--similarities", arguments.similarities, "Only maps that keep all angles")
         ->group("Search");
-    command.add_flag("--no-mirrors", arguments.withoutMirrors, "No maps that mirror")->group("Search");
-    add("--angles", "60|90", arguments.angles, "Maps turn by multiples of so many degrees only", "any");
+    command.add_flag("--no-mirrors", arguments.withoutMirrors, "No maps that reflect")->group("Search");
+    add("--angles", "60|90", arguments.angles, "Maps rotate only by multiples of this many degrees", "any");
     command
         .add_flag("--stem", arguments.stem,
                   "The first map flattens the shape to a line, like the stem of a fern")

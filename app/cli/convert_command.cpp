@@ -407,9 +407,8 @@ private:
         if (m_arguments.overwrite || isStandardOutput(output)) return false;
         if (isSameFile(output, m_input)) {
             if (m_holdsLess)
-                reportError(output,
-                            tr("This is the file that is read, and it would be replaced by less than it "
-                               "holds. Write to another file, or replace it with --overwrite."));
+                reportError(output, tr("This is the input file, and the output would contain less than it "
+                                       "does. Write to another file, or replace it with --overwrite."));
             return m_holdsLess;
         }
         const bool isOther =
@@ -417,7 +416,7 @@ private:
                         [&](const std::string& file) { return isSameFile(output, fileNameOf(file)); });
         if (isOther)
             reportError(output,
-                        tr("This is one of the files to read, and “%1” would replace it. Write to another "
+                        tr("This is one of the input files, and “%1” would replace it. Write to another "
                            "folder, or replace it with --overwrite.")
                             .arg(m_input));
         return isOther;
@@ -536,18 +535,18 @@ Command convertCommand(CLI::App& program) {
         ->add_option("--to", arguments->format,
                      "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad")
         ->type_name("FORMAT")
-        ->default_str("as the name of the output shows")
+        ->default_str("as the output name determines")
         ->group("Format");
     command
         ->add_flag("--overwrite", arguments->overwrite,
-                   "Replace a file that is read even by less than it holds")
+                   "Replace an input file even if the output contains less")
         ->group("Files");
     command->add_flag("--bake", arguments->bake, "Bake the cage into the code")->group("Format");
     command->add_flag("--strict", arguments->strict, "Write .ifs files that every program can read")
         ->group("Format");
     command
         ->add_flag("--y-as-written", arguments->yAsWritten,
-                   "Keep the y of flames as written; their pictures point down")
+                   "Keep the y of flames as written; their pictures are then upside down")
         ->group("Format");
     add("--columns", arguments->columns, "ORDER",
         "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p", "Tables");

@@ -63,7 +63,7 @@ QString dimensionObstacle(const Format& format, const document::Fractal& fractal
     if (std::holds_alternative<io::MeshFormat>(format) || std::holds_alternative<ScadFormat>(format))
         return document::system3(fractal)
                    ? QString()
-                   : tr("“%1” was omitted: only systems in space have a solid; --lift takes it there.")
+                   : tr("“%1” was omitted: only systems in space have a solid; --lift makes one of it.")
                          .arg(fractal.name);
     const auto* text = std::get_if<TextFormat>(&format);
     const bool isHeld = text ? io::holds(*text, fractal)

@@ -109,7 +109,7 @@ public:
     ExitStatus run() {
         m_numbers = numbersThere(m_pattern);
         if (m_numbers.empty()) {
-            reportError(m_pattern, tr("There are no pictures of this name."));
+            reportError(m_pattern, tr("There are no pictures with this name."));
             return ExitStatus::CannotReadOrWrite;
         }
         if (const auto missing = missingAmong(m_numbers); !missing.empty()) {
@@ -179,13 +179,12 @@ private:
         QImageReader reader(path, "png");
         const QSize size = reader.size();
         if (size != m_size)
-            return refused(path,
-                           tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of "
-                              "a video have one size.")
-                               .arg(size.width())
-                               .arg(size.height())
-                               .arg(m_size.width())
-                               .arg(m_size.height()));
+            return refused(path, tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures "
+                                    "of a video must have the same size.")
+                                     .arg(size.width())
+                                     .arg(size.height())
+                                     .arg(m_size.width())
+                                     .arg(m_size.height()));
         reader.setAllocationLimit(0); // the video takes pictures of this size
         const QImage image = reader.read();
         return image.isNull() ? refused(path, tr("The picture cannot be read: %1.").arg(reader.errorString()))
@@ -219,9 +218,10 @@ Command encodeCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("encode", "Make a video from numbered PNG pictures");
     command->footer("encode NAME.####.png -o OUT [OPTION]...");
     command
-        ->add_option("PICTURES", arguments->pattern,
-                     "Name of the pictures, all of one size, such as NAME.####.png: #### stands for their "
-                     "numbers with zeros in front, without gaps")
+        ->add_option(
+            "PICTURES", arguments->pattern,
+            "Name of the pictures, all of the same size, such as NAME.####.png: #### stands for their "
+            "numbers with leading zeros, without gaps")
         ->type_name("NAME.####.png")
         ->group("Files")
         ->required();
@@ -233,7 +233,7 @@ Command encodeCommand(CLI::App& program) {
         ->required();
     command->add_option("--fps", arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001")
         ->type_name("R")
-        ->default_str("those of the animation that the pictures carry, else 24")
+        ->default_str("those of the animation in the pictures, else 24")
         ->group("Frames");
     addVerbosityOptions(*command, arguments->verbosity);
     return {command, [arguments] { return encode(*arguments); }};

@@ -37,11 +37,11 @@ io::PngExport FrameSource::planeAt(const animation::Moment& moment) const {
 io::SpaceExport FrameSource::spaceAt(const animation::Moment& moment) const {
     io::SpaceExport picture = spaceExportOf(m_frames.at(moment), m_options, m_name);
     if (frameOptions(m_options).shutter > 0 && showsNumbers(picture))
-        throw UsageError{tr("--shutter cannot be used here: depths and normals are numbers, which do not add "
-                            "up like light.")};
+        throw UsageError{tr(
+            "--shutter cannot be used here: depths and normals are data, which do not add up like light.")};
     if (m_output == Output::Video && picture.look == attractor::LookInSpace::Depth)
-        throw UsageError{tr("--look depth cannot be used here: depths are numbers of 16 bits, which a video "
-                            "does not store. Write the frames as NAME.####.png.")};
+        throw UsageError{tr("--look depth cannot be used here: depths are 16-bit data, which a video cannot "
+                            "store. Write the frames as NAME.####.png.")};
     picture.fractal = m_entry;
     return picture;
 }

@@ -190,7 +190,7 @@ Command infoCommand(CLI::App& program) {
     list->group("Output");
     command
         ->add_option("--frame", arguments->frame,
-                     "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2")
+                     "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2")
         ->type_name("F")
         ->default_str("the entry at rest")
         ->group("Properties");

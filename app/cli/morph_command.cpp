@@ -70,8 +70,7 @@ QString sentence(document::MorphFlaw flaw) {
     case document::MorphFlaw::Linked:
         return tr("The maps of one of the entries are linked, and maps with links cannot be morphed.");
     case document::MorphFlaw::BentCage:
-        return tr("The cage of one of the entries is flat or bends the picture; bake it or put it at rest "
-                  "first.");
+        return tr("The cage of one of the entries is flat or bends the picture; bake or reset it first.");
     case document::MorphFlaw::Dimensions:
         break;
     }
@@ -96,9 +95,9 @@ bool hasMovedBranches(const document::Fractal& fractal) {
 void checkOutput(const QString& output, const QString& input) {
     if (isStandardOutput(output)) return;
     if (QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))
-        throw UsageError{tr("The morph is written as .ifs, and “%1” is named otherwise.").arg(output)};
+        throw UsageError{tr("The output must be an .ifs file, and “%1” is not.").arg(output)};
     if (isSameFile(output, input))
-        throw UsageError{tr("“%1” is the file that is read, and the morph alone would replace it. Write to "
+        throw UsageError{tr("“%1” is the input file, and the morph alone would replace it. Write to "
                             "another file.")
                              .arg(output)};
 }

@@ -189,7 +189,7 @@ ExitStatus merge(const MergeArguments& arguments) {
     const QString output = fileNameOf(arguments.output);
     const std::optional<io::PictureFile> kind = io::pictureFileOf(QFileInfo(output).suffix());
     if (!kind && !isSumFile(output))
-        throw UsageError{tr("The parts can be merged to a .png, .jpg, .webp, .tiff, .exr or .sum file, and "
+        throw UsageError{tr("The parts can be merged into a .png, .jpg, .webp, .tiff, .exr or .sum file, and "
                             "“%1” is none of them.")
                              .arg(output)};
     const std::optional<int> quality = qualityArgument(arguments.quality, kind);
@@ -218,8 +218,8 @@ void checkParts(const RenderArguments& arguments, Format format) {
     if (isDivided(arguments) && format != Format::Sum)
         throw UsageError{
             tr("A part of a picture is written to a .sum file, which barycage-cli merge reads.")};
-    refuseIf(format == Format::Sum && arguments.frame, "--frame", tr("a .sum file is of the entry at rest."));
-    const QString reason = tr("sums are of --algorithm density alone.");
+    refuseIf(format == Format::Sum && arguments.frame, "--frame", tr("a .sum file shows the entry at rest."));
+    const QString reason = tr("it applies only to --algorithm density.");
     refuseIf(format == Format::Sum && arguments.algorithm != "density", "--algorithm", reason);
 }
 
@@ -236,8 +236,7 @@ ExitStatus resumePicture(const RenderArguments& arguments) {
     const std::uint64_t points = countArgument("--points", *arguments.points, 1, maxPoints);
     const std::uint64_t there = std::accumulate(sums.passes.begin(), sums.passes.end(), std::uint64_t{0});
     if (points <= there)
-        throw UsageError{
-            tr("“%1” is of a picture of %2 points already; --points must be more.").arg(file).arg(there)};
+        throw UsageError{tr("“%1” already has %2 points; --points must be larger.").arg(file).arg(there)};
     io::addPass(sums, points - there);
     if (isDivided(arguments)) {
         const Rows rows = bandArgument(arguments, sums.picture.request.camera.height);
@@ -251,15 +250,16 @@ ExitStatus resumePicture(const RenderArguments& arguments) {
 
 Command mergeCommand(CLI::App& program) {
     auto arguments = std::make_shared<MergeArguments>();
-    CLI::App* command = program.add_subcommand("merge", "Put the parts of a picture together");
+    CLI::App* command = program.add_subcommand("merge", "Merge the parts of a picture");
     command->footer("merge FILE... -o OUT [OPTION]...");
     command->add_option("FILE", arguments->files, "Parts of one picture, written by render or merge")
         ->type_name("FILE...")
         ->group("Files")
         ->required();
     command
-        ->add_option("-o,--output", arguments->output,
-                     "Picture to write once all parts are there, as render does, or their sum (.sum)")
+        ->add_option(
+            "-o,--output", arguments->output,
+            "Picture to write once all parts are present, in a format of render, or their sum (.sum)")
         ->type_name("OUT")
         ->group("Files")
         ->required();

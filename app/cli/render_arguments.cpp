@@ -70,10 +70,10 @@ Steps stepsOf(const std::string& text) {
     if (dash == std::string::npos) return {number(text), number(text)};
     const Steps steps{number(text.substr(0, dash)), number(text.substr(dash + 1))};
     if (steps.last < steps.first || steps.last - steps.first >= maxSteps)
-        throw UsageError{
-            tr("--iterations “%1” is not valid: a range such as 0-6 must rise and have at most %2 numbers.")
-                .arg(QString::fromStdString(text))
-                .arg(maxSteps)};
+        throw UsageError{tr("--iterations “%1” is not valid: a range such as 0-6 must be ascending and have "
+                            "at most %2 numbers.")
+                             .arg(QString::fromStdString(text))
+                             .arg(maxSteps)};
     return steps;
 }
 
@@ -286,7 +286,7 @@ Format checked(RenderArguments& arguments) {
         refuseIf(arguments.overlay.has_value(), "--overlay", reason);
         refuseIf(arguments.legend, "--legend", reason);
     }
-    refuseIf(arguments.legend && isStrip(arguments), "--legend", tr("the steps stand side by side."));
+    refuseIf(arguments.legend && isStrip(arguments), "--legend", tr("the steps are drawn side by side."));
     if (algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic && !arguments.iterations)
         throw UsageError{tr("--algorithm deterministic needs --iterations.")};
     if (arguments.simd) selectInstructions(*arguments.simd);
@@ -319,11 +319,12 @@ void addColourOptions(CLI::App& command, RenderArguments& arguments) {
     colours.add("--brightness", "B", arguments.brightness, "Brightness of the tone curve",
                 "stored in the entry, else 20");
     colours.add("--contrast", "C", arguments.contrast,
-                "Contrast of the tone curve: above 1, light and dark part from the middle",
+                "Contrast of the tone curve: above 1, light becomes lighter and dark darker",
                 "stored in the entry, else 1");
-    colours.add("--vibrancy", "V", arguments.vibrancy,
-                "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and they pale",
-                "stored in the entry, else 1");
+    colours.add(
+        "--vibrancy", "V", arguments.vibrancy,
+        "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and colours are paler",
+        "stored in the entry, else 1");
     colours.add("--background", "COLOUR", arguments.background,
                 "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
                 "stored in the entry, else #0d1017");
@@ -332,7 +333,7 @@ void addColourOptions(CLI::App& command, RenderArguments& arguments) {
 void addShapeOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup file{command, "File"};
     file.add("--to", "FORMAT", arguments.format, "png, jpg, webp, tiff, exr, svg or pdf",
-             "as the name of the output shows");
+             "as the output name determines");
     file.add("--svg", "KIND", arguments.svg, "Kind of vector graphics: structured, outline or points",
              "structured");
     file.add("--depth", "N", arguments.depth, "Levels of copies in vector graphics",
@@ -350,10 +351,9 @@ void addPixelOptions(CLI::App& command, RenderArguments& arguments) {
 
 void addExplanationOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup group{command, "Explanations"};
-    group.add(
-        "--overlay", "PARTS", arguments.overlay,
-        "Draw over the picture: maps, hull, cage, fixed-points and numbers, separated by commas; the view "
-        "holds the cage and the maps as well");
+    group.add("--overlay", "PARTS", arguments.overlay,
+              "Draw over the picture: maps, hull, cage, fixed-points and numbers, separated by commas; the "
+              "view includes the cage and the maps");
     command
         .add_flag("--legend", arguments.legend,
                   "Put the table of maps to the right, which makes the picture wider")
@@ -398,7 +398,7 @@ void addViewOptions(CLI::App& command, RenderArguments& arguments) {
     group.add("--view", "CX,CY,HEIGHT", arguments.view,
               "Centre and height of the view; in space \"tx,ty,tz,height\"", "all of the fractal");
     group.add("--view-rotation", "DEGREES", arguments.viewRotation,
-              "Turn the view of the plane counter-clockwise", "0, or as the keys of an animation have it");
+              "Turn the view of the plane counter-clockwise", "0, or as keyed in an animation");
     command.add_flag("--y-down", arguments.yDown, "The y axis points down")->group("View and cage");
 }
 
@@ -411,8 +411,8 @@ void addCageOptions(CLI::App& command, RenderArguments& arguments) {
               "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in the plane rectangle, "
               "in space octahedron as well");
     group.add("--frame", "F", arguments.frame,
-              "The moment of an animation in frames from 0 on, such as 12, 12.5 or 25/2; the view is that of "
-              "all frames, the brightness that of this frame alone",
+              "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2; the view "
+              "shows all frames, and the brightness is that of this frame alone",
               "the entry at rest");
 }
 
@@ -429,9 +429,9 @@ void addPartOptions(CLI::App& command, RenderArguments& arguments) {
 void addLimitOptions(CLI::App& command, RenderArguments& arguments) {
     const OptionGroup group{command, "Limits"};
     group.add("--time-limit", "SECONDS", arguments.timeLimit,
-              "Stop, with exit status 3, when the pictures are not finished by then", "no limit");
+              "Stop, with exit status 3, if the pictures are not finished by then", "no limit");
     group.add("--memory-limit", "MB", arguments.memoryLimit,
-              "Stop, with exit status 3, rather than take more memory; 64 to 1000000", "no limit");
+              "Stop, with exit status 3, rather than use more memory; 64 to 1000000", "no limit");
 }
 
 void addSpaceOptions(CLI::App& command, RenderArguments& arguments) {
@@ -488,7 +488,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addShapeOptions(command, arguments);
     addQualityOption(command, arguments);
     addExplanationOptions(command, arguments);
-    command.add_flag("--list-palettes", arguments.listPalettes, "List the palettes and do nothing else")
+    command.add_flag("--list-palettes", arguments.listPalettes, "List the palettes and exit")
         ->group("Colours");
     addVerbosityOptions(command, arguments.verbosity);
 }

@@ -99,7 +99,7 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     refuseIf(options.overlay.has_value(), "--overlay", plane);
     refuseIf(options.legend, "--legend", plane);
     refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
-             tr("--look depth and normals show numbers, which are not for eyes."));
+             tr("--look depth and normals show data, which cannot be seen in stereo."));
     refuseIf(options.colour && look == LookInSpace::XRay, "--colour",
              tr("--look x-ray shows the mean depth with the palette."));
     if (look == LookInSpace::Depth || attractor::showsCloud(look))
@@ -205,7 +205,8 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
     camera.size = {size.width(), size.height()};
     if (stereoOf(options) == io::Stereo::SideBySide) {
         if (size.width() % 2 != 0)
-            throw UsageError{tr("--stereo side-by-side needs an even width, for two pictures of one size.")};
+            throw UsageError{
+                tr("--stereo side-by-side needs an even width, for two pictures of the same size.")};
         camera.size.width /= 2;
     }
     if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);

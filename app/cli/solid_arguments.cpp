@@ -37,11 +37,10 @@ void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
     add("--longest", arguments.longest, "MM", "Longest side of the attractor in mm",
         "1 mm for 1 unit of the system", "Solids");
     add("--lift", arguments.lift, "S|auto",
-        "Take systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
+        "Lift systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
         "Dimension");
     add("--flatten", arguments.flatten, "X,Y,Z",
-        "Take systems in space to the plane: the projection along a direction that every map keeps", "",
-        "Dimension");
+        "Project systems in space to the plane, along a direction that every map keeps", "", "Dimension");
 }
 
 bool asksForVoxels(const SolidArguments& arguments) {
@@ -83,7 +82,7 @@ DimensionChange dimensionChange(const SolidArguments& arguments) {
                                  .arg(QString::fromStdString(*arguments.lift))};
     }
     if (!arguments.flatten) return change;
-    refuseIf(change.isLift, "--flatten", tr("--lift leads the other way."));
+    refuseIf(change.isLift, "--flatten", tr("--lift does the opposite."));
     const auto xyz = numbers(QString::fromStdString(*arguments.flatten));
     if (xyz.size() != 3 || ifs::Vector<3>(xyz[0], xyz[1], xyz[2]).isZero(0))
         throw UsageError{tr("--flatten “%1” is not valid: it must be a direction, such as 0,0,1.")

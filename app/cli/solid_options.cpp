@@ -61,7 +61,7 @@ void refuseUnlit(LookInSpace look, const document::Fractal& fractal, const Rende
     refuseIf(options.contrast.has_value(), "--contrast", solid);
     refuseIf(options.vibrancy.has_value(), "--vibrancy", solid);
     if (look == LookInSpace::Ink)
-        refuseIf(options.light.has_value(), "--light", tr("ink has only the light of the eye."));
+        refuseIf(options.light.has_value(), "--light", tr("ink is lit only from the camera."));
     if (look != LookInSpace::Normals) {
         refuseIf(options.palette && !usesPalette(colourOf(fractal, options)), "--palette",
                  tr("it needs --colour address, height or depth."));

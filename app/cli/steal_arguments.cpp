@@ -69,7 +69,7 @@ void checkPicture(const StealArguments& arguments) {
     if (!arguments.output) throw UsageError{tr("-o OUT.png is missing: it names the picture to write.")};
     const QString output = fileNameOf(*arguments.output);
     if (!isStandardOutput(output) && QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
-        throw UsageError{tr("The picture is written as .png, and “%1” is named otherwise.").arg(output)};
+        throw UsageError{tr("The output must be a .png file, and “%1” is not.").arg(output)};
     refuseIf(arguments.isExact && arguments.shown.points, "--points", tr("--exact draws without samples."));
     const bool isOpen = pictureSizeArgument("--size", arguments.shown.size).isEmpty();
     if (arguments.shown.view) {
@@ -79,7 +79,7 @@ void checkPicture(const StealArguments& arguments) {
     if (arguments.pictureView) {
         viewArgument("--picture-view", *arguments.pictureView);
         refuseIf(arguments.mode && modeOf(arguments) != document::TheftMode::StealColours, "--picture-view",
-                 tr("the picture is laid by --mode steal alone."));
+                 tr("only --mode steal places the picture."));
     }
     if (arguments.shown.points)
         countArgument("--points", *arguments.shown.points, 1, attractor::KeyTops::maxPoints);
@@ -96,7 +96,7 @@ document::KeptTheft theftOf(const StealArguments& arguments, const document::Fra
     else if (const auto kept = document::keptTheft(entry))
         theft = *kept;
     else
-        throw UsageError{tr("--from NAME is missing, and “%1” keeps no fractal transformation of its own.")
+        throw UsageError{tr("--from NAME is missing, and “%1” has no stored fractal transformation.")
                              .arg(printableLine(entry.name))};
     if (arguments.order) theft.order = orderOf(arguments);
     if (arguments.mode) theft.mode = modeOf(arguments);
@@ -113,7 +113,7 @@ StealTask checked(const StealArguments& arguments) {
     const StealTask task = taskOf(arguments);
     if (arguments.file == "-" && arguments.fromFile == "-")
         throw UsageError{tr("Only one of the files can be standard input.")};
-    refuseIf(arguments.fromFile && !arguments.from, "--from-file", tr("it goes with --from."));
+    refuseIf(arguments.fromFile && !arguments.from, "--from-file", tr("it applies only with --from."));
     if (arguments.order) orderOf(arguments);
     if (arguments.mode) modeOf(arguments);
     if (task == StealTask::Picture)
@@ -180,7 +180,7 @@ void addStealOptions(CLI::App& command, StealArguments& arguments) {
     files.add("--entry", "NAME", arguments.entry, "The entry that is drawn: its name, or #NUMBER",
               "the first that can be read");
     files.add("--from", "NAME", arguments.from, "The entry that colours are taken from",
-              "the partner that the entry keeps, with all that it keeps");
+              "the partner stored with the entry, and its settings");
     files.add("--from-file", "FILE2", arguments.fromFile, "Collection with that entry", "FILE");
     const OptionGroup group{command, "Transformation"};
     group.add("--order", "I,J,…", arguments.order, "Numbers of the maps, the one on top first", "1,2,…");

@@ -82,19 +82,19 @@ Sources readSources(const StealArguments& arguments) {
 QString sentence(const document::CouplingOutcome& outcome, const QString& name) {
     switch (outcome.flaw) {
     case document::CouplingFlaw::NotInPlane:
-        return tr("“%1” is in space; colours are stolen between entries in the plane.").arg(name);
+        return tr("“%1” is in space; colours can be stolen only between entries in the plane.").arg(name);
     case document::CouplingFlaw::BentCage:
-        return tr("The cage of “%1” is flat or bends the picture; bake it or put it at rest first.")
-            .arg(name);
+        return tr("The cage of “%1” is flat or bends the picture; bake or reset it first.").arg(name);
     case document::CouplingFlaw::NoMaps:
         return tr("“%1” has no active map, so there is nothing to draw.").arg(name);
     case document::CouplingFlaw::Linked:
-        return tr("The maps of “%1” are linked; colours are stolen between entries whose maps are not.")
+        return tr("The maps of “%1” are linked; colours can be stolen only between entries whose maps are "
+                  "not.")
             .arg(name);
     case document::CouplingFlaw::NoAttractor:
-        return tr("“%1” has no attractor that could be proved, so its points have no addresses.").arg(name);
+        return tr("No attractor could be proved for “%1”, so its points have no addresses.").arg(name);
     case document::CouplingFlaw::Order:
-        return tr("--order must list every map of “%1” that takes part once.").arg(name);
+        return tr("--order must list every active map of “%1” once.").arg(name);
     case document::CouplingFlaw::Counts:
         break;
     }
@@ -102,13 +102,12 @@ QString sentence(const document::CouplingOutcome& outcome, const QString& name) 
 }
 
 QString sentenceOfKeptOrder(const QString& name) {
-    return tr("The order that “%1” keeps does not list every map that takes part once. Give --order.")
-        .arg(name);
+    return tr("The order stored in “%1” does not list every active map once. Give --order.").arg(name);
 }
 
 QString sentenceOfCounts(const document::CouplingOutcome& outcome, const Sources& sources) {
-    return tr("“%1” has %2 active maps and “%3” has %4; they must have as many. Divide maps into several "
-              "until they agree.")
+    return tr("“%1” has %2 active maps and “%3” has %4; they must have the same number. Divide maps into "
+              "several until they do.")
         .arg(printableLine(sources.first->fractal->name))
         .arg(outcome.fromCount)
         .arg(printableLine(sources.second->fractal->name))
@@ -118,8 +117,8 @@ QString sentenceOfCounts(const document::CouplingOutcome& outcome, const Sources
 void warnOfMovedBranches(const document::Entry& entry, const QString& fileName) {
     const auto* shape = document::plane(*entry.fractal);
     if (shape != nullptr && !shape->moved.empty())
-        reportWarning(fileName, tr("The moved branches of “%1” are where they were: a fractal transformation "
-                                   "knows only the maps.")
+        reportWarning(fileName, tr("The moved branches of “%1” are drawn in their original positions: a "
+                                   "fractal transformation uses only the maps.")
                                     .arg(printableLine(entry.fractal->name)));
 }
 
@@ -272,8 +271,8 @@ ExitStatus printTear(const document::CoupledEntries& entries, const StealArgumen
                      const QString& fileName) {
     const ifs::Tear torn = ifs::tear(entries.fromAttractor, entries.toAttractor, epsilonOf(arguments));
     if (torn.isCutShort)
-        reportWarning(fileName, tr("There are too many pieces of that size; the tear is at most what is "
-                                   "printed, and may be less."));
+        reportWarning(fileName, tr("There are too many pieces of that size; the value printed is only an "
+                                   "upper bound for the tear."));
     const ifs::Homeomorphism verdict = ifs::homeomorphism(entries.fromAttractor, entries.toAttractor);
     return printed(arguments.isJson ? tearJson(torn, verdict) : tearText(torn, verdict), fileName,
                    ExitStatus::Done);

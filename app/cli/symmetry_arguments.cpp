@@ -37,7 +37,7 @@ void addSymmetryOptions(CLI::App& command, SymmetryArguments& arguments) {
         ->group("Symmetry");
     command
         .add_flag("--expand", arguments.expand,
-                  "Write the plain maps that a symmetry or linked maps stand for, where there are such")
+                  "Write the plain maps that a symmetry or linked maps stand for, where they exist")
         ->group("Symmetry");
 }
 
@@ -65,7 +65,7 @@ std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChan
     if (!changed)
         return tr("“%1” was omitted: it is a system in the plane, where neither the symmetries of the "
                   "polyhedra "
-                  "nor centres of three coordinates exist; --lift takes it into space.")
+                  "nor centres of three coordinates exist; --lift makes a system in space of it.")
             .arg(fractal.name);
     entry.fractal = std::make_shared<const document::Fractal>(*std::move(changed));
     return std::nullopt;

@@ -37,8 +37,8 @@ constexpr Detail details[] = {
                        "Choose a motion, which needs no keys, or set keys. A change to something that has "
                        "keys sets a key at the playhead; any other change applies to the whole animation.")},
     {"define",
-     QT_TRANSLATE_NOOP("ActionDetails", "The picture stays where it is: it is held by the new triangle from "
-                                        "now on. Backspace removes the last point, Esc cancels.")},
+     QT_TRANSLATE_NOOP("ActionDetails", "The picture stays where it is and follows the new triangle from now "
+                                        "on. Backspace removes the last point, Esc cancels.")},
     {"fit-simplex",
      QT_TRANSLATE_NOOP(
          "ActionDetails",
@@ -48,10 +48,10 @@ constexpr Detail details[] = {
                   "ActionDetails",
                   "The coefficients do not change. To keep the picture as it is and change the coefficients "
                   "instead, use Bake.")},
-    {"bake", QT_TRANSLATE_NOOP(
-                 "ActionDetails",
-                 "Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at "
-                 "rest afterwards. A cage that is flat or bends the picture cannot be baked.")},
+    {"bake", QT_TRANSLATE_NOOP("ActionDetails",
+                               "Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest "
+                               "to the current cage. The cage is at "
+                               "rest afterwards. A cage that is flat or bends the picture cannot be baked.")},
     {"place", QT_TRANSLATE_NOOP(
                   "ActionDetails",
                   "The table of maps keeps its numbers, and Bake writes the placement into them later.")},
@@ -61,30 +61,29 @@ constexpr Detail details[] = {
                     "afterwards.")},
     {"fit", QT_TRANSLATE_NOOP(
                 "ActionDetails",
-                "The cage is included if that takes little room. The fractal itself does not change.")},
+                "The cage is included if that needs little space. The fractal itself does not change.")},
     {"grid", QT_TRANSLATE_NOOP("ActionDetails", "The spacing of its lines follows the zoom. Vertices snap to "
                                                 "it if this is chosen under View › Snap To.")},
     {"y-axis", QT_TRANSLATE_NOOP("ActionDetails",
                                  "Only the view is flipped: coefficients and coordinates do not change.")},
-    {"hide",
-     QT_TRANSLATE_NOOP("ActionDetails",
-                       "Cage, handles, grid, axes and outlines come back when you press the key again.")},
-    {"arising", QT_TRANSLATE_NOOP(
-                    "ActionDetails",
-                    "A bar appears under the canvas: choose the number of steps, or let the chaos game run "
-                    "point by point at any speed.")},
-    {"transform",
-     QT_TRANSLATE_NOOP("ActionDetails",
-                       "As placement, the coefficients stay; as code, they become those of the transformed "
-                       "fractal. The canvas shows the result before you accept it.")},
+    {"hide", QT_TRANSLATE_NOOP("ActionDetails",
+                               "Press the key again to show the cage, handles, grid, axes and outlines.")},
+    {"construction",
+     QT_TRANSLATE_NOOP(
+         "ActionDetails",
+         "A bar appears under the canvas: choose the number of steps, or let the chaos game run "
+         "point by point at any speed.")},
+    {"transform", QT_TRANSLATE_NOOP(
+                      "ActionDetails",
+                      "As a placement, it leaves the coefficients unchanged; as code, it replaces them by "
+                      "those of the transformed fractal. The canvas shows the result before you accept it.")},
     {"paste",
      QT_TRANSLATE_NOOP("ActionDetails",
                        "If a table does not name its columns, you are asked for their order. In the "
                        "Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.")},
-    {"cut",
-     QT_TRANSLATE_NOOP("ActionDetails",
-                       "What has the focus decides: the table of maps and the canvas with the Maps tool "
-                       "move maps, the list of entries moves entries.")},
+    {"cut", QT_TRANSLATE_NOOP("ActionDetails",
+                              "Acts on maps while the table of maps, or the canvas with the Maps tool, has "
+                              "the focus, and on entries while the list of entries has it.")},
     {"copy",
      QT_TRANSLATE_NOOP("ActionDetails",
                        "Maps are copied with their names and as rows of numbers, entries as .ifs text "
@@ -92,12 +91,11 @@ constexpr Detail details[] = {
     {"lock",
      QT_TRANSLATE_NOOP(
          "ActionDetails",
-         "A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes "
-         "the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.")},
-    {"solo",
-     QT_TRANSLATE_NOOP("ActionDetails",
-                       "Only the part of the attractor that the map makes is drawn. The file does not "
-                       "change, and another entry is shown whole again.")},
+         "A locked map cannot be edited in the table, dragged, nudged, arranged, fitted or deleted. Changes "
+         "to the whole fractal, such as a cage that rewrites the code, also change its locked maps.")},
+    {"solo", QT_TRANSLATE_NOOP("ActionDetails",
+                               "Draws only the part of the attractor that this map makes. The file does not "
+                               "change. If you select another entry, its whole attractor is shown.")},
     {"settings",
      QT_TRANSLATE_NOOP(
          "ActionDetails",

@@ -29,7 +29,7 @@ QList<QAction*> CageMenu::addTools() {
           tr("Click a point of the attractor and drag the branch that contains it")}},
         {Tool::DefineTriangle,
          {"define", tr("De&fine Triangle"), QKeySequence(tr("D")),
-          tr("Define the control triangle by three clicks, in space the tetrahedron by four")}},
+          tr("Define the control triangle with three clicks, or in space the tetrahedron with four")}},
     };
     auto* group = new QActionGroup(this);
     QList<QAction*> tools;
@@ -66,16 +66,16 @@ QList<QAction*> CageMenu::addOperations() {
     QAction* reset = addOperation(
         &document::resetCage,
         {"reset", tr("&Reset"), {}, tr("Return the cage to rest: the picture shows the code as it is")});
-    QAction* bake =
-        addOperation(&document::bakeCage,
-                     {"bake", tr("&Bake"), QKeySequence(tr("Ctrl+B")),
-                      tr("Write the placement into the code: the picture stays, the coefficients change")});
-    QAction* unbake =
-        addOperation(&document::unbakeCage, {nullptr,
-                                             tr("&Unbake"),
-                                             {},
-                                             tr("Extract the placement from the code: the picture stays, the "
-                                                "code becomes that of the triangle (0, 0), (1, 0), (0, 1)")});
+    QAction* bake = addOperation(
+        &document::bakeCage,
+        {"bake", tr("&Bake"), QKeySequence(tr("Ctrl+B")),
+         tr("Write the placement into the code: the picture stays, and the coefficients change")});
+    QAction* unbake = addOperation(&document::unbakeCage,
+                                   {nullptr,
+                                    tr("&Unbake"),
+                                    {},
+                                    tr("Extract the placement from the code: the picture stays, and the code "
+                                       "is rewritten for the triangle (0, 0), (1, 0), (0, 1)")});
     QAction* regular = addOperation(
         &document::makeCageRegular,
         {nullptr, tr("Make Re&gular"), {}, tr("Move the vertices to the nearest regular polygon")});

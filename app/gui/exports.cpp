@@ -43,7 +43,7 @@ void connectPanel(QDockWidget* panel, WindowMessages* messages) {
         if (count == 0) return; // those that failed can wait until the panel is opened
         panel->show();
         panel->raise();
-        messages->say(Text::tr("%n exports from last time are in the queue.", nullptr, count));
+        messages->say(Text::tr("%n exports from the last session are in the queue.", nullptr, count));
     });
 }
 
@@ -63,7 +63,7 @@ bool mayEnd(QWidget* window) {
                     Text::tr("%n exports are still in the queue.", nullptr, count), QMessageBox::Cancel,
                     window);
     box.setInformativeText(
-        Text::tr("They go on when you start Barycage the next time. Close it now?", nullptr, count));
+        Text::tr("They will continue the next time you start Barycage. Close it now?", nullptr, count));
     const QPushButton* close = box.addButton(Text::tr("&Close"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();

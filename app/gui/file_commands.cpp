@@ -90,7 +90,7 @@ FileCommands::Answer FileCommands::askAboutDisk(OpenFile::OnDisk found) {
         isGone ? tr("“%1” has been deleted, renamed or moved since you opened it.").arg(m_file->name())
                : tr("Another program has changed “%1” since you opened it.").arg(m_file->name()),
         QMessageBox::Cancel, m_context.window);
-    box.setInformativeText(isGone ? tr("Saving creates it again at its old place.")
+    box.setInformativeText(isGone ? tr("Saving creates it again in its old location.")
                                   : tr("Saving overwrites the changes made by the other program."));
     const QPushButton* here = isGone ? box.addButton(QMessageBox::Save)
                                      : box.addButton(tr("Replace"), QMessageBox::DestructiveRole);

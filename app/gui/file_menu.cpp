@@ -52,7 +52,7 @@ void FileMenu::addOpening(const std::function<void()>& openWindow) {
 
 void FileMenu::addSaving() {
     m_save = add({"save", tr("&Save"), QKeySequence::Save,
-                  tr("Save the file; entries that you did not edit stay unchanged to the byte")},
+                  tr("Save the file; entries that you did not edit stay unchanged, byte for byte")},
                  [this] { m_commands->save(); });
     add({"save-as", tr("Save &As…"), QKeySequence(tr("Ctrl+Shift+S")),
          tr("Save the file under another name")},
@@ -67,11 +67,12 @@ void FileMenu::addSaving() {
 
 void FileMenu::addPictures() {
     m_export = add({"export", tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
-                    tr("Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a "
-                       "body to print")},
+                    tr("Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh "
+                       "for 3D printing")},
                    [this] { exportPicture(); });
     add({nullptr, tr("Export Ani&mation…"), QKeySequence(tr("Ctrl+Alt+E")),
-         tr("Export the animation as a video, a moving picture or frames, here or on a cluster")},
+         tr("Export the animation as a video, an animated image or frames, on this computer or on a "
+            "cluster")},
         [this] { exportAnimation(); });
     add({nullptr, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
          tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud")},
@@ -84,9 +85,9 @@ void FileMenu::addPictures() {
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
         [this] { view::printFractal(context().document, context().canvas->camera(), context().window); });
     add({nullptr,
-         tr("Print &Hand-out…"),
+         tr("Print &Handout…"),
          {},
-         tr("Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet")},
+         tr("Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet")},
         [this] {
             auto* dialog = new view::HandoutDialog(context().document, context().window);
             if (!m_file->path().isEmpty()) dialog->setName(QFileInfo(m_file->path()).completeBaseName());

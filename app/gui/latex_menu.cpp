@@ -22,19 +22,18 @@ LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy 
              {},
              tr("Copy one matrix per map, in barycentric coordinates of the triangle")},
             [this, fractal] { copy(&io::latexInvariantForm, fractal(), QStringLiteral("amsmath")); });
-    QAction* figure =
-        add({nullptr,
-             tr("Fi&gure (TikZ)"),
-             {},
-             tr("Copy the cage and its images under the maps, with numbers and fixed points, as "
-                "they are displayed")},
-            [this, fractal] {
-                const auto displayed = [](const document::Fractal& entry) {
-                    const auto baked = document::baked(entry);
-                    return io::tikzFigure(baked ? *baked : entry);
-                };
-                copy(displayed, fractal(), QStringLiteral("tikz"));
-            });
+    QAction* figure = add({nullptr,
+                           tr("Fi&gure (TikZ)"),
+                           {},
+                           tr("Copy the cage and its images under the maps, with numbers and fixed points, "
+                              "as shown on the canvas")},
+                          [this, fractal] {
+                              const auto displayed = [](const document::Fractal& entry) {
+                                  const auto baked = document::baked(entry);
+                                  return io::tikzFigure(baked ? *baked : entry);
+                              };
+                              copy(displayed, fractal(), QStringLiteral("tikz"));
+                          });
     for (QAction* any : {table, matrices})
         disableWhen(any, &document::cageObstacle);
     for (QAction* ofThePlane : {form, figure})

@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-// Copies the entry in hand for a paper or a task sheet.
+// Copies the entry in hand for a paper or a worksheet.
 class LatexMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 

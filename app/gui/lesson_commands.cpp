@@ -84,19 +84,19 @@ LessonCommands::LessonCommands(const MenuContext& context, const LessonParts& pa
 }
 
 void LessonCommands::createActions() {
-    QAction* play = add({"play", tr("&Play Lesson"), {}, tr("Play the lesson on the whole screen")},
-                        [this] { this->play(); });
+    QAction* play =
+        add({"play", tr("&Play Lesson"), {}, tr("Play the lesson in full screen")}, [this] { this->play(); });
     QAction* next = add({nullptr, tr("&Next Step"), QKeySequence(Qt::Key_PageDown),
-                         tr("Show the next step of the lesson that is played")},
+                         tr("Show the next step of the lesson being played")},
                         [this] { m_player->showStep(m_player->step() + 1); });
     QAction* back = add({nullptr, tr("Previous &Step"), QKeySequence(Qt::Key_PageUp),
-                         tr("Show the previous step of the lesson that is played")},
+                         tr("Show the previous step of the lesson being played")},
                         [this] { m_player->showStep(m_player->step() - 1); });
     addSeparator();
-    add({"add", tr("&Add Step"), {}, tr("Add a step to the lesson, with the state of the window now")},
+    add({"add", tr("&Add Step"), {}, tr("Add a step to the lesson, with the current state of the window")},
         [this] { addStep(); });
     QAction* save =
-        add({"save", tr("Save &Lesson…"), {}, tr("Save the lesson beside the file of its fractals")},
+        add({"save", tr("Save &Lesson…"), {}, tr("Save the lesson in the same folder as its fractals")},
             [this] { this->save(); });
     const auto update = [this, play, next, back, save] {
         play->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
@@ -116,7 +116,7 @@ void LessonCommands::connectPanel() {
         document::LessonState state = lessonState(m_parts);
         if (const auto* step = m_notebook->currentStep()) state.panels = step->state.panels;
         m_notebook->setState(state);
-        context().messages->say(tr("The step now has the state of the window."));
+        context().messages->say(tr("The step now has the current state of the window."));
     });
     connect(m_panel, &LessonPanel::showRequested, this, [this] {
         const auto* step = m_notebook->currentStep();
@@ -201,7 +201,7 @@ bool LessonCommands::open(const QString& path) {
     if (!self) return false;
     Reading reading = work.takeResult();
     io::Failure failure = reading.failure;
-    if (!reading.isOrdinary) failure = tr("“%1” is not an ordinary file and cannot be opened.").arg(name);
+    if (!reading.isOrdinary) failure = tr("“%1” is not a regular file and cannot be opened.").arg(name);
     if (failure) {
         context().messages->fail(tr("%1 could not be opened").arg(name), *failure);
         return false;
@@ -228,8 +228,8 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
     auto* box =
         new QMessageBox(QMessageBox::Warning, QApplication::applicationDisplayName(),
                         tr("%1 could not be opened").arg(name) + u'.', QMessageBox::Cancel, m_parts.window);
-    box->setInformativeText(tr("The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps "
-                               "it has been renamed or moved.")
+    box->setInformativeText(tr("The file of its fractals, “%1”, is not in the folder of the lesson. It may "
+                               "have been renamed or moved.")
                                 .arg(lesson.lesson.file));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* find = box->addButton(tr("&Find…"), QMessageBox::AcceptRole);
@@ -242,7 +242,7 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
         if (found.isEmpty() || !self || !adopt({path, found}, QFileInfo(path).fileName(), lesson)) return;
         recent_files::add(path);
         showPanel();
-        context().messages->say(tr("The lesson belongs to %1 now. Save the lesson to keep it so.")
+        context().messages->say(tr("The lesson now refers to %1. Save the lesson to keep this change.")
                                     .arg(QFileInfo(found).fileName()));
     };
     connect(find, &QPushButton::clicked, this, choose, Qt::QueuedConnection); // when the question has gone
@@ -347,8 +347,8 @@ void LessonCommands::addStep() {
     m_notebook->addStep(lessonState(m_parts));
     if (!m_dock) return;
     showPanel();
-    context().messages->say(
-        tr("Step %1 has the state of the window. Write its text.").arg(m_notebook->current() + 1));
+    context().messages->say(tr("Step %1 has the current state of the window. Now write its text.")
+                                .arg(m_notebook->current() + 1));
 }
 
 void LessonCommands::play() {

@@ -65,7 +65,7 @@ void LessonPlayer::play(const document::Lesson& lesson, int from) {
     m_beforeEntry = m_parts.document->currentId();
     m_base = m_parts.document->undoStack()->index();
     m_wasPresentation = m_presentation->isChecked();
-    const auto* bar = m_parts.window->findChild<QToolBar*>(QStringLiteral("arising"));
+    const auto* bar = m_parts.window->findChild<QToolBar*>(QStringLiteral("construction"));
     m_wasConstructionShown = bar && !bar->isHidden();
     if (!m_dock) createCard();
     m_presentation->setChecked(true);
@@ -127,7 +127,8 @@ void LessonPlayer::showPanels(const QStringList& ids) {
 }
 
 void LessonPlayer::showConstructionBar(bool shown) {
-    if (auto* bar = m_parts.window->findChild<QToolBar*>(QStringLiteral("arising"))) bar->setVisible(shown);
+    if (auto* bar = m_parts.window->findChild<QToolBar*>(QStringLiteral("construction")))
+        bar->setVisible(shown);
 }
 
 void LessonPlayer::keepView() {

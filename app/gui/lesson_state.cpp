@@ -106,7 +106,8 @@ QString showFractal(document::Document& document, const LessonState& state) {
     if (!fits) shown = entry;
     if (state.colourBy && document::plane(entry)) shown->appearance.colourBy = *state.colourBy;
     document.editEntry(Text::tr("Show a step of the lesson"), *std::move(shown));
-    return fits ? QString() : Text::tr("The cage of this entry has other corners than in the lesson.");
+    return fits ? QString()
+                : Text::tr("The cage of this entry does not have the same corners as in the lesson.");
 }
 
 void showConstruction(view::Construction& construction, const LessonConstruction& wanted) {

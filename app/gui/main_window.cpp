@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "main_window.h"
 
+#include "action_details.h"
 #include "animation_menu.h"
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
@@ -44,6 +45,7 @@
 #include "stage.h"
 #include "status_connections.h"
 #include "status_line.h"
+#include "stored_layout.h"
 #include "view_menu.h"
 #include "widgets/draggable_names.h"
 #include "widgets/icon.h"
@@ -294,17 +296,18 @@ void MainWindow::childEvent(QChildEvent* event) {
 
 void MainWindow::createConstructionBar() {
     auto* bar = new QToolBar(tr("How It Is Built"), this);
-    bar->setObjectName(QStringLiteral("arising"));
+    bar->setObjectName(QStringLiteral("construction"));
     bar->setMovable(false);
     bar->addWidget(new view::ConstructionBar(m_construction));
     addToolBar(Qt::BottomToolBarArea, bar);
     bar->hide();
     QAction* shown = bar->toggleViewAction();
     shown->setText(tr("&How It Is Built"));
-    shown->setIcon(view::icon(QStringLiteral("arising")));
+    shown->setIcon(view::icon(QStringLiteral("construction")));
     shown->setShortcut(QKeySequence(tr("W")));
     shown->setStatusTip(
         tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
+    shown->setWhatsThis(shown->statusTip() + QStringLiteral(". ") + actionDetails("construction"));
     m_viewMenu->addShared(shown);
     m_viewMenu->addToolBarGroup({shown});
     connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
@@ -491,7 +494,7 @@ void MainWindow::restoreLayout() {
     if (const QWidget* other = QApplication::activeWindow();
         other && other->geometry().topLeft() == geometry().topLeft())
         setGeometry(geometry().translated(cascade, cascade));
-    restoreState(view::stored(QStringLiteral("window/state")).toByteArray());
+    restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 
@@ -503,7 +506,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::present(bool on) {
-    auto* construction = findChild<QToolBar*>(QStringLiteral("arising"));
+    auto* construction = findChild<QToolBar*>(QStringLiteral("construction"));
     const bool isBuilding = !construction->isHidden();
     if (on) {
         m_before = {saveGeometry(), saveState(), isFullScreen()};

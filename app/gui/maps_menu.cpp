@@ -36,7 +36,7 @@ MapsMenu::MapsMenu(const MenuContext& context) : ActionMenu(context, tr("&Maps")
     addArrangement(distribute, Arrangement::DistributeUpwards, tr("&Vertically"),
                    tr("Space the centres of the selected maps evenly from bottom to top"));
     addArrangement(this, Arrangement::FitToCorners, tr("&Fit to Corners"),
-                   tr("Move each selected map until it takes the nearest corner of the cage to itself"));
+                   tr("Move each selected map so that it leaves the nearest corner of the cage fixed"));
     for (ActionMenu* menu : {align, distribute})
         menu->setToolTipsVisible(true);
 }
@@ -86,7 +86,7 @@ void MapsMenu::addLayers() {
     add({"lock",
          tr("Loc&k or Unlock Maps"),
          {},
-         tr("Protect the selected maps against edits, or stop doing so")},
+         tr("Lock the selected maps against editing, or unlock them")},
         [panel] { panel()->toggleLock(); });
     add({"solo", tr("Show Map Al&one"), {}, tr("Show the current map alone, or all of them again")},
         [panel] { panel()->toggleSolo(); });

@@ -127,7 +127,7 @@ io::Failure OpenFile::open(const QString& path) {
     if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(file), m_window))
         return tr("Reading “%1” was cancelled.").arg(file);
     auto [isSpecial, loaded, collection, digest] = result.takeResult();
-    if (isSpecial) return tr("“%1” is not an ordinary file and cannot be opened.").arg(file);
+    if (isSpecial) return tr("“%1” is not a regular file and cannot be opened.").arg(file);
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;

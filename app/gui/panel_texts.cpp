@@ -22,7 +22,7 @@ void explainPanels(const QMainWindow& window) {
                     Text::tr("The fractals in the open file. The canvas shows the one you select here.")},
           {"collection", Text::tr("Ready-made fractals by theme, and your own folders of fractals.")},
           {"maps", Text::tr("The maps of the fractal: its code, one map per row.")},
-          {"links", Text::tr("Which maps the chaos game may apply after which, as a graph and as a matrix.")},
+          {"links", Text::tr("Which map may follow which in the chaos game, as a graph and as a matrix.")},
           {"cage",
            Text::tr("The control cage in numbers: its vertices, their positions at rest, what moving them "
                     "does, and other cages to choose from.")},
@@ -36,13 +36,13 @@ void explainPanels(const QMainWindow& window) {
            Text::tr("States of this fractal that you kept while working on it. Click one to restore it.")},
           {"timeline",
            Text::tr("The animation of this fractal: its motions, and the keys of everything that can move.")},
-          {"collage",
-           Text::tr("A fractal for a picture: the target, how well the fractal agrees with it, and fits.")},
+          {"collage", Text::tr("Find a fractal that looks like a picture: the target, how well the fractal "
+                               "agrees with it, and ways to fit it.")},
           {"exports",
-           Text::tr("Pictures that are drawn one after another in the background, and how far each is.")},
+           Text::tr("Pictures drawn one after another in the background, with the progress of each.")},
           {"lesson",
            Text::tr("A lesson about these fractals: its steps, each with a text and the state of the "
-                    "window, to be played on the whole screen.")},
+                    "window, to be played in full screen.")},
           {"problems",
            Text::tr(
                "Problems found in the file, with line and column. The text in the file is kept unchanged.")}})

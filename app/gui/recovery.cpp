@@ -160,9 +160,9 @@ void Recovery::reportDamaged(QStringList paths) {
     if (paths.isEmpty()) return;
     for (QString& path : paths)
         path = QDir::toNativeSeparators(path);
-    QMessageBox box(
-        QMessageBox::Warning, tr("Unsaved work was found"),
-        tr("The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:"));
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved work was found"),
+                    tr("The unsaved work from the last session is damaged and cannot be recovered. What "
+                       "remains of it is in:"));
     box.setInformativeText(paths.join(u'\n'));
     box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     box.exec();
@@ -188,7 +188,7 @@ QList<document::Abandoned> Recovery::ask() {
                      .arg(abandoned.snapshot.title,
                           abandoned.snapshot.when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was found"),
-                    tr("The last time you used Barycage, it ended before this work was saved:"));
+                    tr("In the last session, Barycage ended before this work was saved:"));
     box.setInformativeText(lines.join(u'\n'));
     QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
     QPushButton* forget = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);

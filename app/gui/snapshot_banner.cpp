@@ -21,7 +21,7 @@ SnapshotBanner::SnapshotBanner(QMainWindow* host, view::SnapshotLook* look, view
     auto* back = new QPushButton(tr("Back to the Fractal"), this);
     back->setWhatsThis(tr("Shows the fractal again. Nothing has changed."));
     auto* restore = new QPushButton(tr("Restore"), this);
-    restore->setWhatsThis(tr("Makes the fractal as it was in this snapshot: one step of the history."));
+    restore->setWhatsThis(tr("Restores the fractal to this snapshot, as one step of the history."));
     for (QPushButton* button : {back, restore})
         button->setFocusPolicy(Qt::TabFocus); // keys go on meaning the canvas
     QBoxLayout* buttons = createButtons();

@@ -37,15 +37,14 @@ SnapshotCommands::SnapshotCommands(const MenuContext& context, view::RenderBridg
 
 void SnapshotCommands::addTo(ActionMenu& menu) {
     m_take = menu.add({"snapshot", tr("Ta&ke Snapshot"), QKeySequence(tr("S")),
-                       tr("Keep the present state of this fractal in the Snapshots panel")},
+                       tr("Keep the current state of this fractal in the Snapshots panel")},
                       [this] {
                           m_look.end(); // the fractal is kept, not what is looked at
                           m_snapshots.take();
                       });
     m_compare = menu.add({"compare", tr("C&ompare with Snapshot"), QKeySequence(tr("Q")),
-                          tr("Show the snapshot that is selected in the Snapshots panel, or the newest one, "
-                             "in place of the fractal; press again, or hold the key and let go, to come "
-                             "back")},
+                          tr("Show the snapshot selected in the Snapshots panel, or the newest one, in place "
+                             "of the fractal; to return, press the key again, or hold it and release it")},
                          [this] {
                              const QKeySequence keys = m_compare->shortcut();
                              m_look.toggle(keys.isEmpty() ? Qt::Key_unknown : keys[0].key());
@@ -70,8 +69,8 @@ void SnapshotCommands::setDock(QDockWidget* dock) {
             dock->show();
             window->resizeDocks({dock}, {stripHeight}, Qt::Vertical);
         } else if (isHidden) {
-            emit m_snapshots.message(
-                tr("Kept as “%1”. View, Panels, Snapshots shows it.").arg(m_snapshots.marked()->name));
+            emit m_snapshots.message(tr("Kept as “%1”. To see it, choose View, Panels, Snapshots.")
+                                         .arg(m_snapshots.marked()->name));
         }
     });
 }

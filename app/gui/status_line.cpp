@@ -85,10 +85,9 @@ StatusLine::StatusLine(QWidget* parent)
           tr("latest changes not yet kept for recovery"),
           tr("A crash would lose your latest changes: keeping them takes longer than two seconds, because "
              "the disk is slow or full or the file is very large. Save what you do not want to lose."))),
-      m_rotation(
-          explained(new QLabel, tr("Rotation of the view"),
-                    tr("How far the view is turned, counter-clockwise; choose View, Rotate View, Reset "
-                       "Rotation to turn it upright again"))),
+      m_rotation(explained(new QLabel, tr("Rotation of the view"),
+                           tr("How far the view is turned, counter-clockwise; choose View, Rotate View, "
+                              "Reset Rotation to return it to upright"))),
       m_verdict(explained(selectable(new QLabel), tr("Existence of an attractor"),
                           tr("Whether the system has an attractor, and its contraction factor"))),
       m_frame(explained(selectable(new QLabel), tr("Picture"),

@@ -45,15 +45,15 @@ constexpr Step steps[] = {
          "two with the check boxes on the left of the table, and see how little of the picture is left. With "
          "a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back."),
      view::MapsModel::Enabled},
-    {"arising", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
+    {"construction", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
      QT_TRANSLATE_NOOP("Tour", "Press Chaos Game, then Play. A single point jumps around, each time by a map "
                                "chosen at random, and leaves a dot where it lands. Make it faster: whatever "
-                               "the dice say, the dots fill the same picture, the attractor.")},
+                               "random numbers come up, the dots fill the same picture, the attractor.")},
     {"appearance", QT_TRANSLATE_NOOP("Tour", "Address"),
-     QT_TRANSLATE_NOOP("Tour",
-                       "The map of the last jump to a point, the map of the jump before it, and so on: these "
-                       "numbers are the address of the point. Choose Colour by: Address. Points whose "
-                       "addresses begin alike are close together, and now they look alike.")},
+     QT_TRANSLATE_NOOP(
+         "Tour", "The map of the last jump to a point, the map of the jump before it, and so on: these "
+                 "numbers are the address of the point. Choose Colour by: Address. Points whose addresses "
+                 "begin with the same numbers are close together, and now they have similar colours.")},
     {"", QT_TRANSLATE_NOOP("Tour", "Barycentric coordinates"),
      QT_TRANSLATE_NOOP(
          "Tour",

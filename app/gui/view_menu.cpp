@@ -51,12 +51,12 @@ void ViewMenu::addRotation() {
     addMenu(menu);
     view::CanvasNavigation& navigation = context().canvas->navigation();
     QAction* left = menu->add({nullptr, tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
-                               tr("Turn what the canvas shows counter-clockwise by 15°")},
+                               tr("Rotate the view counter-clockwise by 15°")},
                               [&navigation] { navigation.rotateBy(rotationStep); });
     QAction* right = menu->add({nullptr, tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
-                                tr("Turn what the canvas shows clockwise by 15°")},
+                                tr("Rotate the view clockwise by 15°")},
                                [&navigation] { navigation.rotateBy(-rotationStep); });
-    QAction* reset = menu->add({nullptr, tr("Re&set Rotation"), {}, tr("Turn the view upright again")},
+    QAction* reset = menu->add({nullptr, tr("Re&set Rotation"), {}, tr("Return the view to upright")},
                                [&navigation] { navigation.resetRotation(); });
     for (QAction* ofThePlane : {left, right, reset})
         disableWhen(ofThePlane, &document::planeObstacle);
@@ -125,9 +125,9 @@ void ViewMenu::addStereo(ActionMenu& menu) {
     };
     menu.addSeparator();
     QAction* sides = toggle(Stereo::SideBySide, tr("Stereo, &Side by Side"),
-                            tr("Show what each eye sees, the left one to the left"));
+                            tr("Show the views of both eyes side by side, the left eye on the left"));
     QAction* glasses = toggle(Stereo::Anaglyph, tr("Stereo, for Red and &Cyan Glasses"),
-                              tr("Show what both eyes see in one picture, in red and cyan"));
+                              tr("Show the views of both eyes in one picture, in red and cyan"));
     connect(sides, &QAction::toggled, glasses, [glasses](bool on) {
         if (on) glasses->setChecked(false);
     });
@@ -193,10 +193,10 @@ void ViewMenu::addSnapping() {
 
 void ViewMenu::addTransformation() {
     view::TransformationView* transformation = context().stage->transformation();
-    m_transformation =
-        addToggle({nullptr, tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
-                   tr("Show another entry beside this one, and paint this one with a picture on it")},
-                  [transformation](bool on) { transformation->setTransformationShown(on); });
+    m_transformation = addToggle(
+        {nullptr, tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
+         tr("Show another entry beside this one, and colour this one by a picture placed on the other")},
+        [transformation](bool on) { transformation->setTransformationShown(on); });
     disableWhen(m_transformation, &document::planeObstacle);
     connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
 }
@@ -218,7 +218,7 @@ void ViewMenu::addCompare() {
     Stage* stage = context().stage;
     const view::ComparePane* pane = stage->compare();
     QAction* compare = addToggle({nullptr, tr("Side &by Side"), QKeySequence(tr("Ctrl+Shift+B")),
-                                  tr("Show another entry beside this one, to compare and to edit both")},
+                                  tr("Show another entry beside this one, to compare and edit both")},
                                  [stage](bool on) { stage->setCompared(on); });
     connect(pane, &view::ComparePane::closeRequested, compare, [compare] { compare->setChecked(false); });
     connect(pane, &view::ComparePane::message, context().messages, &WindowMessages::say);
@@ -230,8 +230,8 @@ void ViewMenu::addScreens(const std::function<void(bool)>& present) {
                   [window = context().window](bool on) {
                       window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
                   });
-    m_presentation =
-        addToggle({nullptr, tr("P&resentation"), QKeySequence(tr("Shift+F11")),
-                   tr("Show only the canvas, on the whole screen, as for a projector; press Esc to return")},
-                  present);
+    m_presentation = addToggle(
+        {nullptr, tr("P&resentation"), QKeySequence(tr("Shift+F11")),
+         tr("Show only the canvas in full screen, for example on a projector; press Esc to return")},
+        present);
 }

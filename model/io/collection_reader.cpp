@@ -153,8 +153,8 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
         0,
         0,
         QCoreApplication::translate(
-            "Text", "This is not a format of fractal programs. Its lists of numbers are read as tables of "
-                    "maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.")
+            "Text", "This is not the format of a fractal program. Its lists of numbers are read as tables of "
+                    "maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.")
             .arg(result.file.entries.size())
             .arg(maps)};
     return result;

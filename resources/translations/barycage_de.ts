@@ -35,7 +35,7 @@
         <translation>Umschalt + Mausrad wählt, wie tief der Zweig liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Zweig, die letzte Abbildung seiner Adresse oder nur diesen Zweig.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
+        <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>Das Bild bleibt, wo es ist: Von nun an wird es am neuen Dreieck gehalten. Die Rücktaste nimmt die letzte Ecke zurück, Esc bricht ab.</translation>
     </message>
     <message>
@@ -47,7 +47,7 @@
         <translation>Die Koeffizienten ändern sich nicht. Soll das Bild bleiben und sollen sich stattdessen die Koeffizienten ändern, hilft Einrechnen.</translation>
     </message>
     <message>
-        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <source>Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest to the current cage. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
         <translation>Jede Abbildung w wird zu T w T⁻¹, wobei T das ist, was der Käfig mit dem Bild macht. Danach ist der Käfig in Ruhe. Ein flacher Käfig oder einer, der das Bild biegt, lässt sich nicht einrechnen.</translation>
     </message>
     <message>
@@ -59,7 +59,7 @@
         <translation>Die Tabelle der Abbildungen zeigt die neuen Zahlen schon während des Ziehens, und danach ist der Käfig wieder in Ruhe.</translation>
     </message>
     <message>
-        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
+        <source>The cage is included if that needs little space. The fractal itself does not change.</source>
         <translation>Der Käfig gehört dazu, wo das wenig Platz kostet. Das Fraktal selbst ändert sich nicht.</translation>
     </message>
     <message>
@@ -71,7 +71,7 @@
         <translation>Nur die Ansicht wird gespiegelt: Koeffizienten und Koordinaten ändern sich nicht.</translation>
     </message>
     <message>
-        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <source>Press the key again to show the cage, handles, grid, axes and outlines.</source>
         <translation>Käfig, Griffe, Gitter, Achsen und Umrisse kehren zurück, wenn Sie die Taste noch einmal drücken.</translation>
     </message>
     <message>
@@ -79,7 +79,7 @@
         <translation>Unter der Zeichenfläche erscheint eine Leiste: Wählen Sie die Zahl der Schritte, oder lassen Sie das Chaosspiel Punkt für Punkt in beliebigem Tempo laufen.</translation>
     </message>
     <message>
-        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <source>As a placement, it leaves the coefficients unchanged; as code, it replaces them by those of the transformed fractal. The canvas shows the result before you accept it.</source>
         <translation>Als Lage bleiben die Koeffizienten; als Code werden sie zu denen des transformierten Fraktals. Die Zeichenfläche zeigt das Ergebnis, bevor Sie es annehmen.</translation>
     </message>
     <message>
@@ -95,7 +95,7 @@
         <translation>Wenn eine Tabelle ihre Spalten nicht benennt, werden Sie nach deren Reihenfolge gefragt. Im Bereich Abbildungen fügt Einfügen die kopierten Abbildungen oder Zeilen von Zahlen zum Fraktal hinzu.</translation>
     </message>
     <message>
-        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
         <translation>Es gilt, was den Fokus hat: Die Tabelle der Abbildungen und die Leinwand mit dem Werkzeug Abbildungen verschieben Abbildungen, die Liste der Einträge Einträge.</translation>
     </message>
     <message>
@@ -103,11 +103,11 @@
         <translation>Abbildungen werden mit ihren Namen und als Zeilen von Zahlen kopiert, Einträge als .ifs-Text, den andere Programme lesen können.</translation>
     </message>
     <message>
-        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <source>A locked map cannot be edited in the table, dragged, nudged, arranged, fitted or deleted. Changes to the whole fractal, such as a cage that rewrites the code, also change its locked maps.</source>
         <translation>Eine gesperrte Abbildung lässt sich nicht überschreiben, ziehen, schieben, anordnen, anpassen oder löschen. Was das ganze Fraktal ändert, etwa ein Käfig, der den Code umschreibt, ändert auch seine gesperrten Abbildungen.</translation>
     </message>
     <message>
-        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Nur der Teil des Attraktors, den die Abbildung erzeugt, wird gezeichnet. Die Datei ändert sich nicht, und ein anderer Eintrag erscheint wieder ganz.</translation>
     </message>
 </context>
@@ -213,7 +213,7 @@
         <translation>nicht bekannt: der Fehler wäre größer</translation>
     </message>
     <message>
-        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
         <translation>Eine kompakte Menge, zu der jede kompakte Ausgangsmenge Schritt für Schritt führt. Ein System hat genau dann eine, wenn seine Abbildungen in einer Norm kontrahieren.</translation>
     </message>
     <message>
@@ -261,7 +261,7 @@
         <translation>zusammenhängend</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>zusammenhängend, soweit die Rundung es erkennen lässt</translation>
     </message>
     <message>
@@ -289,7 +289,7 @@
         <translation>Entropie</translation>
     </message>
     <message>
-        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
         <translation>−Σ pᵢ ln pᵢ: wie viel ein Schritt des Chaosspiels offenlässt, in Nat.</translation>
     </message>
     <message>
@@ -305,15 +305,15 @@
         <translation>Dimension des Maßes</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropie geteilt durch den negativen Ljapunow-Exponenten, höchstens 2: die Dimension des invarianten Maßes unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
     </message>
     <message>
-        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Die Zahl D mit Σ sᵢᴰ = 1, wobei sᵢ die Verhältnisse der Abbildungen sind, wenn alle in geeigneten Koordinaten Ähnlichkeiten sind. Sie ist die Dimension des Attraktors unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is most stable. This is an estimate: the uncertainty is the difference between parts of that range, not a proven bound.</source>
         <translation>Steigung der Ausgleichsgeraden von ln N über ln 1/ε, wobei N die Anzahl der Kästchen der Seite ε ist, die den Attraktor treffen, über die Größen, bei denen sie am gleichmäßigsten ist. Es ist eine Schätzung; die Unsicherheit folgt daraus, wie sich Teile dieses Bereichs unterscheiden, und ist kein Beweis.</translation>
     </message>
     <message>
@@ -321,15 +321,15 @@
         <translation>Mittelwert des invarianten Maßes, ohne Stichproben berechnet: der Schwerpunkt des Bildes.</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. A uniform mass on the ellipse has the same mean and covariance.</source>
         <translation>Kovarianz xx, xy, yy des invarianten Maßes, ohne Stichproben berechnet: wie weit sich das Bild ausbreitet. Eine gleichmäßige Masse, die die Ellipse füllt, hat denselben Mittelwert und dieselbe Kovarianz.</translation>
     </message>
     <message>
-        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Each side is off by at most the error.</source>
         <translation>Das kleinste achsenparallele Rechteck, das den Attraktor enthält; zertifiziert. Seine Seiten weichen höchstens um den Fehler ab.</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>Das kleinste gleichschenklig-rechtwinklige Dreieck mit achsenparallelen Katheten, das den Attraktor enthält; zertifiziert. Die Vorzeichen geben die Richtungen seiner Katheten an. Bei einem einzelnen Punkt ist die Kathete 1.</translation>
     </message>
     <message>
@@ -357,7 +357,7 @@
         <translation>Ja: Je %1 Abbildungen hintereinander kontrahieren, mit einem Faktor von höchstens %2 je Abbildung.</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropie geteilt durch das Negative des Ljapunow-Exponenten, höchstens 3: die Dimension des invarianten Maßes unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
     </message>
     <message>
@@ -382,7 +382,7 @@
         <translation>Der Attraktor reicht höchstens so weit über den Quader hinaus; bewiesen.</translation>
     </message>
     <message>
-        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>Das kleinste Tetraeder mit drei gleich langen, achsenparallelen Schenkeln, das den Attraktor enthält; zertifiziert. Die Vorzeichen geben die Richtungen der Schenkel an. Bei einem einzelnen Punkt ist der Schenkel 1.</translation>
     </message>
     <message>
@@ -398,7 +398,7 @@
         <translation>Der Attraktor reicht höchstens so weit über das Polyeder hinaus; bewiesen.</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(soweit die Rundung es erkennen lässt)</translation>
     </message>
     <message>
@@ -422,7 +422,7 @@
         <translation>Moran-Gleichung</translation>
     </message>
     <message>
-        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 mit den Verhältnissen dieser Abbildungen, gleiche zusammengefasst. Ihre Lösung ist die Ähnlichkeitsdimension.</translation>
     </message>
 </context>
@@ -523,7 +523,7 @@
 <context>
     <name>ClusterJob</name>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
     </message>
 </context>
@@ -654,7 +654,7 @@
         <translation>Pflanzen im Raum</translation>
     </message>
     <message>
-        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <source>Fronds and trees with branches all around the stem.</source>
         <translation>Wedel und Bäume, deren Äste rings um den Stamm stehen.</translation>
     </message>
     <message>
@@ -686,7 +686,7 @@
         <translation>Verknüpfte Abbildungen</translation>
     </message>
     <message>
-        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
         <translation>Abbildungen, die nur auf manche folgen dürfen: Penrose-Kacheln, Ränder und Chaosspiele mit Regeln.</translation>
     </message>
     <message>
@@ -694,7 +694,7 @@
         <translation>Fraktale Transformationen</translation>
     </message>
     <message>
-        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Fraktale in den Farben eines Bildes auf einem anderen; ein Doppelklick öffnet beide nebeneinander.</translation>
     </message>
 </context>
@@ -725,18 +725,18 @@
         <translation>Der Käfig von „%1“ kann nicht in die Abbildungen eingerechnet werden; deshalb ist kein Abflachen möglich.</translation>
     </message>
     <message>
-        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
         <translation>Die Abbildungen von „%1“ sind verknüpft, was Abbildungen im Raum nicht sein können.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>Abbildung %1 von „%2“ ändert die Richtung; die Projektion ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
     </message>
 </context>
 <context>
     <name>Enqueue</name>
     <message>
-        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
         <translation>Der Name „%1“ passt nicht zum gewählten Format. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -766,18 +766,18 @@
         <translation>Es ist kein Export dieses Programms.</translation>
     </message>
     <message>
-        <source>Its settings are not ones of this version.</source>
+        <source>Its settings are not supported by this version.</source>
         <translation>Seine Einstellungen gibt es in dieser Version nicht.</translation>
     </message>
     <message>
-        <source>The file that it names does not fit its format.</source>
+        <source>Its file name does not match its format.</source>
         <translation>Die Datei, die er nennt, passt nicht zu seinem Format.</translation>
     </message>
 </context>
 <context>
     <name>Exports</name>
     <message numerus="yes">
-        <source>%n exports from last time are in the queue.</source>
+        <source>%n exports from the last session are in the queue.</source>
         <translation>
             <numerusform>%n Export vom letzten Mal ist in der Warteschlange.</numerusform>
             <numerusform>%n Exporte vom letzten Mal sind in der Warteschlange.</numerusform>
@@ -795,7 +795,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <source>They will continue the next time you start Barycage. Close it now?</source>
         <translation>
             <numerusform>Er läuft weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
             <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
@@ -855,7 +855,7 @@
         <translation>Einen Schritt der Lektion zeigen</translation>
     </message>
     <message>
-        <source>The cage of this entry has other corners than in the lesson.</source>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
         <translation>Der Käfig dieses Eintrags hat andere Ecken als in der Lektion.</translation>
     </message>
 </context>
@@ -1091,7 +1091,7 @@
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged, byte for byte</source>
         <translation>Die Datei speichern; unbearbeitete Einträge behalten jedes Byte</translation>
     </message>
     <message>
@@ -1295,7 +1295,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Write the placement into the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, and the coefficients change</source>
         <translation>Die Lage in den Code einrechnen: Das Bild bleibt, die Koeffizienten ändern sich</translation>
     </message>
     <message>
@@ -1303,7 +1303,7 @@
         <translation>&amp;Herausrechnen</translation>
     </message>
     <message>
-        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, and the code is rewritten for the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Die Lage aus dem Code herausrechnen: Das Bild bleibt, der Code wird der des Dreiecks (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -1643,7 +1643,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
+        <source>Show only the canvas in full screen, for example on a projector; press Esc to return</source>
         <translation>Der Zeichenfläche den ganzen Bildschirm überlassen, etwa für einen Projektor; Esc bringt das Übrige zurück</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@
         <translation>An die &amp;Ecken setzen</translation>
     </message>
     <message>
-        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <source>Move each selected map so that it leaves the nearest corner of the cage fixed</source>
         <translation>Jede gewählte Abbildung verschieben, bis sie die nächste Ecke des Käfigs auf sich selbst abbildet</translation>
     </message>
     <message>
@@ -1843,7 +1843,7 @@
         <translation>„%1“ wurde gelöscht, umbenannt oder verschoben, seit Sie es geöffnet haben.</translation>
     </message>
     <message>
-        <source>Saving creates it again at its old place.</source>
+        <source>Saving creates it again in its old location.</source>
         <translation>Speichern legt es am alten Ort wieder an.</translation>
     </message>
     <message>
@@ -1867,7 +1867,7 @@
         <translation>In die Ebene drücken</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh for 3D printing</source>
         <translation>Exportiert das Bild als PNG, SVG oder PDF im Ausschnitt des Bildschirms; einen Körper auch zum Drucken</translation>
     </message>
     <message>
@@ -1991,7 +1991,7 @@
         <translation>Ctrl+Shift+T</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <source>Show another entry beside this one, and colour this one by a picture placed on the other</source>
         <translation>Einen anderen Eintrag daneben zeigen und diesen mit einem Bild darauf färben</translation>
     </message>
     <message>
@@ -2003,7 +2003,7 @@
         <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
-        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <source>Export the animation as a video, an animated image or frames, on this computer or on a cluster</source>
         <translation>Die Animation als Video, bewegtes Bild oder Einzelbilder exportieren, hier oder auf einem Cluster</translation>
     </message>
     <message>
@@ -2023,7 +2023,7 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
         <translation>Ein Fraktal zu einem Bild: das Ziel, wie gut das Fraktal mit ihm übereinstimmt, und Anpassungen.</translation>
     </message>
     <message>
@@ -2035,11 +2035,11 @@
         <translation>Den Körper auch von oben, von vorne und von rechts zeigen</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Legt das Kontrolldreieck mit drei Klicks fest, im Raum das Tetraeder mit vier</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
         <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Graph und als Matrix.</translation>
     </message>
     <message>
@@ -2071,7 +2071,7 @@
         <translation>Stereo, &amp;nebeneinander</translation>
     </message>
     <message>
-        <source>Show what each eye sees, the left one to the left</source>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
         <translation>Zeigt, was jedes Auge sieht, das linke links</translation>
     </message>
     <message>
@@ -2079,7 +2079,7 @@
         <translation>Stereo, für Rot-&amp;Cyan-Brillen</translation>
     </message>
     <message>
-        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
     </message>
     <message>
@@ -2159,7 +2159,7 @@
         <translation>Lektion &amp;abspielen</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen</source>
+        <source>Play the lesson in full screen</source>
         <translation>Die Lektion auf dem ganzen Bildschirm abspielen</translation>
     </message>
     <message>
@@ -2167,7 +2167,7 @@
         <translation>&amp;Nächster Schritt</translation>
     </message>
     <message>
-        <source>Show the next step of the lesson that is played</source>
+        <source>Show the next step of the lesson being played</source>
         <translation>Den nächsten Schritt der Lektion zeigen, die läuft</translation>
     </message>
     <message>
@@ -2175,7 +2175,7 @@
         <translation>&amp;Voriger Schritt</translation>
     </message>
     <message>
-        <source>Show the previous step of the lesson that is played</source>
+        <source>Show the previous step of the lesson being played</source>
         <translation>Den vorigen Schritt der Lektion zeigen, die läuft</translation>
     </message>
     <message>
@@ -2183,7 +2183,7 @@
         <translation>Schritt &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>Add a step to the lesson, with the state of the window now</source>
+        <source>Add a step to the lesson, with the current state of the window</source>
         <translation>Der Lektion einen Schritt mit dem jetzigen Zustand des Fensters hinzufügen</translation>
     </message>
     <message>
@@ -2191,11 +2191,11 @@
         <translation>Lektion &amp;speichern…</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
     </message>
     <message>
-        <source>The step now has the state of the window.</source>
+        <source>The step now has the current state of the window.</source>
         <translation>Der Schritt hat nun den Zustand des Fensters.</translation>
     </message>
     <message>
@@ -2207,7 +2207,7 @@
         <translation>Die Lektion nennt keine Datei mit Fraktalen in ihrem Ordner („file: name.ifs“).</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
     </message>
     <message>
@@ -2247,7 +2247,7 @@
         <translation>Die Fraktale haben ungespeicherte Änderungen.</translation>
     </message>
     <message>
-        <source>Step %1 has the state of the window. Write its text.</source>
+        <source>Step %1 has the current state of the window. Now write its text.</source>
         <translation>Schritt %1 hat den Zustand des Fensters. Schreiben Sie seinen Text.</translation>
     </message>
     <message>
@@ -2279,7 +2279,7 @@
         <translation>Abbildungen sperren oder &amp;freigeben</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits, or stop doing so</source>
+        <source>Lock the selected maps against editing, or unlock them</source>
         <translation>Die gewählten Abbildungen vor Änderungen schützen oder wieder freigeben</translation>
     </message>
     <message>
@@ -2295,11 +2295,11 @@
         <translation>Zustände dieses Fraktals, die Sie beim Arbeiten festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen.</translation>
     </message>
     <message>
-        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
         <translation>Bilder, die nacheinander im Hintergrund gezeichnet werden, und wie weit jedes ist.</translation>
     </message>
     <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
         <translation>Eine Lektion über diese Fraktale: ihre Schritte, jeder mit einem Text und dem Zustand des Fensters, auf dem ganzen Bildschirm abzuspielen.</translation>
     </message>
     <message>
@@ -2339,11 +2339,11 @@
         <translation>Die Ansicht „%1“ speichern</translation>
     </message>
     <message>
-        <source>Print &amp;Hand-out…</source>
+        <source>Print &amp;Handout…</source>
         <translation>&amp;Handout drucken…</translation>
     </message>
     <message>
-        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet</source>
         <translation>Einträge für den Unterricht drucken: Bilder mit Käfig, Abbildungen und Formeln, oder ein leeres Aufgabenblatt</translation>
     </message>
     <message>
@@ -2379,7 +2379,7 @@
         <translation>Fi&amp;gur (TikZ)</translation>
     </message>
     <message>
-        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as shown on the canvas</source>
         <translation>Den Käfig und seine Bilder unter den Abbildungen mit Nummern und Fixpunkten kopieren, wie sie zu sehen sind</translation>
     </message>
     <message>
@@ -2415,7 +2415,7 @@
         <translation>Ctrl+[</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <source>Rotate the view counter-clockwise by 15°</source>
         <translation>Den Inhalt der Zeichenfläche um 15° gegen den Uhrzeigersinn drehen</translation>
     </message>
     <message>
@@ -2427,7 +2427,7 @@
         <translation>Ctrl+]</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows clockwise by 15°</source>
+        <source>Rotate the view clockwise by 15°</source>
         <translation>Den Inhalt der Zeichenfläche um 15° im Uhrzeigersinn drehen</translation>
     </message>
     <message>
@@ -2435,7 +2435,7 @@
         <translation>Drehung &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>Turn the view upright again</source>
+        <source>Return the view to upright</source>
         <translation>Die Ansicht wieder aufrichten</translation>
     </message>
     <message>
@@ -2447,7 +2447,7 @@
         <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, to compare and to edit both</source>
+        <source>Show another entry beside this one, to compare and edit both</source>
         <translation>Einen anderen Eintrag daneben zeigen, um beide zu vergleichen und zu bearbeiten</translation>
     </message>
     <message>
@@ -2455,7 +2455,7 @@
         <translation>Kopiert.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
         <translation>Die Datei mit ihren Fraktalen, „%1“, ist nicht im Ordner der Lektion. Vielleicht wurde sie umbenannt oder verschoben.</translation>
     </message>
     <message>
@@ -2471,7 +2471,7 @@
         <translation>Fractint-Sammlungen (*.ifs *.par)</translation>
     </message>
     <message>
-        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <source>The lesson now refers to %1. Save the lesson to keep this change.</source>
         <translation>Die Lektion gehört jetzt zu %1. Speichern Sie die Lektion, damit es so bleibt.</translation>
     </message>
     <message>
@@ -2553,7 +2553,7 @@
         <translation>Das Speichern von „%1“ wurde abgebrochen. Die Datei ist, wie sie war.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
     </message>
     <message>
@@ -2779,7 +2779,7 @@
         <translation>Das Bild kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>the WebP encoder has not enough memory.</source>
+        <source>the WebP encoder does not have enough memory.</source>
         <translation>der WebP-Kodierer hat nicht genug Speicher.</translation>
     </message>
 </context>
@@ -2798,7 +2798,7 @@
         <translation>Die Datei ist kein PNG-Bild, oder sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
         <translation>Das Bild trägt zu viel Text: Die Grenze liegt bei insgesamt 40 MB.</translation>
     </message>
     <message>
@@ -2840,7 +2840,7 @@
         <translation>Nicht gespeicherte Arbeit wurde gefunden</translation>
     </message>
     <message>
-        <source>The last time you used Barycage, it ended before this work was saved:</source>
+        <source>In the last session, Barycage ended before this work was saved:</source>
         <translation>Barycage endete letztes Mal, bevor diese Arbeit gespeichert war:</translation>
     </message>
     <message>
@@ -2860,7 +2860,7 @@
         <translation>Nicht gespeicherte Arbeit kann nicht zur Wiederherstellung aufbewahrt werden: In den Ordner „%1“ kann nicht geschrieben werden, oder der Datenträger ist voll. Speichern Sie oft.</translation>
     </message>
     <message>
-        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
+        <source>The unsaved work from the last session is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>Nicht gespeicherte Arbeit vom letzten Mal ist beschädigt und lässt sich nicht wiederherstellen. Was davon übrig ist, liegt in:</translation>
     </message>
     <message>
@@ -2898,7 +2898,7 @@
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <source>Restores the fractal to this snapshot, as one step of the history.</source>
         <translation>Macht das Fraktal so, wie es in diesem Schnappschuss war: ein Schritt im Verlauf.</translation>
     </message>
     <message>
@@ -2921,7 +2921,7 @@
         <translation>S</translation>
     </message>
     <message>
-        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <source>Keep the current state of this fractal in the Snapshots panel</source>
         <translation>Den jetzigen Zustand dieses Fraktals im Feld „Schnappschüsse“ festhalten</translation>
     </message>
     <message>
@@ -2933,11 +2933,11 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <source>Kept as “%1”. To see it, choose View, Panels, Snapshots.</source>
         <translation>Als „%1“ festgehalten. „Ansicht“, „Felder“, „Schnappschüsse“ zeigt ihn.</translation>
     </message>
     <message>
-        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Anstelle des Fraktals den Schnappschuss zeigen, der im Feld „Schnappschüsse“ ausgewählt ist, oder den neuesten; drücken Sie noch einmal, oder halten Sie die Taste und lassen los, um zurückzukehren</translation>
     </message>
 </context>
@@ -3130,7 +3130,7 @@
         <translation>Drehung der Ansicht</translation>
     </message>
     <message>
-        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to return it to upright</source>
         <translation>Wie weit die Ansicht gegen den Uhrzeigersinn gedreht ist; Ansicht, Ansicht drehen, Drehung zurücksetzen richtet sie wieder auf</translation>
     </message>
     <message>
@@ -3171,7 +3171,7 @@
 <context>
     <name>TaskFolder</name>
     <message>
-        <source>It is not an ordinary file.</source>
+        <source>It is not a regular file.</source>
         <translation>Es ist keine gewöhnliche Datei.</translation>
     </message>
     <message>
@@ -3183,14 +3183,14 @@
         <translation>Er kann nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
         <translation>Ein Export vom letzten Mal wurde übergangen. %1 Seine beschädigte Datei wurde in %2 umbenannt.</translation>
     </message>
 </context>
 <context>
     <name>TaskJob</name>
     <message>
-        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
         <translation>Seit Sie diesen Export hinzugefügt haben, ist eine Datei „%1“ entstanden. „Erneut versuchen“ ersetzt sie.</translation>
     </message>
     <message>
@@ -3597,7 +3597,7 @@
         <translation>„%1“ ist ein Ordner. Wählen Sie einen Dateinamen.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
+        <source>“%1” is not a regular file and will not be replaced. Choose another name.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und wird nicht ersetzt. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -3649,7 +3649,7 @@
         <translation>Nur Systeme der Ebene können als Vektorgrafik geschrieben werden.</translation>
     </message>
     <message>
-        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to copy.</source>
         <translation>Das System hat keinen Attraktor, dessen Umriss bewiesen werden könnte; es gibt nichts zu kopieren.</translation>
     </message>
     <message>
@@ -3912,7 +3912,7 @@
         <translation>zusammenhängend</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>zusammenhängend, soweit die Rundung es erkennen lässt</translation>
     </message>
     <message>
@@ -4112,7 +4112,7 @@
         <translation>%1 Bilder, %2 pro Sekunde, %3; %4 Spuren, %5 Bewegungen</translation>
     </message>
     <message>
-        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
         <translation>Dies ist kein Format von Fraktalprogrammen. Seine Zahlenlisten werden als Tabellen von Abbildungen gelesen (Systeme: %1, Abbildungen: %2), in der Reihenfolge a b c d e f, wo Namen keine andere angeben.</translation>
     </message>
     <message>
@@ -4184,7 +4184,7 @@
         <translation>Die Oberfläche von „%1“ ist nicht geschlossen und wurde deshalb nicht geschrieben.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
         <translation>„%1“ ist zu klein für seinen Abstand vom Ursprung: Die Zahlen der Datei können seine Punkte nicht unterscheiden. Verschieben Sie es zum Ursprung.</translation>
     </message>
     <message>
@@ -4228,7 +4228,7 @@
         <translation>„%1“ wurde von einer anderen Version des Programms geschrieben, die andere Pixel zeichnen kann.</translation>
     </message>
     <message>
-        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is present. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>Das Bild ist nicht vollständig: %1 % sind vorhanden. Fügen Sie die Dateien der anderen Teile hinzu, oder schreiben Sie eine .sum-Datei.</translation>
     </message>
     <message>
@@ -4296,11 +4296,11 @@
         <translation>Zwischen diesen Einträgen gibt es keine fraktale Transformation.</translation>
     </message>
     <message>
-        <source>“%1” is not a system of the plane.</source>
+        <source>“%1” is not a system in the plane.</source>
         <translation>„%1“ ist kein System der Ebene.</translation>
     </message>
     <message>
-        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <source>The cage of “%1” is flat or bends the picture. Bake or reset it first.</source>
         <translation>Der Käfig von „%1“ ist flach oder verbiegt das Bild. Schreiben Sie ihn zuerst in den Code, oder setzen Sie ihn zurück.</translation>
     </message>
     <message>
@@ -4308,7 +4308,7 @@
         <translation>„%1“ hat keine aktive Abbildung, also gibt es nichts zu zeichnen.</translation>
     </message>
     <message>
-        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <source>No attractor could be proved for “%1”, so its points have no addresses.</source>
         <translation>„%1“ hat keinen nachweisbaren Attraktor, also haben seine Punkte keine Adressen.</translation>
     </message>
     <message>
@@ -4316,7 +4316,7 @@
         <translation>Die gespeicherte Reihenfolge nennt nicht jede aktive Abbildung von „%1“ genau einmal.</translation>
     </message>
     <message>
-        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
         <translation>„%1“ hat %2 aktive Abbildungen, „%3“ hat %4. Beide brauchen gleich viele.</translation>
     </message>
     <message>
@@ -4368,7 +4368,7 @@
         <translation>Die Verknüpfungen von Abbildung %1 sind ungültig, daher werden keine angewandt: Eine Zeile von Verknüpfungen hat für jede Abbildung eine Zahl ab 0.</translation>
     </message>
     <message>
-        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <source>With these links every sequence of maps ends, so no map is active.</source>
         <translation>Durch die Verknüpfungen endet jede Folge von Abbildungen; daher ist keine Abbildung aktiv.</translation>
     </message>
     <message>
@@ -4416,7 +4416,7 @@
         <translation>%1 Seitenflächen</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(soweit die Rundung es erkennen lässt)</translation>
     </message>
     <message>
@@ -4432,7 +4432,7 @@
         <translation>Symmetrie</translation>
     </message>
     <message>
-        <source>takes no part: after it, the chaos game comes to an end</source>
+        <source>takes no part: after it, the chaos game ends</source>
         <translation>nimmt nicht teil: nach ihr endet das Chaosspiel</translation>
     </message>
     <message>
@@ -4440,7 +4440,7 @@
         <translation>nimmt nicht teil: keine Abbildung führt zu ihr</translation>
     </message>
     <message>
-        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <source>takes no part: the chaos game leaves it and never returns</source>
         <translation>nimmt nicht teil: das Chaosspiel verlässt sie und kehrt nie zurück</translation>
     </message>
     <message>
@@ -4452,7 +4452,7 @@
         <translation>verknüpfte Abbildungen</translation>
     </message>
     <message>
-        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not computed for linked maps</source>
         <translation>Trennung, Zusammenhang, gemeinsamer Spektralradius und periodische Adressen werden für verknüpfte Abbildungen nicht bestimmt</translation>
     </message>
     <message>
@@ -4555,7 +4555,7 @@
         <translation>Chaos-Spiel</translation>
     </message>
     <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
         <translation>Drücken Sie „Chaos-Spiel“ und dann „Abspielen“. Ein einzelner Punkt springt umher, jedes Mal nach einer zufällig gewählten Abbildung, und hinterlässt einen Fleck, wo er landet. Lassen Sie es schneller laufen: Was auch immer die Würfel sagen, die Flecken füllen dasselbe Bild, den Attraktor.</translation>
     </message>
     <message>
@@ -4563,7 +4563,7 @@
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
         <translation>Die Abbildung des letzten Sprungs zu einem Punkt, die des Sprungs davor, und so weiter: Diese Zahlen sind die Adresse des Punktes. Wählen Sie „Färben nach: Adresse“. Punkte, deren Adressen gleich beginnen, liegen nah beieinander, und nun sehen sie auch ähnlich aus.</translation>
     </message>
     <message>
@@ -4641,7 +4641,7 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
         <translation>Im Ordner für temporäre Dateien ist kein Platz für die Einzelbilder: %1.</translation>
     </message>
     <message>
@@ -4657,11 +4657,11 @@
         <translation>Für ein Einzelbild des Videos reicht der Speicher nicht.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be made.</source>
+        <source>The palette of the GIF cannot be created.</source>
         <translation>Die Palette des GIF kann nicht erstellt werden.</translation>
     </message>
     <message>
-        <source>A frame of the GIF cannot be made.</source>
+        <source>A frame of the GIF cannot be created.</source>
         <translation>Ein Einzelbild des GIF kann nicht erstellt werden.</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@
         <translation>Dieses Format zeigt höchstens %1 Bilder pro Sekunde. Wählen Sie eine niedrigere Rate.</translation>
     </message>
     <message>
-        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Dieses Barycage wurde ohne die Bibliotheken von FFmpeg gebaut und schreibt keine Videos. Schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
     </message>
     <message>
@@ -4908,7 +4908,7 @@
         <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen.</translation>
     </message>
     <message>
-        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
         <translation>Die Verknüpfungen von „%1“ lassen jede Folge von Abbildungen enden, also gibt es nichts, was einfache Abbildungen zeichnen könnten.</translation>
     </message>
     <message>
@@ -5065,7 +5065,7 @@
         <translation>Affin invariante Form</translation>
     </message>
     <message>
-        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle to a part of itself.</source>
         <translation>Zeile j einer Matrix enthält die baryzentrischen Koordinaten des Bildes der Ecke j im Dreieck; jede Zeile hat also die Summe 1. Die Matrizen ändern sich nicht, wenn das Dreieck gezogen wird. Wo kein Eintrag negativ ist, führt die Abbildung das Dreieck in sich über.</translation>
     </message>
     <message>
@@ -5228,7 +5228,7 @@
         <translation>WebM: für Webseiten, mit Transparenz</translation>
     </message>
     <message>
-        <source>MKV: without loss, for editing</source>
+        <source>MKV: lossless, for editing</source>
         <translation>MKV: verlustfrei, zum Bearbeiten</translation>
     </message>
     <message>
@@ -5236,11 +5236,11 @@
         <translation>GIF: 256 Farben</translation>
     </message>
     <message>
-        <source>WebP: a moving picture without loss</source>
+        <source>WebP: a lossless animated image</source>
         <translation>WebP: bewegtes Bild ohne Verlust</translation>
     </message>
     <message>
-        <source>APNG: a moving picture without loss</source>
+        <source>APNG: a lossless animated image</source>
         <translation>APNG: bewegtes Bild ohne Verlust</translation>
     </message>
     <message>
@@ -5248,7 +5248,7 @@
         <translation>PNG: ein Bild für jeden Zeitpunkt</translation>
     </message>
     <message>
-        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <source>A video, an animated image for web pages and messages, or one picture for each frame. All of them contain the animation, so Barycage can open them again.</source>
         <translation>Ein Video, ein bewegtes Bild für Seiten und Nachrichten oder ein Bild für jeden Zeitpunkt. Alle enthalten die Animation, und Barycage öffnet sie wieder.</translation>
     </message>
     <message>
@@ -5268,7 +5268,7 @@
         <translation>Die ganze Animation</translation>
     </message>
     <message>
-        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <source>What the frames show where the camera has no keys: the view on the canvas, or everything that becomes visible, with a small margin.</source>
         <translation>Was die Bilder zeigen, wenn kein Schlüssel der Kamera es festlegt: was die Zeichenfläche zeigt, oder alles, was ins Bild kommt, mit kleinem Rand.</translation>
     </message>
     <message>
@@ -5372,11 +5372,11 @@
         <translation>Gleitend: ohne Flackern</translation>
     </message>
     <message>
-        <source>Fixed: that of frame 0</source>
+        <source>Fixed: as in frame 0</source>
         <translation>Fest: die von Bild 0</translation>
     </message>
     <message>
-        <source>Each: by itself</source>
+        <source>Each: frame by frame</source>
         <translation>Einzeln: jedes für sich</translation>
     </message>
     <message>
@@ -5392,7 +5392,7 @@
         <translation>Aufgaben auf einem Cluster</translation>
     </message>
     <message>
-        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <source>How many cluster tasks share the frames when you choose On a Cluster.</source>
         <translation>Auf wie viele Aufgaben eines Clusters die Bilder verteilt werden, wenn Sie „Auf einem Cluster“ wählen.</translation>
     </message>
     <message>
@@ -5420,7 +5420,7 @@
         <translation>&amp;Exportieren…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Fragt nach einem Dateinamen und schreibt die Animation. Sie können währenddessen weiterarbeiten: Exportiert wird die Animation, wie sie beim Öffnen dieses Dialogs war.</translation>
     </message>
     <message>
@@ -5428,7 +5428,7 @@
         <translation>Auf einem &amp;Cluster …</translation>
     </message>
     <message>
-        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Schreibt einen Ordner mit der Animation und mit Skripten, die sie auf einem Slurm-Cluster zeichnen, und reicht ihn ein, wo sbatch gefunden wird.</translation>
     </message>
     <message numerus="yes">
@@ -5495,7 +5495,7 @@
         <translation>Abgebrochen; der Ordner ist vielleicht unvollständig.</translation>
     </message>
     <message>
-        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <source>The job is in %1. sbatch was not found on this computer: run submit.sh in this folder on the cluster.</source>
         <translation>Der Auftrag ist in %1. Hier gibt es kein sbatch: Führen Sie submit.sh in diesem Ordner auf dem Cluster aus.</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@
         <translation>Weitere Paletten…</translation>
     </message>
     <message>
-        <source>Browse hundreds of palettes, turn and shift them</source>
+        <source>Browse hundreds of palettes, change their hue and shift them</source>
         <translation>Hunderte Paletten durchsehen, drehen und verschieben</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@
         <translation>Bei 1 bestimmt das Gamma nur, wie stark eine Farbe erscheint, und die Farbe behält ihren Farbton. Bei 0 wirkt das Gamma auch auf Rot, Grün und Blau, und die Farben sind blasser. Flames haben dieselbe Einstellung.</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps applied, as in flames. The position of each map on the palette, and its speed, are in the Maps panel.</source>
         <translation>Was die Farbe eines Punktes sagt: wie viele Punkte dorthin fallen, welche Abbildung zuletzt kam, die ganze Adresse oder die Mischung der Farben aller Abbildungen auf dem Weg, wie bei Flames. Das Bedienfeld „Abbildungen“ hat den Platz jeder Abbildung auf der Palette und ihr Tempo.</translation>
     </message>
     <message>
@@ -5698,11 +5698,11 @@
         <translation>Mischung der Abbildungen</translation>
     </message>
     <message>
-        <source>As in flames: each map draws colours to its place on the palette</source>
+        <source>As in flames: each map moves colours towards its position on the palette</source>
         <translation>Wie bei Flames: jede Abbildung zieht Farben zu ihrem Platz auf der Palette</translation>
     </message>
     <message>
-        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Die Farben von den dünnsten zu den dichtesten Teilen, die Adressen entlang oder entlang der Plätze, zwischen denen die Abbildungen mischen.</translation>
     </message>
 </context>
@@ -5720,7 +5720,7 @@
         <translation>Diagramm der Kästchenzählung</translation>
     </message>
     <message>
-        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: at those sizes, the size of the whole or of a cell affects the count.</source>
         <translation>Wie viele Kästchen den Attraktor treffen, gegen ihre Feinheit: log₂ N über k für Kästchen der Seite L·2⁻ᵏ, L die Seite des Quadrats um den Attraktor. Umrissene Punkte zählen für die Gerade nicht: Dort zeigt sich die Größe des Ganzen oder einer Zelle.</translation>
     </message>
     <message>
@@ -5819,7 +5819,7 @@
         <translation>Nur hier</translation>
     </message>
     <message>
-        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <source>The code does not change. Only this branch is shown in another position; the same change does not appear at other scales.</source>
         <translation>Der Code ändert sich nicht. Nur dieser Ast wird anderswo gezeigt; in anderen Größen wiederholt sich die Änderung nicht.</translation>
     </message>
     <message>
@@ -5889,7 +5889,7 @@
         <translation>Das Bild ist zu dünn für einen solchen Käfig.</translation>
     </message>
     <message>
-        <source>The cage is already there.</source>
+        <source>The cage already has this shape.</source>
         <translation>Der Käfig ist schon dort.</translation>
     </message>
     <message>
@@ -5956,7 +5956,7 @@
         <translation>Festlegen…</translation>
     </message>
     <message>
-        <source>Define the triangle by three clicks on the canvas; the picture stays</source>
+        <source>Define the triangle with three clicks on the canvas; the picture stays</source>
         <translation>Das Dreieck mit drei Klicks auf die Zeichenfläche festlegen; das Bild bleibt</translation>
     </message>
     <message>
@@ -6215,7 +6215,7 @@
         <translation>Drei Kanten des umgebenden Quaders</translation>
     </message>
     <message>
-        <source>The system has very many maps: the cage around it is being found…</source>
+        <source>The system has very many maps. Computing the cage around it…</source>
         <translation>Das System hat sehr viele Abbildungen: Der Käfig darum wird gerade gesucht …</translation>
     </message>
     <message>
@@ -6231,7 +6231,7 @@
         <translation>Oktaeder</translation>
     </message>
     <message>
-        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Legt das Tetraeder mit vier Klicks auf der Zeichenfläche fest; das Bild bleibt</translation>
     </message>
     <message>
@@ -6337,7 +6337,7 @@
         <translation>Keine eingeschaltete Abbildung hat ein Gewicht über 0; es gibt nichts zu zeichnen. Geben Sie einer ein Gewicht.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <source>This system has no attractor. The picture shows where its points fall most often.</source>
         <translation>Dieses System hat keinen Attraktor. Das Bild zeigt, wo sich seine Punkte aufhalten.</translation>
     </message>
     <message>
@@ -6345,7 +6345,7 @@
         <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
     </message>
 </context>
@@ -6460,7 +6460,7 @@
         <translation>&amp;Dreieck festlegen</translation>
     </message>
     <message>
-        <source>Defines the triangle by three clicks; the picture stays</source>
+        <source>Defines the triangle with three clicks; the picture stays</source>
         <translation>Das Bild an drei angeklickten Punkten halten</translation>
     </message>
     <message>
@@ -6604,7 +6604,7 @@
         <translation>Lässt diese Abbildung wieder ändern</translation>
     </message>
     <message>
-        <source>Protects this map against edits</source>
+        <source>Locks this map against editing</source>
         <translation>Schützt diese Abbildung vor Änderungen</translation>
     </message>
     <message>
@@ -6612,7 +6612,7 @@
         <translation>D&amp;rehung zurücksetzen</translation>
     </message>
     <message>
-        <source>Turns the view upright again</source>
+        <source>Returns the view to upright</source>
         <translation>Richtet die Ansicht wieder auf</translation>
     </message>
 </context>
@@ -6805,7 +6805,7 @@
         <translation>Abdeckung</translation>
     </message>
     <message>
-        <source>The share of the target that is covered</source>
+        <source>The part of the target that is covered</source>
         <translation>Der Anteil des Ziels, der bedeckt ist</translation>
     </message>
     <message>
@@ -6845,7 +6845,7 @@
         <translation>keine: eine Abbildung streckt um %1</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <source>No point of the target is farther from the attractor than this, and no point of the attractor from the target. The value is larger during a drag, when a coarser picture is measured</source>
         <translation>Kein Punkt des Ziels ist weiter vom Attraktor entfernt als so, und umgekehrt. Während Sie ziehen, ist sie größer, weil ein gröberes Bild gemessen wird</translation>
     </message>
     <message>
@@ -6936,7 +6936,7 @@
         <translation>nicht gezeigt</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
         <translation>Was mit dem Ziel verglichen wird: die Bilder des Ziels unter den Abbildungen oder der Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau</translation>
     </message>
     <message>
@@ -6963,7 +6963,7 @@
         <translation>Das Fraktal hat sich inzwischen geändert; das Ergebnis wurde nicht verwendet.</translation>
     </message>
     <message>
-        <source>Nothing was found that agrees better.</source>
+        <source>No better agreement was found.</source>
         <translation>Es wurde nichts gefunden, das besser übereinstimmt.</translation>
     </message>
     <message>
@@ -7186,7 +7186,7 @@
         <translation>Keine passenden Befehle</translation>
     </message>
     <message>
-        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Die Befehle, deren Namen diese Wörter haben, dann die, deren Beschreibungen sie haben.</translation>
     </message>
 </context>
@@ -7213,7 +7213,7 @@
         <translation>Ansichten koppeln</translation>
     </message>
     <message>
-        <source>Move and zoom both together, at the same place and the same scale</source>
+        <source>Pan and zoom both together, at the same position and scale</source>
         <translation>Beide zusammen verschieben und zoomen, an derselben Stelle und im selben Maßstab</translation>
     </message>
     <message>
@@ -7225,7 +7225,7 @@
         <translation>Nur den jetzigen Eintrag zeigen</translation>
     </message>
     <message>
-        <source>An entry of the plane and one in space have no view in common</source>
+        <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Ein Eintrag der Ebene und einer des Raums haben keine gemeinsame Ansicht</translation>
     </message>
 </context>
@@ -7312,7 +7312,7 @@
         <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den Käfig oder eine andere Figur angewandt</translation>
     </message>
     <message>
-        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
         <translation>Wie oft alle Abbildungen angewandt werden: 0 ist die Ausgangsfigur, und mit jedem Schritt kommt das Bild dem Attraktor näher. Jede Kopie hat die Farbe ihrer äußersten Abbildung.</translation>
     </message>
     <message>
@@ -7328,7 +7328,7 @@
         <translation>Sprünge je Sekunde</translation>
     </message>
     <message>
-        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
         <translation>Wie viele Sprünge das Chaos-Spiel je Sekunde macht. Bis zu zehn je Sekunde zeigt der Würfel jede Abbildung, die fällt.</translation>
     </message>
     <message>
@@ -7340,7 +7340,7 @@
         <translation>W%1: %2 Kopien</translation>
     </message>
     <message>
-        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <source>The Hausdorff distance from the picture to the attractor A, and its upper bound</source>
         <translation>Der Hausdorff-Abstand des Bildes vom Attraktor A, und was er nicht übersteigen kann</translation>
     </message>
     <message>
@@ -7395,7 +7395,7 @@
         <translation>Würfel</translation>
     </message>
     <message>
-        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
         <translation>Der Würfel des Chaos-Spiels. Er hat für jede Abbildung eine Seite, so breit wie deren Wahrscheinlichkeit. Die gefallene Seite erscheint in der Farbe ihrer Abbildung, ebenso der Punkt, zu dem diese geführt hat. Bei mehr als zehn Sprüngen je Sekunde rollt er zu schnell, um abgelesen zu werden.</translation>
     </message>
     <message>
@@ -7403,7 +7403,7 @@
         <translation>Jede Abbildung hat eine Seite, so breit wie ihre Wahrscheinlichkeit.</translation>
     </message>
     <message>
-        <source>Map %1 fell, whose probability is %2.</source>
+        <source>Map %1 was rolled; its probability is %2.</source>
         <translation>Gefallen ist Abbildung %1 mit der Wahrscheinlichkeit %2.</translation>
     </message>
 </context>
@@ -7414,11 +7414,11 @@
         <translation>Eigener Übergang</translation>
     </message>
     <message>
-        <source>Curve: time to the right, the way upwards</source>
+        <source>Curve: time to the right, progress upwards</source>
         <translation>Kurve: Zeit nach rechts, Weg nach oben</translation>
     </message>
     <message>
-        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <source>How the motion to the next key progresses over time. Drag the two handles.</source>
         <translation>Wie der Weg zum nächsten Schlüssel mit der Zeit zurückgelegt wird. Ziehen Sie die zwei Griffe.</translation>
     </message>
     <message>
@@ -7426,7 +7426,7 @@
         <translation>Zeit des ersten Griffs</translation>
     </message>
     <message>
-        <source>Way of the first handle</source>
+        <source>Progress of the first handle</source>
         <translation>Weg des ersten Griffs</translation>
     </message>
     <message>
@@ -7434,7 +7434,7 @@
         <translation>Zeit des zweiten Griffs</translation>
     </message>
     <message>
-        <source>Way of the second handle</source>
+        <source>Progress of the second handle</source>
         <translation>Weg des zweiten Griffs</translation>
     </message>
     <message>
@@ -7454,7 +7454,7 @@
         <translation>Zweiter Griff:</translation>
     </message>
     <message>
-        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Ein Anteil von 0 bis 1. Eine zu steile Kurve wird abgeflacht.</translation>
     </message>
 </context>
@@ -7818,7 +7818,7 @@
         <translation>Punkte, farbig (.ply)</translation>
     </message>
     <message>
-        <source>Turn &amp;y around so that the flame is the right way up</source>
+        <source>Flip &amp;y so that the flame is the right way up</source>
         <translation>y &amp;umdrehen, damit die Flame gleich herum steht</translation>
     </message>
     <message>
@@ -8189,7 +8189,7 @@
         <translation>SVG und PDF bestehen aus Formen, die in jeder Größe scharf bleiben, die anderen aus Pixeln. Hat der Dateiname die Endung eines anderen Formats, wird dieses geschrieben.</translation>
     </message>
     <message>
-        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <source>The name “%1” does not determine the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>Der Name „%1“ nennt kein Format: Er muss auf .png, .jpg, .webp, .tiff, .exr, .svg oder .pdf enden.</translation>
     </message>
     <message>
@@ -8197,7 +8197,7 @@
         <translation>In die Warteschlange…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
     <message>
@@ -8205,7 +8205,7 @@
         <translation>Die Ansicht „%1“</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt. Gespeicherte Ansichten stehen ebenfalls in der Liste.</translation>
     </message>
 </context>
@@ -8220,7 +8220,7 @@
         <translation>Was die Datei zeigen wird</translation>
     </message>
     <message>
-        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <source>The picture as it will be exported: its proportions and the section it shows. A chequerboard marks transparent parts. The preview follows every field.</source>
         <translation>Das Bild, wie es exportiert wird: seine Form und der Ausschnitt, den es zeigt. Wo es durchsichtig ist, scheint ein Schachbrett durch. Es folgt jedem Feld.</translation>
     </message>
     <message>
@@ -8235,11 +8235,11 @@
 <context>
     <name>view::ExportQueue</name>
     <message>
-        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <source>Barycage ended unexpectedly twice while drawing this picture. Try it again alone, or export a smaller one.</source>
         <translation>Das Programm wurde zweimal beendet, während es dieses Bild zeichnete. Versuchen Sie es allein noch einmal, oder exportieren Sie ein kleineres.</translation>
     </message>
     <message>
-        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>Die Warteschlange der Exporte kann nicht für den nächsten Start aufbewahrt werden: Ihr Ordner ist nicht beschreibbar, oder der Datenträger ist voll.</translation>
     </message>
 </context>
@@ -8294,7 +8294,7 @@
         <translation>Auflösung in Punkten je Zoll</translation>
     </message>
     <message>
-        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are locked.</source>
         <translation>Eine Länge in der daneben gewählten Einheit. Die andere Seite folgt, solange die Form behalten wird.</translation>
     </message>
     <message>
@@ -8310,7 +8310,7 @@
         <translation>Benannte Größe</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; if the proportions differ, the picture shows more around it.</source>
         <translation>Die Größe des Bildes auf dem Bildschirm oder ein Vielfaches davon, die eines gängigen Bildschirms oder eines Blattes Papier. Alles, was das Fenster zeigt, bleibt im Bild; wo die Form abweicht, ist ringsum mehr zu sehen.</translation>
     </message>
     <message>
@@ -8407,11 +8407,11 @@
         <translation>Warteschlange der Exporte</translation>
     </message>
     <message>
-        <source>The exports, drawn from the top to the bottom.</source>
+        <source>The exports, drawn from top to bottom.</source>
         <translation>Die Exporte, von oben nach unten gezeichnet.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
         <translation>Keine Exporte warten. Wählen Sie „In die Warteschlange“ unter „Datei › Bild exportieren…“, um Bilder nacheinander zu zeichnen, während Sie weiterarbeiten.</translation>
     </message>
     <message>
@@ -8439,7 +8439,7 @@
         <translation>&amp;Erneut versuchen</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed once more.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Die ausgewählten Exporte, die fehlgeschlagen sind, noch einmal zeichnen.</translation>
     </message>
     <message>
@@ -8459,7 +8459,7 @@
         <translation>Fertige entf&amp;ernen</translation>
     </message>
     <message>
-        <source>Take all exports that are done off the list; their files stay.</source>
+        <source>Remove all finished exports from the list; their files are kept.</source>
         <translation>Alle fertigen Exporte von der Liste nehmen; ihre Dateien bleiben.</translation>
     </message>
     <message>
@@ -8467,7 +8467,7 @@
         <translation>&amp;Fortsetzen</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you continue editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
         <translation>Die Exporte, die Sie in die Warteschlange gestellt haben. Sie werden von oben nach unten nacheinander gezeichnet, während Sie weiterarbeiten. Exporte, die beim Beenden nicht fertig sind, gehen beim nächsten Start von Barycage weiter.</translation>
     </message>
     <message>
@@ -8497,7 +8497,7 @@
         <translation>Die beste von 2 bis 8</translation>
     </message>
     <message>
-        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <source>How many maps a suggestion has; in a range, a map is added only if it improves the fit enough</source>
         <translation>Wie viele Abbildungen ein Vorschlag hat; in einem Bereich muss sich jede lohnen</translation>
     </message>
     <message>
@@ -8525,7 +8525,7 @@
         <translation>Startwert der Zufallszahlen</translation>
     </message>
     <message>
-        <source>Another seed searches in other places</source>
+        <source>Another seed gives another search</source>
         <translation>Ein anderer Startwert sucht an anderen Stellen</translation>
     </message>
     <message>
@@ -8545,7 +8545,7 @@
         <translation>Keine Spiegelbilder</translation>
     </message>
     <message>
-        <source>Only maps that do not mirror</source>
+        <source>Only maps without reflection</source>
         <translation>Nur Abbildungen, die nicht spiegeln</translation>
     </message>
     <message>
@@ -8569,7 +8569,7 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>By which angles the maps may turn</source>
+        <source>The angles by which the maps may rotate</source>
         <translation>Um welche Winkel die Abbildungen drehen dürfen</translation>
     </message>
     <message>
@@ -8905,7 +8905,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zei&amp;le für Name und Datum</translation>
     </message>
     <message>
-        <source>Print a Hand-out</source>
+        <source>Print a Handout</source>
         <translation>Handout drucken</translation>
     </message>
     <message>
@@ -8925,7 +8925,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zu druckende Einträge</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
         <translation>Die Einträge der Datei, die Systeme in der Ebene sind. Gedruckt werden die angekreuzten in dieser Reihenfolge, höchstens %1.</translation>
     </message>
     <message>
@@ -8945,11 +8945,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Alle Kreuze entfernen</translation>
     </message>
     <message>
-        <source>Hand-out with pictures</source>
+        <source>Handout with pictures</source>
         <translation>Handout mit Bildern</translation>
     </message>
     <message>
-        <source>Blank task sheet</source>
+        <source>Blank worksheet</source>
         <translation>Leeres Aufgabenblatt</translation>
     </message>
     <message>
@@ -8957,7 +8957,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Art des Blatts</translation>
     </message>
     <message>
-        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
         <translation>Ein Handout zeigt das Bild jedes Eintrags mit seinem Käfig, seinen Abbildungen und deren Formeln. Ein leeres Aufgabenblatt zeigt den Käfig auf einem Gitter und eine leere Tabelle, die von Hand ausgefüllt wird.</translation>
     </message>
     <message>
@@ -8997,7 +8997,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zuerst einen Eintrag wählen</translation>
     </message>
     <message>
-        <source>%1-hand-out.pdf</source>
+        <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-Handout.pdf</translation>
     </message>
@@ -9102,7 +9102,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
 <context>
     <name>view::LessonPanel</name>
     <message>
-        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <source>Arrange the window as you want to show it, and press Add Step. Then write the text of the step.</source>
         <translation>Richten Sie das Fenster so ein, wie die Klasse es sehen soll, und klicken Sie auf „Schritt hinzufügen“. Schreiben Sie dann, was Sie dazu sagen wollen.</translation>
     </message>
     <message>
@@ -9122,7 +9122,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schritt hinzufügen</translation>
     </message>
     <message>
-        <source>Add a step with the state of the window now</source>
+        <source>Add a step with the current state of the window</source>
         <translation>Einen Schritt mit dem jetzigen Zustand des Fensters hinzufügen</translation>
     </message>
     <message>
@@ -9130,7 +9130,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schritt aktualisieren</translation>
     </message>
     <message>
-        <source>Give the selected step the state of the window now</source>
+        <source>Replace the state of the selected step by the current state of the window</source>
         <translation>Dem gewählten Schritt den jetzigen Zustand des Fensters geben</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schritt zeigen</translation>
     </message>
     <message>
-        <source>Bring the window into the state of the selected step</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Das Fenster in den Zustand des gewählten Schritts bringen</translation>
     </message>
     <message>
@@ -9194,7 +9194,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schritte der Lektion</translation>
     </message>
     <message>
-        <source>Double-click a step to bring the window into its state</source>
+        <source>Double-click a step to restore its state of the window</source>
         <translation>Ein Doppelklick auf einen Schritt bringt das Fenster in seinen Zustand</translation>
     </message>
     <message>
@@ -9214,11 +9214,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Steht neben dem Bild; eine leere Zeile beginnt einen Absatz</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen, from the selected step</source>
+        <source>Play the lesson in full screen, from the selected step</source>
         <translation>Die Lektion vom gewählten Schritt an auf dem ganzen Bildschirm abspielen</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
     </message>
     <message>
@@ -9243,7 +9243,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Eine Lektion ist eine Liste von Schritten. Zu jedem gehören ein Text und ein Zustand des Fensters: der Eintrag, was von ihm zu sehen ist, das Werkzeug, Farben und Umrisse.</translation>
     </message>
 </context>
@@ -9284,7 +9284,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ziehen Sie von einer Abbildung zu einer anderen, um sie zu verknüpfen; klicken Sie auf einen Pfeil und drücken Sie Entf, um ihn zu entfernen.</translation>
     </message>
     <message>
-        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
         <translation>Jeder Kreis ist eine Abbildung, und ein Pfeil führt zu jeder Abbildung, die im Chaosspiel auf sie folgen darf; dickere Pfeile haben mehr Gewicht. Ziehen Sie von einer Abbildung zu einer anderen, um sie zu verknüpfen, oder aus einer Abbildung heraus und zurück, um sie mit sich selbst zu verknüpfen. Klicken Sie auf einen Pfeil und drücken Sie Entf, um ihn zu entfernen, oder doppelklicken Sie, um sein Gewicht einzugeben. Mit der Tastatur: Links und Rechts gehen durch die Abbildungen, Auf und Ab durch die Pfeile einer Abbildung; die Leertaste beginnt einen neuen Pfeil, Links und Rechts wählen sein Ende, die Eingabetaste fügt ihn hinzu. Abbildungen mit gestricheltem Ring nehmen nicht teil; der Grund steht daneben.</translation>
     </message>
     <message>
@@ -9292,7 +9292,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Keine Abbildung ist ausgewählt.</translation>
     </message>
     <message>
-        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc cancels.</source>
         <translation>Neuer Pfeil von Abbildung %1 zu Abbildung %2. Die Eingabetaste fügt ihn hinzu, Esc nicht.</translation>
     </message>
     <message>
@@ -9311,7 +9311,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Unerreicht: Keine Abbildung führt zu ihr</translation>
     </message>
     <message>
-        <source>Left: the chaos game never comes back</source>
+        <source>Transient: the chaos game never returns</source>
         <translation>Verlassen: Das Chaosspiel kehrt nie zurück</translation>
     </message>
     <message>
@@ -9339,7 +9339,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Im Chaosspiel</translation>
     </message>
     <message>
-        <source>Whether the map is applied again and again, or why not</source>
+        <source>Whether the chaos game keeps applying the map, or why not</source>
         <translation>Ob die Abbildung immer wieder angewandt wird, oder warum nicht</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Verknüpfungen zwischen Abbildungen</translation>
     </message>
     <message>
-        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <source>Rows are the maps applied before, columns the maps applied after. A number multiplies the weight of the map in its column: 1 leaves it unchanged, 0 forbids the link.</source>
         <translation>Zeilen sind die zuvor angewandten Abbildungen, Spalten die danach. Eine Zahl vervielfacht das Gewicht der Abbildung der Spalte: 1 lässt es unverändert, 0 verbietet sie.</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Jede Abbildung darf wieder auf jede folgen</translation>
     </message>
     <message>
-        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <source>Every sequence of maps ends, so nothing is drawn.</source>
         <translation>Jede Folge von Abbildungen endet; daher wird nichts gezeichnet.</translation>
     </message>
     <message>
@@ -9412,11 +9412,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <source>The position on the palette to which this map moves colours, from 0 to 1</source>
         <translation>Wohin auf der Palette diese Abbildung Farben zieht: von 0, ihrem Anfang, bis 1</translation>
     </message>
     <message>
-        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <source>Whenever this map is applied, the colour of the point moves towards the position of the map on the palette: 0 is the beginning of the palette, 1 its end. Flame programs call it the colour coordinate.</source>
         <translation>Immer wenn eine Abbildung angewandt wird, rückt die Farbe eines Punktes zum Platz dieser Abbildung auf der Palette: 0 ist der Anfang der Palette, 1 ihr Ende. Bei Flames heißt das die Farbkoordinate.</translation>
     </message>
     <message>
@@ -9424,11 +9424,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <source>How far this map moves colours each time, from 0 (not at all) to 1 (all the way)</source>
         <translation>Wie weit diese Abbildung Farben jedes Mal zieht: von 0, gar nicht, bis 1, den ganzen Weg</translation>
     </message>
     <message>
-        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <source>How far the map moves colours towards its position on the palette each time: with 1, its piece has a single colour; with 0, all colours stay as they are. Flame programs call it the colour speed.</source>
         <translation>Welchen Teil des Weges zu ihrem Platz auf der Palette die Abbildung Farben jedes Mal mitnimmt: bei 1 hat ihr Teil eine einzige Farbe, bei 0 lässt sie alle Farben, wie sie sind. Bei Flames heißt das die Farbgeschwindigkeit.</translation>
     </message>
     <message>
@@ -9946,7 +9946,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Einrechnen</translation>
     </message>
     <message>
-        <source>Turn the effective code into the code; the cage is then at rest</source>
+        <source>Replace the code by the effective code; the cage is then at rest</source>
         <translation>Den effektiven Code zum Code machen; der Käfig ruht danach</translation>
     </message>
     <message>
@@ -10130,7 +10130,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Sperren</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits</source>
+        <source>Lock the selected maps against editing</source>
         <translation>Die gewählten Abbildungen vor Änderungen schützen</translation>
     </message>
     <message>
@@ -10239,7 +10239,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
 <context>
     <name>view::MorphDialog</name>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
+        <source>A fractal in the plane cannot become one in space.</source>
         <translation>Ein Fraktal der Ebene kann nicht zu einem im Raum werden.</translation>
     </message>
     <message>
@@ -10283,7 +10283,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Paare &amp;lösen</translation>
     </message>
     <message>
-        <source>Lets all maps go where the way is shortest.</source>
+        <source>Pairs all maps so that the total distance is shortest.</source>
         <translation>Lässt alle Abbildungen den kürzesten Weg gehen.</translation>
     </message>
     <message>
@@ -10302,7 +10302,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Paare von Abbildungen</translation>
     </message>
     <message>
-        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <source>The maps of this fractal are on the left, those of the other one on the right. A line shows what a map becomes, and its thickness shows its share of the weight. Drag from a map to one in the other column to pin the pair, and again to unpin it. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del removes all pins of a map.</source>
         <translation>Links die Abbildungen dieses Fraktals, rechts die des anderen. Eine Linie zeigt, was aus einer Abbildung wird, und ihre Dicke, wie viel des Gewichts diesen Weg geht. Ziehen Sie von einer Abbildung zu einer in der anderen Spalte, um das Paar festzuhalten, und noch einmal, um es zu lösen. Mit der Tastatur: Wählen Sie eine Abbildung mit den Pfeiltasten, drücken Sie die Leertaste, gehen Sie zur anderen Abbildung und drücken Sie sie noch einmal. Entf löst alle Paare einer Abbildung.</translation>
     </message>
     <message>
@@ -10365,11 +10365,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zyklen</translation>
     </message>
     <message>
-        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <source>How many turns it makes during the animation. A negative number turns the other way.</source>
         <translation>Wie oft sie in der Länge der Animation herumgeht. Bei einer negativen Zahl geht sie andersherum.</translation>
     </message>
     <message>
-        <source>How many times it goes back and forth in the length of the animation.</source>
+        <source>How many times it moves back and forth during the animation.</source>
         <translation>Wie oft sie in der Länge der Animation hin- und hergeht.</translation>
     </message>
 </context>
@@ -10471,7 +10471,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Wie weit die Abwandlungen vom Elternbild entfernt sind</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <source>On the left, the variations stay close to their parent; on the right, they differ greatly.</source>
         <translation>Links bleiben die Abwandlungen dem Elternbild ähnlich, rechts weichen sie stark ab.</translation>
     </message>
     <message>
@@ -10483,7 +10483,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Die Abbildungen drehen, strecken und verschieben</translation>
     </message>
     <message>
-        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <source>The maps are turned, stretched and moved, and occasionally one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
         <translation>Die Abbildungen werden gedreht, gestreckt und verschoben; hin und wieder kommt eine hinzu oder fällt weg. Gesperrte und ausgeschaltete Abbildungen bleiben, wie sie sind.</translation>
     </message>
     <message>
@@ -10495,7 +10495,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Andere Farben ausprobieren</translation>
     </message>
     <message>
-        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <source>The hues of the palette, the plain colour and the colours of the maps change. The background and the meaning of the colours stay the same.</source>
         <translation>Palette, einfache Farbe und die Farben der Abbildungen ändern ihren Farbton. Der Hintergrund bleibt, ebenso das, wofür die Farben stehen.</translation>
     </message>
     <message>
@@ -10507,7 +10507,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Manche Abbildungen dichter, andere schwächer machen</translation>
     </message>
     <message>
-        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <source>The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
         <translation>Die Gewichte ändern sich zufällig und folgen der Größe der Abbildungen. Sonst behält jede Abbildung ihr Gewicht. Ein Körper im Raum hängt nicht von den Gewichten ab, eine Wolke schon.</translation>
     </message>
     <message>
@@ -10527,7 +10527,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Das Elternbild mit einem anderen Eintrag dieser Datei mischen</translation>
     </message>
     <message>
-        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are halfway between two corresponding maps. The checkboxes above determine whether shape, colour and weights are mixed. Every child has an attractor.</source>
         <translation>Die Abwandlungen übernehmen manche Abbildungen vom Elternbild, manche vom anderen Eintrag, und manche liegen zwischen zwei zusammengehörigen. Die Kästchen oben bestimmen, ob Form, Farbe und Gewichte gemischt werden. Jedes Kind hat einen Attraktor.</translation>
     </message>
     <message>
@@ -10535,7 +10535,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Kreuzen mit:</translation>
     </message>
     <message>
-        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the variations are generated. With the same parent, the same settings and the same seed you get the same sheet again.</source>
         <translation>Die Zahl, aus der die Abwandlungen entstehen. Mit demselben Elternbild, denselben Einstellungen und demselben Startwert erhalten Sie wieder dasselbe Blatt.</translation>
     </message>
     <message>
@@ -10543,7 +10543,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zeigt andere Abwandlungen desselben Elternbilds, mit dem nächsten Startwert.</translation>
     </message>
     <message>
-        <source>Variation %1, not made yet</source>
+        <source>Variation %1, not ready yet</source>
         <translation>Abwandlung %1, noch nicht fertig</translation>
     </message>
     <message>
@@ -10563,11 +10563,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Klicken Sie auf ein Bild, um es zum neuen Elternbild zu machen.</translation>
     </message>
     <message>
-        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Nichts darf sich ändern, also gibt es keine Abwandlungen. Kreuzen Sie mindestens ein Kästchen an.</translation>
     </message>
     <message>
-        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Alle Abbildungen sind gesperrt und behalten ihre Gewichte: Die Abwandlungen unterscheiden sich nur in den Farben und ab und zu durch eine zusätzliche Abbildung. Viele gleichen dem Elternbild.</translation>
     </message>
 </context>
@@ -10811,7 +10811,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Farbschema</translation>
     </message>
     <message>
-        <source>The colours of windows and panels. The picture keeps its own.</source>
+        <source>The colours of windows and panels. The picture keeps its own colours.</source>
         <translation>Die Farben von Fenstern und Feldern. Das Bild behält seine eigenen.</translation>
     </message>
     <message>
@@ -10871,7 +10871,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Körper drehen</translation>
     </message>
     <message>
-        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Wie Ziehen einen Körper dreht. Auf einem Drehteller bleibt Senkrechtes senkrecht. Ein Trackball dreht frei um die Achsen des Bildschirms, auch über die Pole; um die Ansicht wieder auszurichten, blicken Sie entlang einer Achse.</translation>
     </message>
     <message>
@@ -11003,7 +11003,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Systeme in der Ebene oder im Raum erzeugen</translation>
     </message>
     <message>
-        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <source>In the plane, the contraction of the maps follows a rule that makes the fractal fill its view. In space there is no such rule: the two larger scale factors of each map follow that of the plane, and the third is smaller.</source>
         <translation>In der Ebene folgt die Stärke, mit der die Abbildungen zusammenziehen, einer Regel, nach der das Fraktal sein Bild füllt. Im Raum gibt es keine solche Regel: Die beiden größeren Streckungen jeder Abbildung folgen der Regel der Ebene, die dritte ist kleiner.</translation>
     </message>
     <message>
@@ -11055,7 +11055,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Derselbe Startwert gibt wieder dasselbe Blatt</translation>
     </message>
     <message>
-        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the systems are generated. With the same settings and the same seed you get the same sheet again.</source>
         <translation>Die Zahl, aus der die Systeme entstehen. Mit denselben Einstellungen und demselben Startwert erhalten Sie wieder dasselbe Blatt.</translation>
     </message>
     <message>
@@ -11161,7 +11161,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Aktualisieren</translation>
     </message>
     <message>
-        <source>Replaces it by what the canvas shows now.</source>
+        <source>Replaces it by the current view of the canvas.</source>
         <translation>Ersetzt sie durch das, was die Zeichenfläche jetzt zeigt.</translation>
     </message>
     <message>
@@ -11575,7 +11575,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Richtung der Ebene</translation>
     </message>
     <message>
-        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <source>Sets the plane perpendicular to an axis or the diagonal; type any other normal in the fields below.</source>
         <translation>Legt die Ebene quer zu einer Achse oder zur Diagonalen; die Felder darunter nehmen jede Normale.</translation>
     </message>
     <message>
@@ -11672,7 +11672,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ein Eintrag, der nicht gelesen werden konnte, hat keine Schnappschüsse.</translation>
     </message>
     <message>
-        <source>“%1” is the same already.</source>
+        <source>“%1” is the same as the fractal.</source>
         <translation>„%1“ ist bereits dasselbe.</translation>
     </message>
     <message>
@@ -11684,7 +11684,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>„%1“ wiederherstellen</translation>
     </message>
     <message>
-        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <source>“%1” was deleted. To bring it back, use the menu of the panel.</source>
         <translation>„%1“ wurde gelöscht. Das Kontextmenü des Feldes holt ihn zurück.</translation>
     </message>
     <message>
@@ -11711,7 +11711,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Make the fractal as it was in this snapshot.</source>
+        <source>Restore the fractal to this snapshot.</source>
         <translation>Das Fraktal so machen, wie es in diesem Schnappschuss war.</translation>
     </message>
     <message>
@@ -11719,7 +11719,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Als Eintrag hinzufügen</translation>
     </message>
     <message>
-        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <source>Add the snapshot to the file as an entry of its own, after this one.</source>
         <translation>Den Schnappschuss als eigenen Eintrag hinter diesem zur Datei hinzufügen.</translation>
     </message>
     <message>
@@ -11771,7 +11771,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Klicken Sie einen Schnappschuss an, um ihn wiederherzustellen; Rückgängig führt zurück. Mit den Pfeiltasten oder einem Rechtsklick wählen Sie den aus, mit dem verglichen wird. F2 benennt ihn um, Entf löscht ihn.</translation>
     </message>
     <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <source>States of this fractal that you kept. Click one to restore it, as one step of the history. The frame marks the snapshot that the canvas shows. The B marks the selected snapshot, the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
         <translation>Zustände dieses Fraktals, die Sie festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen: ein Schritt im Verlauf. Der umrahmte ist der, den die Zeichenfläche zeigt. Der, der ein B trägt, ist ausgewählt, und mit ihm wird verglichen: mit dem neuesten, bis Sie mit den Pfeiltasten oder einem Rechtsklick einen anderen auswählen. Schnappschüsse bleiben, bis die Datei geschlossen wird; „Als Eintrag hinzufügen“ bewahrt einen in der Datei auf.</translation>
     </message>
 </context>
@@ -11793,19 +11793,19 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Bild (.png)</translation>
     </message>
     <message>
-        <source>Body to print (.stl)</source>
+        <source>Mesh for 3D printing (.stl)</source>
         <translation>Körper zum Drucken (.stl)</translation>
     </message>
     <message>
-        <source>Body (.obj)</source>
+        <source>Mesh (.obj)</source>
         <translation>Körper (.obj)</translation>
     </message>
     <message>
-        <source>Body (.glb)</source>
+        <source>Mesh (.glb)</source>
         <translation>Körper (.glb)</translation>
     </message>
     <message>
-        <source>Body (.ply)</source>
+        <source>Mesh (.ply)</source>
         <translation>Körper (.ply)</translation>
     </message>
     <message>
@@ -11813,7 +11813,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>OpenSCAD-Programm (.scad)</translation>
     </message>
     <message>
-        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <source>A picture as the camera shows it, a watertight mesh that contains the attractor, or the maps as a program for OpenSCAD.</source>
         <translation>Ein Bild, wie es die Kamera zeigt, ein wasserdichter Körper, der den Attraktor enthält, oder die Abbildungen als Programm für OpenSCAD.</translation>
     </message>
     <message>
@@ -11841,7 +11841,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Größe:</translation>
     </message>
     <message>
-        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
         <translation>Zeichnet so viele Pixel längs jeder Seite eines Pixels: glattere Kanten.</translation>
     </message>
     <message>
@@ -11857,7 +11857,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>16 Bit</translation>
     </message>
     <message>
-        <source>Bits for each channel. Depths always have 16.</source>
+        <source>Bits per channel. Depths always have 16.</source>
         <translation>Bit für jeden Kanal. Tiefen haben immer 16.</translation>
     </message>
     <message>
@@ -11869,7 +11869,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Transparenter Hintergrund</translation>
     </message>
     <message>
-        <source>Leaves out what is around the solid.</source>
+        <source>Makes the surroundings of the solid transparent.</source>
         <translation>Lässt weg, was um den Körper herum ist.</translation>
     </message>
     <message>
@@ -11897,7 +11897,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation> mm</translation>
     </message>
     <message>
-        <source>The longest side of the body.</source>
+        <source>The longest side of the mesh.</source>
         <translation>Die längste Seite des Körpers.</translation>
     </message>
     <message>
@@ -11905,7 +11905,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Lä&amp;ngste Seite:</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <source>Voxels along the longest side: more voxels make finer steps.</source>
         <translation>Voxel längs der längsten Seite: feinere Stufen, und mehr davon.</translation>
     </message>
     <message>
@@ -11977,7 +11977,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Bild in linearem Licht (.exr)</translation>
     </message>
     <message>
-        <source>Depths are written as PNG only.</source>
+        <source>Depths can be written only as PNG.</source>
         <translation>Tiefen werden nur als PNG geschrieben.</translation>
     </message>
     <message>
@@ -11985,7 +11985,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>In die Warteschlange…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Fragt nach einem Dateinamen und erstellt die Datei, wenn sie an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
     <message>
@@ -12001,7 +12001,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <source>What the picture shows: the view on the canvas, or a saved view.</source>
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder eine gespeicherte Ansicht.</translation>
     </message>
     <message>
@@ -12059,7 +12059,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Aussehen</translation>
     </message>
     <message>
-        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <source>A lit solid, the density of its points, or data for other programs.</source>
         <translation>Ein beleuchteter Körper, die Dichte seiner Punkte, oder Zahlen für andere Programme.</translation>
     </message>
     <message>
@@ -12067,7 +12067,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Stein</translation>
     </message>
     <message>
-        <source>A solid in the light of a lamp that you can move</source>
+        <source>A solid lit by a lamp that you can move</source>
         <translation>Ein Körper im Licht einer Lampe, die sich bewegen lässt</translation>
     </message>
     <message>
@@ -12167,7 +12167,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Färben nach</translation>
     </message>
     <message>
-        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
+        <source>The direction of the light as seen by the camera; in the middle, it shines from the camera.</source>
         <translation>Wo die Lampe vom Auge aus gesehen steht: In der Mitte ist sie das Auge selbst.</translation>
     </message>
     <message>
@@ -12361,7 +12361,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Symmetrie ausschreiben</translation>
     </message>
     <message>
-        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change them individually. The picture stays the same.</source>
         <translation>Schreibt die Kopien, die die Symmetrie macht, als eigene Abbildungen in die Liste, sodass Sie eine allein ändern können. Das Bild bleibt gleich.</translation>
     </message>
     <message>
@@ -12389,7 +12389,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Mittelpunkt der Symmetrie, z</translation>
     </message>
     <message>
-        <source>The point that the symmetry leaves in place</source>
+        <source>The point that the symmetry leaves unchanged</source>
         <translation>Der Punkt, den die Symmetrie an seinem Platz lässt</translation>
     </message>
     <message>
@@ -12479,7 +12479,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Wählen</translation>
     </message>
     <message>
-        <source>Choose the picture that the fractal is to look like</source>
+        <source>Choose the picture that the fractal should look like</source>
         <translation>Das Bild wählen, dem das Fraktal gleichen soll</translation>
     </message>
     <message>
@@ -12539,7 +12539,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Automatische Schwelle</translation>
     </message>
     <message>
-        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <source>Find the threshold that best separates dark from light (Otsu)</source>
         <translation>Dunkel und Hell so gut trennen, wie eine Schwelle es kann (Otsu)</translation>
     </message>
     <message>
@@ -12567,7 +12567,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ganzes Bild</translation>
     </message>
     <message>
-        <source>Use all of the picture again</source>
+        <source>Use the whole picture again</source>
         <translation>Wieder das ganze Bild verwenden</translation>
     </message>
     <message>
@@ -12653,7 +12653,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Exportieren…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Fragt nach einem Dateinamen und schreibt das Bild. Sie können währenddessen weiterarbeiten.</translation>
     </message>
     <message>
@@ -12669,7 +12669,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin.</source>
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt.</translation>
     </message>
     <message>
@@ -13083,7 +13083,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>, Schlüssel in dieser Zeile: %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty area to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
         <translation>Eine Zeile für jeden Teil, der sich bewegen kann. Die Raute davor setzt einen Schlüssel am Abspielkopf oder löscht ihn. Ziehen Sie Schlüssel, um sie zu verschieben: Alt nimmt alle späteren mit, Strg kopiert. Ziehen im Lineal bewegt den Abspielkopf, Ziehen von einer leeren Stelle aus wählt Schlüssel. Strg + Mausrad vergrößert. Ein Rechtsklick auf einen Schlüssel wählt seinen Übergang. Runde Schlüssel sind fließend: Die Bewegung läuft ohne Knick durch sie hindurch. Ein Doppelklick auf eine Bewegung ändert ihre Stärke oder die Zahl ihrer Umdrehungen.</translation>
     </message>
 </context>
@@ -13265,7 +13265,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Partner</translation>
     </message>
     <message>
-        <source>The entry on which the picture lies</source>
+        <source>The entry on which the picture is placed</source>
         <translation>Der Eintrag, auf dem das Bild liegt</translation>
     </message>
     <message>
@@ -13369,11 +13369,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Wörter teilen</translation>
     </message>
     <message>
-        <source>Choose the picture where it is now</source>
+        <source>Choose the current location of the picture</source>
         <translation>Das Bild dort wählen, wo es jetzt ist</translation>
     </message>
     <message>
-        <source>Divide maps of both entries into words until they have equally many</source>
+        <source>Divide maps of both entries into words until both have the same number</source>
         <translation>Abbildungen beider Einträge in Wörter teilen, bis es gleich viele sind</translation>
     </message>
     <message>
@@ -13618,7 +13618,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
         <translation>Zoom in Prozent: Bei 100 % ist eine Einheit der Ebene 100 Pixel lang. Geben Sie einen anderen Wert ein oder wählen Sie einen aus.</translation>
     </message>
     <message>

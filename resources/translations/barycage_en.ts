@@ -14,10 +14,10 @@
 <context>
     <name>Exports</name>
     <message numerus="yes">
-        <source>%n exports from last time are in the queue.</source>
+        <source>%n exports from the last session are in the queue.</source>
         <translation>
-            <numerusform>%n export from last time is in the queue.</numerusform>
-            <numerusform>%n exports from last time are in the queue.</numerusform>
+            <numerusform>%n export from the last session is in the queue.</numerusform>
+            <numerusform>%n exports from the last session are in the queue.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -28,10 +28,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <source>They will continue the next time you start Barycage. Close it now?</source>
         <translation>
             <numerusform>It goes on when you start Barycage the next time. Close it now?</numerusform>
-            <numerusform>They go on when you start Barycage the next time. Close it now?</numerusform>
+            <numerusform>They will continue the next time you start Barycage. Close it now?</numerusform>
         </translation>
     </message>
 </context>

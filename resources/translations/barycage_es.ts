@@ -35,7 +35,7 @@
         <translation>Mayús + rueda elige la profundidad de la rama. La barra bajo el lienzo dice qué cambia el arrastre: una aplicación nueva para esta rama, la última aplicación de su dirección o solo esta rama.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
+        <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>La imagen se queda donde está: desde ahora la sujeta el nuevo triángulo. Retroceso quita el último vértice, Esc cancela.</translation>
     </message>
     <message>
@@ -47,7 +47,7 @@
         <translation>Los coeficientes no cambian. Para conservar la imagen y cambiar los coeficientes, use Incorporar.</translation>
     </message>
     <message>
-        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <source>Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest to the current cage. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
         <translation>Cada aplicación w se convierte en T w T⁻¹, donde T es lo que la jaula hace con la imagen. Después, la jaula está en reposo. Una jaula plana o que curva la imagen no se puede incorporar.</translation>
     </message>
     <message>
@@ -59,7 +59,7 @@
         <translation>La tabla de aplicaciones muestra los números nuevos durante el arrastre, y después la jaula vuelve a estar en reposo.</translation>
     </message>
     <message>
-        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
+        <source>The cage is included if that needs little space. The fractal itself does not change.</source>
         <translation>La jaula se incluye cuando ocupa poco espacio. El fractal en sí no cambia.</translation>
     </message>
     <message>
@@ -71,7 +71,7 @@
         <translation>Solo se invierte la vista: ni los coeficientes ni las coordenadas cambian.</translation>
     </message>
     <message>
-        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <source>Press the key again to show the cage, handles, grid, axes and outlines.</source>
         <translation>La jaula, los tiradores, la cuadrícula, los ejes y los contornos vuelven al pulsar otra vez la tecla.</translation>
     </message>
     <message>
@@ -79,7 +79,7 @@
         <translation>Aparece una barra bajo el lienzo: elija el número de pasos o deje correr el juego del caos punto por punto a cualquier velocidad.</translation>
     </message>
     <message>
-        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <source>As a placement, it leaves the coefficients unchanged; as code, it replaces them by those of the transformed fractal. The canvas shows the result before you accept it.</source>
         <translation>Como colocación, los coeficientes no cambian; como código, pasan a ser los del fractal transformado. El lienzo muestra el resultado antes de aceptarlo.</translation>
     </message>
     <message>
@@ -95,7 +95,7 @@
         <translation>Si una tabla no nombra sus columnas, se le pregunta el orden. En el panel Aplicaciones, Pegar añade al fractal las aplicaciones copiadas o las filas de números.</translation>
     </message>
     <message>
-        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
         <translation>Decide lo que tiene el foco: la tabla de aplicaciones y el lienzo con la herramienta de aplicaciones mueven aplicaciones; la lista de entradas, entradas.</translation>
     </message>
     <message>
@@ -103,11 +103,11 @@
         <translation>Las aplicaciones se copian con sus nombres y como filas de números; las entradas, como texto .ifs que otros programas pueden leer.</translation>
     </message>
     <message>
-        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <source>A locked map cannot be edited in the table, dragged, nudged, arranged, fitted or deleted. Changes to the whole fractal, such as a cage that rewrites the code, also change its locked maps.</source>
         <translation>Una aplicación bloqueada no se puede sobrescribir, arrastrar, empujar, ordenar, ajustar ni eliminar. Lo que cambia todo el fractal, como una jaula que reescribe el código, cambia también sus aplicaciones bloqueadas.</translation>
     </message>
     <message>
-        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Solo se dibuja la parte del atractor que produce la aplicación. El archivo no cambia, y otra entrada se muestra de nuevo entera.</translation>
     </message>
 </context>
@@ -213,7 +213,7 @@
         <translation>desconocido: el error sería mayor</translation>
     </message>
     <message>
-        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
         <translation>Un conjunto compacto al que lleva, paso a paso, todo conjunto compacto inicial. Un sistema lo tiene exactamente si sus aplicaciones contraen en alguna norma.</translation>
     </message>
     <message>
@@ -261,7 +261,7 @@
         <translation>conexo</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>conexo, hasta donde deja ver el redondeo</translation>
     </message>
     <message>
@@ -289,7 +289,7 @@
         <translation>Entropía</translation>
     </message>
     <message>
-        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
         <translation>−Σ pᵢ ln pᵢ: cuánto deja abierto un paso del juego del caos, en nats.</translation>
     </message>
     <message>
@@ -305,15 +305,15 @@
         <translation>Dimensión de la medida</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>La entropía dividida por menos el exponente de Liapunov, como mucho 2: la dimensión de la medida invariante bajo la condición del conjunto abierto y, si no, una cota superior.</translation>
     </message>
     <message>
-        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound for it otherwise.</source>
         <translation>El número D con Σ sᵢᴰ = 1, donde sᵢ son las razones de las aplicaciones, si todas son semejanzas en algunas coordenadas. Es la dimensión del atractor bajo la condición del conjunto abierto y, si no, una cota superior.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is most stable. This is an estimate: the uncertainty is the difference between parts of that range, not a proven bound.</source>
         <translation>Pendiente de la recta de mínimos cuadrados de ln N frente a ln 1/ε, donde N es el número de cajas de lado ε que tocan el atractor, en los tamaños en que es más constante. Es una estimación; la incertidumbre sale de cuánto difieren partes de ese intervalo, y no es una demostración.</translation>
     </message>
     <message>
@@ -321,15 +321,15 @@
         <translation>Media de la medida invariante, calculada sin muestreo: el centro de masa de la imagen.</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. A uniform mass on the ellipse has the same mean and covariance.</source>
         <translation>Covarianza xx, xy, yy de la medida invariante, calculada sin muestreo: cuánto se extiende la imagen. Una masa uniforme que llena la elipse tiene la misma media y covarianza.</translation>
     </message>
     <message>
-        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Each side is off by at most the error.</source>
         <translation>El menor rectángulo de lados paralelos a los ejes que contiene el atractor; certificado. Sus lados se desvían como mucho en el error.</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>El menor triángulo rectángulo isósceles de catetos paralelos a los ejes que contiene el atractor; certificado. Los signos dan las direcciones de sus catetos. Para un solo punto, el cateto es 1.</translation>
     </message>
     <message>
@@ -357,7 +357,7 @@
         <translation>Sí: %1 aplicaciones seguidas cualesquiera contraen, con un factor de %2 o menos por aplicación.</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropía dividida por menos el exponente de Liapunov, como mucho 3: la dimensión de la medida invariante bajo la condición del conjunto abierto, y si no, una cota superior.</translation>
     </message>
     <message>
@@ -382,7 +382,7 @@
         <translation>El atractor sobresale de la caja a lo sumo esta distancia; certificado.</translation>
     </message>
     <message>
-        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>El menor tetraedro con tres catetos iguales paralelos a los ejes que contiene el atractor; certificado. Los signos dan las direcciones de sus catetos. Para un solo punto, el cateto es 1.</translation>
     </message>
     <message>
@@ -398,7 +398,7 @@
         <translation>El atractor sobresale del poliedro a lo sumo esta distancia; certificado.</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(hasta donde deja ver el redondeo)</translation>
     </message>
     <message>
@@ -422,7 +422,7 @@
         <translation>Ecuación de Moran</translation>
     </message>
     <message>
-        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 con las razones de estas aplicaciones, agrupando las iguales. Su solución es la dimensión de semejanza.</translation>
     </message>
 </context>
@@ -523,7 +523,7 @@
 <context>
     <name>ClusterJob</name>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>No se puede crear la carpeta %1.</translation>
     </message>
 </context>
@@ -654,7 +654,7 @@
         <translation>Plantas en el espacio</translation>
     </message>
     <message>
-        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <source>Fronds and trees with branches all around the stem.</source>
         <translation>Frondas y árboles cuyas ramas rodean todo el tallo.</translation>
     </message>
     <message>
@@ -686,7 +686,7 @@
         <translation>Aplicaciones enlazadas</translation>
     </message>
     <message>
-        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
         <translation>Aplicaciones que solo pueden seguir a algunas: teselas de Penrose, fronteras y juegos del caos con reglas.</translation>
     </message>
     <message>
@@ -694,7 +694,7 @@
         <translation>Transformaciones fractales</translation>
     </message>
     <message>
-        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Fractales con los colores de una imagen sobre otro; un doble clic abre los dos lado a lado.</translation>
     </message>
 </context>
@@ -725,18 +725,18 @@
         <translation>La jaula de «%1» no se puede incorporar a las aplicaciones, así que no se puede aplanar.</translation>
     </message>
     <message>
-        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
         <translation>Las aplicaciones de «%1» están enlazadas, y las del espacio no pueden estarlo.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>La aplicación %1 de «%2» desvía la dirección, así que la proyección no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
     </message>
 </context>
 <context>
     <name>Enqueue</name>
     <message>
-        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
         <translation>El nombre «%1» no corresponde al formato elegido. Elija otro nombre.</translation>
     </message>
     <message>
@@ -766,18 +766,18 @@
         <translation>No es una exportación de este programa.</translation>
     </message>
     <message>
-        <source>Its settings are not ones of this version.</source>
+        <source>Its settings are not supported by this version.</source>
         <translation>Sus ajustes no son de esta versión.</translation>
     </message>
     <message>
-        <source>The file that it names does not fit its format.</source>
+        <source>Its file name does not match its format.</source>
         <translation>El archivo que nombra no corresponde a su formato.</translation>
     </message>
 </context>
 <context>
     <name>Exports</name>
     <message numerus="yes">
-        <source>%n exports from last time are in the queue.</source>
+        <source>%n exports from the last session are in the queue.</source>
         <translation>
             <numerusform>%n exportación de la última vez está en la cola.</numerusform>
             <numerusform>%n exportaciones de la última vez están en la cola.</numerusform>
@@ -795,7 +795,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <source>They will continue the next time you start Barycage. Close it now?</source>
         <translation>
             <numerusform>Continuará la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
             <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
@@ -855,7 +855,7 @@
         <translation>Mostrar un paso de la lección</translation>
     </message>
     <message>
-        <source>The cage of this entry has other corners than in the lesson.</source>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
         <translation>La jaula de esta entrada tiene otros vértices que en la lección.</translation>
     </message>
 </context>
@@ -1091,7 +1091,7 @@
         <translation>&amp;Guardar</translation>
     </message>
     <message>
-        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged, byte for byte</source>
         <translation>Guardar el archivo; las entradas no editadas conservan cada byte</translation>
     </message>
     <message>
@@ -1295,7 +1295,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Write the placement into the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, and the coefficients change</source>
         <translation>Hacer que la colocación forme parte del código: la imagen no cambia, los coeficientes cambian</translation>
     </message>
     <message>
@@ -1303,7 +1303,7 @@
         <translation>&amp;Extraer</translation>
     </message>
     <message>
-        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, and the code is rewritten for the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Sacar la colocación del código: la imagen no cambia, el código pasa a ser el del triángulo (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -1643,7 +1643,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
+        <source>Show only the canvas in full screen, for example on a projector; press Esc to return</source>
         <translation>Dejar toda la pantalla al lienzo, por ejemplo para un proyector; Esc devuelve lo demás</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@
         <translation>A&amp;justar a los vértices</translation>
     </message>
     <message>
-        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <source>Move each selected map so that it leaves the nearest corner of the cage fixed</source>
         <translation>Mover cada aplicación seleccionada hasta que lleve el vértice más cercano de la jaula a sí mismo</translation>
     </message>
     <message>
@@ -1843,7 +1843,7 @@
         <translation>«%1» se ha eliminado, renombrado o movido desde que se abrió aquí.</translation>
     </message>
     <message>
-        <source>Saving creates it again at its old place.</source>
+        <source>Saving creates it again in its old location.</source>
         <translation>Al guardar se vuelve a crear en su lugar anterior.</translation>
     </message>
     <message>
@@ -1867,7 +1867,7 @@
         <translation>Aplanar al plano</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh for 3D printing</source>
         <translation>Exporta la imagen como PNG, SVG o PDF, encuadrada como en la pantalla; un sólido, también como cuerpo para imprimir</translation>
     </message>
     <message>
@@ -1991,7 +1991,7 @@
         <translation>Ctrl+Shift+T</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <source>Show another entry beside this one, and colour this one by a picture placed on the other</source>
         <translation>Mostrar otra entrada junto a esta y pintar esta con una imagen que está sobre ella</translation>
     </message>
     <message>
@@ -2003,7 +2003,7 @@
         <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
-        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <source>Export the animation as a video, an animated image or frames, on this computer or on a cluster</source>
         <translation>Exportar la animación como vídeo, imagen en movimiento o fotogramas, aquí o en un clúster</translation>
     </message>
     <message>
@@ -2023,7 +2023,7 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
         <translation>Un fractal para una imagen: el objetivo, cuánto concuerda con él el fractal, y ajustes.</translation>
     </message>
     <message>
@@ -2035,11 +2035,11 @@
         <translation>Mostrar el sólido también desde arriba, de frente y desde la derecha</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Define el triángulo de control con tres clics; en el espacio, el tetraedro con cuatro</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
         <translation>Qué aplicaciones puede aplicar el juego del caos después de cuáles, como grafo y como matriz.</translation>
     </message>
     <message>
@@ -2071,7 +2071,7 @@
         <translation>Estéreo, &amp;lado a lado</translation>
     </message>
     <message>
-        <source>Show what each eye sees, the left one to the left</source>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
         <translation>Muestra lo que ve cada ojo, el izquierdo a la izquierda</translation>
     </message>
     <message>
@@ -2079,7 +2079,7 @@
         <translation>Estéreo, para gafas rojo y &amp;cian</translation>
     </message>
     <message>
-        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
     </message>
     <message>
@@ -2159,7 +2159,7 @@
         <translation>&amp;Reproducir la lección</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen</source>
+        <source>Play the lesson in full screen</source>
         <translation>Reproducir la lección en toda la pantalla</translation>
     </message>
     <message>
@@ -2167,7 +2167,7 @@
         <translation>Paso &amp;siguiente</translation>
     </message>
     <message>
-        <source>Show the next step of the lesson that is played</source>
+        <source>Show the next step of the lesson being played</source>
         <translation>Mostrar el paso siguiente de la lección en curso</translation>
     </message>
     <message>
@@ -2175,7 +2175,7 @@
         <translation>Paso &amp;anterior</translation>
     </message>
     <message>
-        <source>Show the previous step of the lesson that is played</source>
+        <source>Show the previous step of the lesson being played</source>
         <translation>Mostrar el paso anterior de la lección en curso</translation>
     </message>
     <message>
@@ -2183,7 +2183,7 @@
         <translation>Aña&amp;dir un paso</translation>
     </message>
     <message>
-        <source>Add a step to the lesson, with the state of the window now</source>
+        <source>Add a step to the lesson, with the current state of the window</source>
         <translation>Añadir a la lección un paso con el estado actual de la ventana</translation>
     </message>
     <message>
@@ -2191,11 +2191,11 @@
         <translation>Guardar la l&amp;ección…</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Guardar la lección junto al archivo de sus fractales</translation>
     </message>
     <message>
-        <source>The step now has the state of the window.</source>
+        <source>The step now has the current state of the window.</source>
         <translation>El paso tiene ahora el estado de la ventana.</translation>
     </message>
     <message>
@@ -2207,7 +2207,7 @@
         <translation>La lección no nombra ningún archivo de fractales de su carpeta («file: nombre.ifs»).</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
     </message>
     <message>
@@ -2247,7 +2247,7 @@
         <translation>Los fractales tienen cambios sin guardar.</translation>
     </message>
     <message>
-        <source>Step %1 has the state of the window. Write its text.</source>
+        <source>Step %1 has the current state of the window. Now write its text.</source>
         <translation>El paso %1 tiene el estado de la ventana. Escriba su texto.</translation>
     </message>
     <message>
@@ -2279,7 +2279,7 @@
         <translation>Blo&amp;quear o desbloquear aplicaciones</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits, or stop doing so</source>
+        <source>Lock the selected maps against editing, or unlock them</source>
         <translation>Proteger de cambios las aplicaciones seleccionadas, o dejar de hacerlo</translation>
     </message>
     <message>
@@ -2295,11 +2295,11 @@
         <translation>Estados de este fractal que guardó mientras trabajaba. Haga clic en uno para restaurarlo.</translation>
     </message>
     <message>
-        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
         <translation>Imágenes que se dibujan una tras otra en segundo plano, y el progreso de cada una.</translation>
     </message>
     <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
         <translation>Una lección sobre estos fractales: sus pasos, cada uno con un texto y el estado de la ventana, para reproducirla en toda la pantalla.</translation>
     </message>
     <message>
@@ -2339,11 +2339,11 @@
         <translation>Guardar la vista «%1»</translation>
     </message>
     <message>
-        <source>Print &amp;Hand-out…</source>
+        <source>Print &amp;Handout…</source>
         <translation>Imprimir &amp;hoja para clase…</translation>
     </message>
     <message>
-        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet</source>
         <translation>Imprimir entradas para clase: imágenes con jaula, aplicaciones y fórmulas, o una hoja de ejercicios en blanco</translation>
     </message>
     <message>
@@ -2379,7 +2379,7 @@
         <translation>Fi&amp;gura (TikZ)</translation>
     </message>
     <message>
-        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as shown on the canvas</source>
         <translation>Copiar la jaula y sus imágenes por las aplicaciones, con números y puntos fijos, tal como se ven</translation>
     </message>
     <message>
@@ -2415,7 +2415,7 @@
         <translation>Ctrl+[</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <source>Rotate the view counter-clockwise by 15°</source>
         <translation>Gira 15° en sentido antihorario lo que muestra el lienzo</translation>
     </message>
     <message>
@@ -2427,7 +2427,7 @@
         <translation>Ctrl+]</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows clockwise by 15°</source>
+        <source>Rotate the view clockwise by 15°</source>
         <translation>Gira 15° en sentido horario lo que muestra el lienzo</translation>
     </message>
     <message>
@@ -2435,7 +2435,7 @@
         <translation>&amp;Restablecer el giro</translation>
     </message>
     <message>
-        <source>Turn the view upright again</source>
+        <source>Return the view to upright</source>
         <translation>Vuelve a enderezar la vista</translation>
     </message>
     <message>
@@ -2447,7 +2447,7 @@
         <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, to compare and to edit both</source>
+        <source>Show another entry beside this one, to compare and edit both</source>
         <translation>Mostrar otra entrada junto a esta para comparar y editar ambas</translation>
     </message>
     <message>
@@ -2455,7 +2455,7 @@
         <translation>Copiado.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
         <translation>El archivo de sus fractales, «%1», no está en la carpeta de la lección. Quizá se le ha cambiado el nombre o se ha movido.</translation>
     </message>
     <message>
@@ -2471,7 +2471,7 @@
         <translation>Colecciones de Fractint (*.ifs *.par)</translation>
     </message>
     <message>
-        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <source>The lesson now refers to %1. Save the lesson to keep this change.</source>
         <translation>La lección pertenece ahora a %1. Guárdela para que siga así.</translation>
     </message>
     <message>
@@ -2553,7 +2553,7 @@
         <translation>Se canceló el guardado de «%1». El archivo del disco sigue como estaba.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
     </message>
     <message>
@@ -2779,7 +2779,7 @@
         <translation>No se puede escribir la imagen: %1</translation>
     </message>
     <message>
-        <source>the WebP encoder has not enough memory.</source>
+        <source>the WebP encoder does not have enough memory.</source>
         <translation>el codificador WebP no tiene suficiente memoria.</translation>
     </message>
 </context>
@@ -2798,7 +2798,7 @@
         <translation>El archivo no es una imagen PNG o está dañado.</translation>
     </message>
     <message>
-        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
         <translation>La imagen lleva demasiado texto: el límite es de 40 MB en total.</translation>
     </message>
     <message>
@@ -2840,7 +2840,7 @@
         <translation>Se ha encontrado trabajo sin guardar</translation>
     </message>
     <message>
-        <source>The last time you used Barycage, it ended before this work was saved:</source>
+        <source>In the last session, Barycage ended before this work was saved:</source>
         <translation>La última vez Barycage terminó antes de que se guardara este trabajo:</translation>
     </message>
     <message>
@@ -2860,7 +2860,7 @@
         <translation>El trabajo sin guardar no se puede conservar para recuperarlo: no se puede escribir en la carpeta «%1», o el disco está lleno. Guarde a menudo.</translation>
     </message>
     <message>
-        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
+        <source>The unsaved work from the last session is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>El trabajo sin guardar de la última vez está dañado y no se puede recuperar. Lo que queda de él está en:</translation>
     </message>
     <message>
@@ -2898,7 +2898,7 @@
         <translation>Restaurar</translation>
     </message>
     <message>
-        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <source>Restores the fractal to this snapshot, as one step of the history.</source>
         <translation>Deja el fractal como estaba en esta instantánea: un paso del historial.</translation>
     </message>
     <message>
@@ -2921,7 +2921,7 @@
         <translation>S</translation>
     </message>
     <message>
-        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <source>Keep the current state of this fractal in the Snapshots panel</source>
         <translation>Guardar el estado actual de este fractal en el panel «Instantáneas»</translation>
     </message>
     <message>
@@ -2933,11 +2933,11 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <source>Kept as “%1”. To see it, choose View, Panels, Snapshots.</source>
         <translation>Guardado como «%1». «Ver», «Paneles», «Instantáneas» la muestra.</translation>
     </message>
     <message>
-        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Mostrar en lugar del fractal la instantánea seleccionada en el panel «Instantáneas», o la más reciente; pulse de nuevo, o mantenga la tecla y suéltela, para volver</translation>
     </message>
 </context>
@@ -3130,7 +3130,7 @@
         <translation>Giro de la vista</translation>
     </message>
     <message>
-        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to return it to upright</source>
         <translation>Cuánto está girada la vista en sentido antihorario; elija Ver, Girar la vista, Restablecer el giro para volver a enderezarla</translation>
     </message>
     <message>
@@ -3171,7 +3171,7 @@
 <context>
     <name>TaskFolder</name>
     <message>
-        <source>It is not an ordinary file.</source>
+        <source>It is not a regular file.</source>
         <translation>No es un archivo ordinario.</translation>
     </message>
     <message>
@@ -3183,14 +3183,14 @@
         <translation>No se puede leer.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
         <translation>Se ha omitido una exportación de la última vez. %1 Se ha cambiado el nombre de su archivo dañado a %2.</translation>
     </message>
 </context>
 <context>
     <name>TaskJob</name>
     <message>
-        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
         <translation>Desde que añadió esta exportación ha aparecido un archivo «%1». Reintentar lo reemplaza.</translation>
     </message>
     <message>
@@ -3597,7 +3597,7 @@
         <translation>«%1» es una carpeta. Elija un nombre de archivo.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
+        <source>“%1” is not a regular file and will not be replaced. Choose another name.</source>
         <translation>«%1» no es un archivo corriente y no se sustituye. Elija otro nombre.</translation>
     </message>
     <message>
@@ -3649,7 +3649,7 @@
         <translation>Solo los sistemas del plano se pueden escribir como gráficos vectoriales.</translation>
     </message>
     <message>
-        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to copy.</source>
         <translation>El sistema no tiene un atractor cuyo contorno se pueda demostrar, así que no hay nada de lo que hacer copias.</translation>
     </message>
     <message>
@@ -3912,7 +3912,7 @@
         <translation>conexo</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>conexo, hasta donde deja ver el redondeo</translation>
     </message>
     <message>
@@ -4112,7 +4112,7 @@
         <translation>%1 fotogramas a %2 por segundo, %3; %4 pistas, %5 movimientos</translation>
     </message>
     <message>
-        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
         <translation>Esto no es un formato de programas de fractales. Sus listas de números se leen como tablas de aplicaciones (sistemas: %1, aplicaciones: %2), en el orden a b c d e f donde los nombres no indican otro.</translation>
     </message>
     <message>
@@ -4184,7 +4184,7 @@
         <translation>La superficie de «%1» no es cerrada, así que no se escribió.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
         <translation>«%1» es demasiado pequeño para su distancia al origen: los números del archivo no distinguen sus puntos. Muévalo al origen.</translation>
     </message>
     <message>
@@ -4228,7 +4228,7 @@
         <translation>«%1» fue escrito por otra versión del programa, que puede dibujar otros píxeles.</translation>
     </message>
     <message>
-        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is present. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>La imagen no está completa: hay un %1 %. Añada los archivos de las otras partes o escriba un archivo .sum.</translation>
     </message>
     <message>
@@ -4296,11 +4296,11 @@
         <translation>No hay transformación fractal entre estas entradas.</translation>
     </message>
     <message>
-        <source>“%1” is not a system of the plane.</source>
+        <source>“%1” is not a system in the plane.</source>
         <translation>«%1» no es un sistema del plano.</translation>
     </message>
     <message>
-        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <source>The cage of “%1” is flat or bends the picture. Bake or reset it first.</source>
         <translation>La jaula de «%1» es plana o dobla la imagen. Escríbala primero en el código o devuélvala al reposo.</translation>
     </message>
     <message>
@@ -4308,7 +4308,7 @@
         <translation>«%1» no tiene ninguna aplicación activa, así que no hay nada que dibujar.</translation>
     </message>
     <message>
-        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <source>No attractor could be proved for “%1”, so its points have no addresses.</source>
         <translation>«%1» no tiene un atractor demostrable, así que sus puntos no tienen direcciones.</translation>
     </message>
     <message>
@@ -4316,7 +4316,7 @@
         <translation>El orden guardado no enumera una vez cada aplicación activa de «%1».</translation>
     </message>
     <message>
-        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
         <translation>«%1» tiene %2 aplicaciones activas y «%3» tiene %4. Necesitan tener las mismas.</translation>
     </message>
     <message>
@@ -4368,7 +4368,7 @@
         <translation>Los enlaces de la aplicación %1 no son válidos, así que no se aplica ninguno: una fila de enlaces tiene un número por aplicación, 0 o mayor.</translation>
     </message>
     <message>
-        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <source>With these links every sequence of maps ends, so no map is active.</source>
         <translation>Con estos enlaces toda sucesión de aplicaciones termina, así que no interviene ninguna.</translation>
     </message>
     <message>
@@ -4416,7 +4416,7 @@
         <translation>%1 caras</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(hasta donde deja ver el redondeo)</translation>
     </message>
     <message>
@@ -4432,7 +4432,7 @@
         <translation>simetría</translation>
     </message>
     <message>
-        <source>takes no part: after it, the chaos game comes to an end</source>
+        <source>takes no part: after it, the chaos game ends</source>
         <translation>no interviene: después de ella termina el juego del caos</translation>
     </message>
     <message>
@@ -4440,7 +4440,7 @@
         <translation>no interviene: ninguna aplicación lleva a ella</translation>
     </message>
     <message>
-        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <source>takes no part: the chaos game leaves it and never returns</source>
         <translation>no interviene: el juego del caos la deja y no vuelve nunca</translation>
     </message>
     <message>
@@ -4452,7 +4452,7 @@
         <translation>aplicaciones enlazadas</translation>
     </message>
     <message>
-        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not computed for linked maps</source>
         <translation>la separación, la conexión, el radio espectral conjunto y las direcciones periódicas no se determinan para aplicaciones enlazadas</translation>
     </message>
     <message>
@@ -4555,7 +4555,7 @@
         <translation>Juego del caos</translation>
     </message>
     <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
         <translation>Pulse «Juego del caos» y después «Reproducir». Un solo punto salta de un lado a otro, cada vez con una aplicación elegida al azar, y deja una marca donde cae. Hágalo ir más deprisa: digan lo que digan los dados, las marcas llenan siempre la misma imagen, el atractor.</translation>
     </message>
     <message>
@@ -4563,7 +4563,7 @@
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
         <translation>La aplicación que dio el último salto hasta un punto, la que dio el anterior, y así sucesivamente: estos números son la dirección del punto. En «Colorear por» elija «Dirección». Los puntos cuyas direcciones empiezan igual están cerca unos de otros, y ahora se parecen también en el color.</translation>
     </message>
     <message>
@@ -4641,7 +4641,7 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
         <translation>En la carpeta de archivos temporales no hay espacio para los fotogramas: %1.</translation>
     </message>
     <message>
@@ -4657,11 +4657,11 @@
         <translation>No hay memoria suficiente para un fotograma del vídeo.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be made.</source>
+        <source>The palette of the GIF cannot be created.</source>
         <translation>No se puede crear la paleta del GIF.</translation>
     </message>
     <message>
-        <source>A frame of the GIF cannot be made.</source>
+        <source>A frame of the GIF cannot be created.</source>
         <translation>No se puede crear un fotograma del GIF.</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@
         <translation>Este formato muestra como máximo %1 fotogramas por segundo. Elija una frecuencia menor.</translation>
     </message>
     <message>
-        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Este Barycage se compiló sin las bibliotecas de FFmpeg y no escribe vídeos. Escriba los fotogramas como imágenes PNG.</translation>
     </message>
     <message>
@@ -4908,7 +4908,7 @@
         <translation>No se pueden enlazar más de %1 aplicaciones.</translation>
     </message>
     <message>
-        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
         <translation>Los enlaces de «%1» hacen que toda sucesión de aplicaciones termine, así que no hay nada que aplicaciones simples pudieran dibujar.</translation>
     </message>
     <message>
@@ -5065,7 +5065,7 @@
         <translation>Forma afín invariante</translation>
     </message>
     <message>
-        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle to a part of itself.</source>
         <translation>La fila j de una matriz contiene las coordenadas baricéntricas de la imagen del vértice j en el triángulo, de modo que cada fila suma 1. Las matrices no cambian cuando se arrastra el triángulo. Si ningún elemento es negativo, la aplicación lleva el triángulo dentro de sí mismo.</translation>
     </message>
     <message>
@@ -5228,7 +5228,7 @@
         <translation>WebM: para páginas web, con transparencia</translation>
     </message>
     <message>
-        <source>MKV: without loss, for editing</source>
+        <source>MKV: lossless, for editing</source>
         <translation>MKV: sin pérdida, para editar</translation>
     </message>
     <message>
@@ -5236,11 +5236,11 @@
         <translation>GIF: 256 colores</translation>
     </message>
     <message>
-        <source>WebP: a moving picture without loss</source>
+        <source>WebP: a lossless animated image</source>
         <translation>WebP: imagen en movimiento sin pérdida</translation>
     </message>
     <message>
-        <source>APNG: a moving picture without loss</source>
+        <source>APNG: a lossless animated image</source>
         <translation>APNG: imagen en movimiento sin pérdida</translation>
     </message>
     <message>
@@ -5248,7 +5248,7 @@
         <translation>PNG: una imagen por fotograma</translation>
     </message>
     <message>
-        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <source>A video, an animated image for web pages and messages, or one picture for each frame. All of them contain the animation, so Barycage can open them again.</source>
         <translation>Un vídeo, una imagen en movimiento para páginas y mensajes, o una imagen por fotograma. Todos contienen la animación y Barycage vuelve a abrirlos.</translation>
     </message>
     <message>
@@ -5268,7 +5268,7 @@
         <translation>Toda la animación</translation>
     </message>
     <message>
-        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <source>What the frames show where the camera has no keys: the view on the canvas, or everything that becomes visible, with a small margin.</source>
         <translation>Lo que muestran los fotogramas cuando ninguna clave de la cámara lo fija: lo que muestra el lienzo, o todo lo que llega a verse, con un pequeño margen.</translation>
     </message>
     <message>
@@ -5372,11 +5372,11 @@
         <translation>Suave: sin parpadeo</translation>
     </message>
     <message>
-        <source>Fixed: that of frame 0</source>
+        <source>Fixed: as in frame 0</source>
         <translation>Fija: la del fotograma 0</translation>
     </message>
     <message>
-        <source>Each: by itself</source>
+        <source>Each: frame by frame</source>
         <translation>Cada uno: por sí mismo</translation>
     </message>
     <message>
@@ -5392,7 +5392,7 @@
         <translation>Tareas en un clúster</translation>
     </message>
     <message>
-        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <source>How many cluster tasks share the frames when you choose On a Cluster.</source>
         <translation>Entre cuántas tareas de un clúster se reparten los fotogramas al elegir «En un clúster».</translation>
     </message>
     <message>
@@ -5420,7 +5420,7 @@
         <translation>&amp;Exportar…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Pide un nombre de archivo y escribe la animación. Mientras tanto puede seguir editando: se exporta la animación tal como estaba al abrir este diálogo.</translation>
     </message>
     <message>
@@ -5428,7 +5428,7 @@
         <translation>En un &amp;clúster…</translation>
     </message>
     <message>
-        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Escribe una carpeta con la animación y con guiones que la dibujan en un clúster Slurm, y la envía si se encuentra sbatch.</translation>
     </message>
     <message numerus="yes">
@@ -5495,7 +5495,7 @@
         <translation>Cancelado; la carpeta puede estar incompleta.</translation>
     </message>
     <message>
-        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <source>The job is in %1. sbatch was not found on this computer: run submit.sh in this folder on the cluster.</source>
         <translation>El trabajo está en %1. Aquí no hay sbatch: ejecute submit.sh de esa carpeta en el clúster.</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@
         <translation>Más paletas…</translation>
     </message>
     <message>
-        <source>Browse hundreds of palettes, turn and shift them</source>
+        <source>Browse hundreds of palettes, change their hue and shift them</source>
         <translation>Explorar cientos de paletas, girarlas y desplazarlas</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@
         <translation>Con 1, el gamma solo decide con qué intensidad se ve un color, y el color conserva su matiz. Con 0, el gamma actúa también sobre el rojo, el verde y el azul, y los colores son más pálidos. Las flames tienen el mismo ajuste.</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps applied, as in flames. The position of each map on the palette, and its speed, are in the Maps panel.</source>
         <translation>Lo que dice el color de un punto: cuántos puntos caen allí, qué aplicación fue la última, la dirección entera o la mezcla de los colores de todas las aplicaciones del camino, como en los flames. El panel Aplicaciones tiene el lugar de cada aplicación en la paleta y su velocidad.</translation>
     </message>
     <message>
@@ -5698,11 +5698,11 @@
         <translation>Mezcla de aplicaciones</translation>
     </message>
     <message>
-        <source>As in flames: each map draws colours to its place on the palette</source>
+        <source>As in flames: each map moves colours towards its position on the palette</source>
         <translation>Como en los flames: cada aplicación atrae los colores hacia su lugar en la paleta</translation>
     </message>
     <message>
-        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Los colores, de las partes más tenues a las más densas, a lo largo de las direcciones o de los lugares entre los que mezclan las aplicaciones.</translation>
     </message>
 </context>
@@ -5720,7 +5720,7 @@
         <translation>Diagrama del conteo de cajas</translation>
     </message>
     <message>
-        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: at those sizes, the size of the whole or of a cell affects the count.</source>
         <translation>Cuántas cajas tocan el atractor según su finura: log₂ N frente a k para cajas de lado L·2⁻ᵏ, L el lado del cuadrado alrededor del atractor. Los puntos huecos no cuentan para la recta: ahí se nota el tamaño del conjunto o de una celda.</translation>
     </message>
     <message>
@@ -5819,7 +5819,7 @@
         <translation>Solo aquí</translation>
     </message>
     <message>
-        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <source>The code does not change. Only this branch is shown in another position; the same change does not appear at other scales.</source>
         <translation>El código no cambia. Solo esta rama se muestra en otro lugar; el cambio no se repite a otras escalas.</translation>
     </message>
     <message>
@@ -5889,7 +5889,7 @@
         <translation>La imagen es demasiado estrecha para una jaula así.</translation>
     </message>
     <message>
-        <source>The cage is already there.</source>
+        <source>The cage already has this shape.</source>
         <translation>La jaula ya está ahí.</translation>
     </message>
     <message>
@@ -5956,7 +5956,7 @@
         <translation>Definir…</translation>
     </message>
     <message>
-        <source>Define the triangle by three clicks on the canvas; the picture stays</source>
+        <source>Define the triangle with three clicks on the canvas; the picture stays</source>
         <translation>Definir el triángulo con tres clics en el lienzo; la imagen no cambia</translation>
     </message>
     <message>
@@ -6215,7 +6215,7 @@
         <translation>Tres aristas de la caja envolvente</translation>
     </message>
     <message>
-        <source>The system has very many maps: the cage around it is being found…</source>
+        <source>The system has very many maps. Computing the cage around it…</source>
         <translation>El sistema tiene muchísimas aplicaciones: se está buscando la jaula que lo rodea…</translation>
     </message>
     <message>
@@ -6231,7 +6231,7 @@
         <translation>Octaedro</translation>
     </message>
     <message>
-        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Define el tetraedro con cuatro clics en el lienzo; la imagen no cambia</translation>
     </message>
     <message>
@@ -6337,7 +6337,7 @@
         <translation>Ninguna aplicación activa tiene un peso mayor que 0, así que no hay nada que dibujar. Dé un peso a alguna.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <source>This system has no attractor. The picture shows where its points fall most often.</source>
         <translation>Este sistema no tiene atractor. La imagen muestra dónde permanecen sus puntos.</translation>
     </message>
     <message>
@@ -6345,7 +6345,7 @@
         <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
     </message>
 </context>
@@ -6460,7 +6460,7 @@
         <translation>&amp;Definir el triángulo</translation>
     </message>
     <message>
-        <source>Defines the triangle by three clicks; the picture stays</source>
+        <source>Defines the triangle with three clicks; the picture stays</source>
         <translation>Sujeta la imagen con tres puntos en los que se hace clic</translation>
     </message>
     <message>
@@ -6604,7 +6604,7 @@
         <translation>Permite editar de nuevo esta aplicación</translation>
     </message>
     <message>
-        <source>Protects this map against edits</source>
+        <source>Locks this map against editing</source>
         <translation>Protege esta aplicación de cambios</translation>
     </message>
     <message>
@@ -6612,7 +6612,7 @@
         <translation>Resta&amp;blecer el giro</translation>
     </message>
     <message>
-        <source>Turns the view upright again</source>
+        <source>Returns the view to upright</source>
         <translation>Vuelve a enderezar la vista</translation>
     </message>
 </context>
@@ -6805,7 +6805,7 @@
         <translation>Cobertura</translation>
     </message>
     <message>
-        <source>The share of the target that is covered</source>
+        <source>The part of the target that is covered</source>
         <translation>La parte del objetivo que está cubierta</translation>
     </message>
     <message>
@@ -6845,7 +6845,7 @@
         <translation>ninguna: una aplicación estira por %1</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <source>No point of the target is farther from the attractor than this, and no point of the attractor from the target. The value is larger during a drag, when a coarser picture is measured</source>
         <translation>Ningún punto del objetivo está más lejos del atractor que esto, ni al revés. Es mayor mientras se arrastra, porque se mide una imagen más gruesa</translation>
     </message>
     <message>
@@ -6936,7 +6936,7 @@
         <translation>no mostrar</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
         <translation>Qué se compara con el objetivo: las imágenes del objetivo por las aplicaciones, o el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul</translation>
     </message>
     <message>
@@ -6963,7 +6963,7 @@
         <translation>El fractal ha cambiado entretanto, así que no se usó el resultado.</translation>
     </message>
     <message>
-        <source>Nothing was found that agrees better.</source>
+        <source>No better agreement was found.</source>
         <translation>No se encontró nada que concuerde mejor.</translation>
     </message>
     <message>
@@ -7186,7 +7186,7 @@
         <translation>Ninguna orden coincide</translation>
     </message>
     <message>
-        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Los comandos cuyos nombres contienen estas palabras y, después, aquellos cuyas descripciones las contienen.</translation>
     </message>
 </context>
@@ -7213,7 +7213,7 @@
         <translation>Enlazar las vistas</translation>
     </message>
     <message>
-        <source>Move and zoom both together, at the same place and the same scale</source>
+        <source>Pan and zoom both together, at the same position and scale</source>
         <translation>Mover y ampliar ambas a la vez, en el mismo lugar y a la misma escala</translation>
     </message>
     <message>
@@ -7225,7 +7225,7 @@
         <translation>Mostrar solo la entrada actual</translation>
     </message>
     <message>
-        <source>An entry of the plane and one in space have no view in common</source>
+        <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Una entrada del plano y una del espacio no tienen ninguna vista en común</translation>
     </message>
 </context>
@@ -7312,7 +7312,7 @@
         <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula o a otra figura</translation>
     </message>
     <message>
-        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
         <translation>Cuántas veces se aplican todas las aplicaciones: con 0 se ve la figura inicial, y con cada paso la imagen se acerca más al atractor. Cada copia tiene el color de su aplicación más externa.</translation>
     </message>
     <message>
@@ -7328,7 +7328,7 @@
         <translation>Saltos por segundo</translation>
     </message>
     <message>
-        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
         <translation>Cuántos saltos da el juego del caos por segundo. Hasta diez por segundo, el dado muestra cada aplicación que sale.</translation>
     </message>
     <message>
@@ -7340,7 +7340,7 @@
         <translation>W%1: %2 copias</translation>
     </message>
     <message>
-        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <source>The Hausdorff distance from the picture to the attractor A, and its upper bound</source>
         <translation>La distancia de Hausdorff de la imagen al atractor A, y lo que no puede superar</translation>
     </message>
     <message>
@@ -7395,7 +7395,7 @@
         <translation>Dado</translation>
     </message>
     <message>
-        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
         <translation>El dado del juego del caos. Tiene una cara por aplicación, tan ancha como la probabilidad de esta. La cara que ha salido se muestra en el color de su aplicación, igual que el punto al que esta ha llevado. Con más de diez saltos por segundo rueda demasiado rápido para leerlo.</translation>
     </message>
     <message>
@@ -7403,7 +7403,7 @@
         <translation>Cada aplicación tiene una cara, tan ancha como su probabilidad.</translation>
     </message>
     <message>
-        <source>Map %1 fell, whose probability is %2.</source>
+        <source>Map %1 was rolled; its probability is %2.</source>
         <translation>Ha salido la aplicación %1, cuya probabilidad es %2.</translation>
     </message>
 </context>
@@ -7414,11 +7414,11 @@
         <translation>Transición propia</translation>
     </message>
     <message>
-        <source>Curve: time to the right, the way upwards</source>
+        <source>Curve: time to the right, progress upwards</source>
         <translation>Curva: el tiempo a la derecha, el camino hacia arriba</translation>
     </message>
     <message>
-        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <source>How the motion to the next key progresses over time. Drag the two handles.</source>
         <translation>Cómo se recorre con el tiempo el camino hasta la clave siguiente. Arrastre los dos tiradores.</translation>
     </message>
     <message>
@@ -7426,7 +7426,7 @@
         <translation>Tiempo del primer tirador</translation>
     </message>
     <message>
-        <source>Way of the first handle</source>
+        <source>Progress of the first handle</source>
         <translation>Camino del primer tirador</translation>
     </message>
     <message>
@@ -7434,7 +7434,7 @@
         <translation>Tiempo del segundo tirador</translation>
     </message>
     <message>
-        <source>Way of the second handle</source>
+        <source>Progress of the second handle</source>
         <translation>Camino del segundo tirador</translation>
     </message>
     <message>
@@ -7454,7 +7454,7 @@
         <translation>Segundo tirador:</translation>
     </message>
     <message>
-        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Una fracción de 0 a 1. Una curva demasiado empinada se aplana.</translation>
     </message>
 </context>
@@ -7818,7 +7818,7 @@
         <translation>Puntos con color (.ply)</translation>
     </message>
     <message>
-        <source>Turn &amp;y around so that the flame is the right way up</source>
+        <source>Flip &amp;y so that the flame is the right way up</source>
         <translation>&amp;Invertir y para que el flame no salga cabeza abajo</translation>
     </message>
     <message>
@@ -8189,7 +8189,7 @@
         <translation>SVG y PDF están hechos de formas, que se ven nítidas a cualquier tamaño; los demás, de píxeles. Si el nombre del archivo tiene la terminación de otro formato, se escribe ese formato.</translation>
     </message>
     <message>
-        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <source>The name “%1” does not determine the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>El nombre «%1» no indica el formato: debe terminar en .png, .jpg, .webp, .tiff, .exr, .svg o .pdf.</translation>
     </message>
     <message>
@@ -8197,7 +8197,7 @@
         <translation>Añadir a la cola…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Pide un nombre de archivo y dibuja la imagen cuando le toca, después de las que esperan en el panel Exportaciones. La cola continúa tras reiniciar.</translation>
     </message>
     <message>
@@ -8205,7 +8205,7 @@
         <translation>La vista «%1»</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo. Las vistas guardadas también están en la lista.</translation>
     </message>
 </context>
@@ -8220,7 +8220,7 @@
         <translation>Lo que mostrará el archivo</translation>
     </message>
     <message>
-        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <source>The picture as it will be exported: its proportions and the section it shows. A chequerboard marks transparent parts. The preview follows every field.</source>
         <translation>La imagen tal como se exportará: su forma y la sección que muestra. Donde es transparente se ve un damero. Sigue todos los campos.</translation>
     </message>
     <message>
@@ -8235,11 +8235,11 @@
 <context>
     <name>view::ExportQueue</name>
     <message>
-        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <source>Barycage ended unexpectedly twice while drawing this picture. Try it again alone, or export a smaller one.</source>
         <translation>El programa ha terminado dos veces mientras dibujaba esta imagen. Vuelva a intentarlo con ella sola o exporte una más pequeña.</translation>
     </message>
     <message>
-        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>La cola de exportaciones no se puede conservar para el próximo inicio: no se puede escribir en su carpeta o el disco está lleno.</translation>
     </message>
 </context>
@@ -8294,7 +8294,7 @@
         <translation>Resolución en puntos por pulgada</translation>
     </message>
     <message>
-        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are locked.</source>
         <translation>Una longitud en la unidad elegida al lado. El otro lado la sigue mientras se mantenga la proporción.</translation>
     </message>
     <message>
@@ -8310,7 +8310,7 @@
         <translation>Tamaño con nombre</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; if the proportions differ, the picture shows more around it.</source>
         <translation>El tamaño de la imagen en la pantalla o un múltiplo de él, el de una pantalla habitual o el de una hoja de papel. Todo lo que muestra la ventana queda en la imagen; si la forma es distinta, se ve más alrededor.</translation>
     </message>
     <message>
@@ -8407,11 +8407,11 @@
         <translation>Cola de exportaciones</translation>
     </message>
     <message>
-        <source>The exports, drawn from the top to the bottom.</source>
+        <source>The exports, drawn from top to bottom.</source>
         <translation>Las exportaciones, dibujadas de arriba abajo.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
         <translation>No hay exportaciones en espera. Elija Añadir a la cola en Archivo › Exportar imagen… para dibujar imágenes una tras otra mientras sigue editando.</translation>
     </message>
     <message>
@@ -8439,7 +8439,7 @@
         <translation>Rein&amp;tentar</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed once more.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Volver a dibujar las exportaciones seleccionadas que fallaron.</translation>
     </message>
     <message>
@@ -8459,7 +8459,7 @@
         <translation>Quitar las &amp;terminadas</translation>
     </message>
     <message>
-        <source>Take all exports that are done off the list; their files stay.</source>
+        <source>Remove all finished exports from the list; their files are kept.</source>
         <translation>Quitar de la lista todas las exportaciones terminadas; sus archivos se conservan.</translation>
     </message>
     <message>
@@ -8467,7 +8467,7 @@
         <translation>&amp;Reanudar</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you continue editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
         <translation>Las exportaciones que ha añadido a la cola. Se dibujan una tras otra, de arriba abajo, mientras sigue editando. Las que no hayan terminado al salir continúan la próxima vez que inicie Barycage.</translation>
     </message>
     <message>
@@ -8497,7 +8497,7 @@
         <translation>La mejor de 2 a 8</translation>
     </message>
     <message>
-        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <source>How many maps a suggestion has; in a range, a map is added only if it improves the fit enough</source>
         <translation>Cuántas aplicaciones tiene una sugerencia; en un rango, cada una debe compensar</translation>
     </message>
     <message>
@@ -8525,7 +8525,7 @@
         <translation>Semilla de los números aleatorios</translation>
     </message>
     <message>
-        <source>Another seed searches in other places</source>
+        <source>Another seed gives another search</source>
         <translation>Otra semilla busca en otros lugares</translation>
     </message>
     <message>
@@ -8545,7 +8545,7 @@
         <translation>Sin imágenes especulares</translation>
     </message>
     <message>
-        <source>Only maps that do not mirror</source>
+        <source>Only maps without reflection</source>
         <translation>Solo aplicaciones que no reflejan</translation>
     </message>
     <message>
@@ -8569,7 +8569,7 @@
         <translation>Ángulos</translation>
     </message>
     <message>
-        <source>By which angles the maps may turn</source>
+        <source>The angles by which the maps may rotate</source>
         <translation>Qué ángulos pueden girar las aplicaciones</translation>
     </message>
     <message>
@@ -8905,7 +8905,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Línea para nombre y fecha</translation>
     </message>
     <message>
-        <source>Print a Hand-out</source>
+        <source>Print a Handout</source>
         <translation>Imprimir una hoja para clase</translation>
     </message>
     <message>
@@ -8925,7 +8925,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Entradas que se imprimen</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
         <translation>Las entradas del archivo que son sistemas en el plano. Se imprimen las marcadas, en este orden, como mucho %1.</translation>
     </message>
     <message>
@@ -8945,11 +8945,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Quitar todas las marcas</translation>
     </message>
     <message>
-        <source>Hand-out with pictures</source>
+        <source>Handout with pictures</source>
         <translation>Hoja con imágenes</translation>
     </message>
     <message>
-        <source>Blank task sheet</source>
+        <source>Blank worksheet</source>
         <translation>Hoja de ejercicios en blanco</translation>
     </message>
     <message>
@@ -8957,7 +8957,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Tipo de hoja</translation>
     </message>
     <message>
-        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
         <translation>Una hoja para clase muestra la imagen de cada entrada con su jaula, sus aplicaciones y las fórmulas de estas. Una hoja de ejercicios en blanco muestra la jaula sobre una cuadrícula y una tabla vacía para rellenar a mano.</translation>
     </message>
     <message>
@@ -8997,7 +8997,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Elija antes una entrada</translation>
     </message>
     <message>
-        <source>%1-hand-out.pdf</source>
+        <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-hoja-para-clase.pdf</translation>
     </message>
@@ -9102,7 +9102,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
 <context>
     <name>view::LessonPanel</name>
     <message>
-        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <source>Arrange the window as you want to show it, and press Add Step. Then write the text of the step.</source>
         <translation>Disponga la ventana como debe verla la clase y pulse «Añadir un paso». Escriba después lo que quiera decir.</translation>
     </message>
     <message>
@@ -9122,7 +9122,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Añadir un paso</translation>
     </message>
     <message>
-        <source>Add a step with the state of the window now</source>
+        <source>Add a step with the current state of the window</source>
         <translation>Añadir un paso con el estado actual de la ventana</translation>
     </message>
     <message>
@@ -9130,7 +9130,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Actualizar el paso</translation>
     </message>
     <message>
-        <source>Give the selected step the state of the window now</source>
+        <source>Replace the state of the selected step by the current state of the window</source>
         <translation>Dar al paso elegido el estado actual de la ventana</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mostrar el paso</translation>
     </message>
     <message>
-        <source>Bring the window into the state of the selected step</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Poner la ventana en el estado del paso elegido</translation>
     </message>
     <message>
@@ -9194,7 +9194,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pasos de la lección</translation>
     </message>
     <message>
-        <source>Double-click a step to bring the window into its state</source>
+        <source>Double-click a step to restore its state of the window</source>
         <translation>Haga doble clic en un paso para poner la ventana en su estado</translation>
     </message>
     <message>
@@ -9214,11 +9214,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Aparece junto a la imagen; una línea vacía empieza un párrafo</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen, from the selected step</source>
+        <source>Play the lesson in full screen, from the selected step</source>
         <translation>Reproducir la lección en toda la pantalla desde el paso elegido</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Guardar la lección junto al archivo de sus fractales</translation>
     </message>
     <message>
@@ -9243,7 +9243,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Una lección es una lista de pasos. Cada uno tiene un texto y el estado de la ventana que le corresponde: la entrada, lo que se ve de ella, la herramienta, los colores y los contornos.</translation>
     </message>
 </context>
@@ -9284,7 +9284,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Arrastre de una aplicación a otra para enlazarlas; haga clic en una flecha y pulse Supr para quitarla.</translation>
     </message>
     <message>
-        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
         <translation>Cada círculo es una aplicación, y una flecha lleva a cada aplicación que puede seguirla en el juego del caos; las flechas más gruesas tienen más peso. Arrastre de una aplicación a otra para enlazarlas, o fuera de una aplicación y de vuelta para enlazarla consigo misma. Haga clic en una flecha y pulse Supr para quitarla, o haga doble clic para introducir su peso. Con el teclado: Izquierda y Derecha recorren las aplicaciones, Arriba y Abajo las flechas de una aplicación; Espacio empieza una flecha nueva, Izquierda y Derecha eligen su final, Intro la añade. Las aplicaciones con anillo discontinuo no participan, por el motivo que se indica al lado.</translation>
     </message>
     <message>
@@ -9292,7 +9292,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>No hay ninguna aplicación seleccionada.</translation>
     </message>
     <message>
-        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc cancels.</source>
         <translation>Flecha nueva de la aplicación %1 a la aplicación %2. Intro la añade, Esc no.</translation>
     </message>
     <message>
@@ -9311,7 +9311,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Inalcanzable: ninguna aplicación lleva a ella</translation>
     </message>
     <message>
-        <source>Left: the chaos game never comes back</source>
+        <source>Transient: the chaos game never returns</source>
         <translation>Abandonada: el juego del caos no vuelve nunca</translation>
     </message>
     <message>
@@ -9339,7 +9339,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>En el juego del caos</translation>
     </message>
     <message>
-        <source>Whether the map is applied again and again, or why not</source>
+        <source>Whether the chaos game keeps applying the map, or why not</source>
         <translation>Si la aplicación se usa una y otra vez, o por qué no</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Enlaces entre aplicaciones</translation>
     </message>
     <message>
-        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <source>Rows are the maps applied before, columns the maps applied after. A number multiplies the weight of the map in its column: 1 leaves it unchanged, 0 forbids the link.</source>
         <translation>Las filas son las aplicaciones usadas antes; las columnas, las de después. Un número multiplica el peso de la aplicación de la columna: 1 lo deja igual, 0 la prohíbe.</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Cualquier aplicación puede seguir de nuevo a cualquier otra</translation>
     </message>
     <message>
-        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <source>Every sequence of maps ends, so nothing is drawn.</source>
         <translation>Toda sucesión de aplicaciones termina, así que no se dibuja nada.</translation>
     </message>
     <message>
@@ -9412,11 +9412,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Color</translation>
     </message>
     <message>
-        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <source>The position on the palette to which this map moves colours, from 0 to 1</source>
         <translation>Hacia qué lugar de la paleta atrae los colores esta aplicación: de 0, su comienzo, a 1</translation>
     </message>
     <message>
-        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <source>Whenever this map is applied, the colour of the point moves towards the position of the map on the palette: 0 is the beginning of the palette, 1 its end. Flame programs call it the colour coordinate.</source>
         <translation>Cada vez que se aplica una aplicación, el color de un punto se acerca al lugar de esa aplicación en la paleta: 0 es el comienzo de la paleta y 1 su final. En los flames se llama coordenada de color.</translation>
     </message>
     <message>
@@ -9424,11 +9424,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <source>How far this map moves colours each time, from 0 (not at all) to 1 (all the way)</source>
         <translation>Cuánto atrae los colores esta aplicación cada vez: de 0, nada, a 1, todo el camino</translation>
     </message>
     <message>
-        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <source>How far the map moves colours towards its position on the palette each time: with 1, its piece has a single colour; with 0, all colours stay as they are. Flame programs call it the colour speed.</source>
         <translation>Qué parte del camino hacia su lugar en la paleta lleva la aplicación los colores cada vez: con 1 su pieza tiene un solo color, con 0 deja todos los colores como están. En los flames se llama velocidad de color.</translation>
     </message>
     <message>
@@ -9946,7 +9946,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Incorporar</translation>
     </message>
     <message>
-        <source>Turn the effective code into the code; the cage is then at rest</source>
+        <source>Replace the code by the effective code; the cage is then at rest</source>
         <translation>Convertir el código efectivo en el código; la jaula queda entonces en reposo</translation>
     </message>
     <message>
@@ -10130,7 +10130,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Bloquear</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits</source>
+        <source>Lock the selected maps against editing</source>
         <translation>Proteger de cambios las aplicaciones seleccionadas</translation>
     </message>
     <message>
@@ -10239,7 +10239,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
 <context>
     <name>view::MorphDialog</name>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
+        <source>A fractal in the plane cannot become one in space.</source>
         <translation>Un fractal del plano no puede convertirse en uno del espacio.</translation>
     </message>
     <message>
@@ -10283,7 +10283,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>So&amp;ltar las parejas</translation>
     </message>
     <message>
-        <source>Lets all maps go where the way is shortest.</source>
+        <source>Pairs all maps so that the total distance is shortest.</source>
         <translation>Deja que todas las aplicaciones sigan el camino más corto.</translation>
     </message>
     <message>
@@ -10302,7 +10302,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Parejas de aplicaciones</translation>
     </message>
     <message>
-        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <source>The maps of this fractal are on the left, those of the other one on the right. A line shows what a map becomes, and its thickness shows its share of the weight. Drag from a map to one in the other column to pin the pair, and again to unpin it. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del removes all pins of a map.</source>
         <translation>A la izquierda, las aplicaciones de este fractal; a la derecha, las del otro. Una línea muestra en qué se convierte una aplicación, y su grosor, qué parte del peso sigue ese camino. Arrastre de una aplicación a otra de la otra columna para fijar la pareja, y otra vez para soltarla. Con el teclado: elija una aplicación con las flechas, pulse Espacio, vaya a la otra y pulse Espacio de nuevo. Supr suelta todas las parejas fijadas de una aplicación.</translation>
     </message>
     <message>
@@ -10365,11 +10365,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Ciclos</translation>
     </message>
     <message>
-        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <source>How many turns it makes during the animation. A negative number turns the other way.</source>
         <translation>Cuántas veces da la vuelta en la duración de la animación. Con un número negativo gira al revés.</translation>
     </message>
     <message>
-        <source>How many times it goes back and forth in the length of the animation.</source>
+        <source>How many times it moves back and forth during the animation.</source>
         <translation>Cuántas veces va y viene en la duración de la animación.</translation>
     </message>
 </context>
@@ -10471,7 +10471,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Cuánto se alejan las variaciones de su progenitor</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <source>On the left, the variations stay close to their parent; on the right, they differ greatly.</source>
         <translation>A la izquierda, las variaciones se parecen a su progenitor; a la derecha, difieren mucho.</translation>
     </message>
     <message>
@@ -10483,7 +10483,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Girar, estirar y mover las aplicaciones</translation>
     </message>
     <message>
-        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <source>The maps are turned, stretched and moved, and occasionally one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
         <translation>Las aplicaciones se giran, se estiran y se mueven; de vez en cuando se añade o se quita una. Las bloqueadas y las desactivadas se quedan como están.</translation>
     </message>
     <message>
@@ -10495,7 +10495,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Probar otros colores</translation>
     </message>
     <message>
-        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <source>The hues of the palette, the plain colour and the colours of the maps change. The background and the meaning of the colours stay the same.</source>
         <translation>La paleta, el color único y los colores de las aplicaciones cambian de tono. El fondo se mantiene, igual que lo que representan los colores.</translation>
     </message>
     <message>
@@ -10507,7 +10507,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Hacer unas aplicaciones más densas y otras más tenues</translation>
     </message>
     <message>
-        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <source>The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
         <translation>Los pesos cambian al azar y siguen el tamaño de las aplicaciones. Si no, cada aplicación conserva el suyo. Un sólido en el espacio no depende de los pesos; una nube, sí.</translation>
     </message>
     <message>
@@ -10527,7 +10527,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mezclar el progenitor con otra entrada de este archivo</translation>
     </message>
     <message>
-        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are halfway between two corresponding maps. The checkboxes above determine whether shape, colour and weights are mixed. Every child has an attractor.</source>
         <translation>Las variaciones toman unas aplicaciones del progenitor, otras de la otra entrada, y otras que están entre dos que se corresponden. Las casillas de arriba indican si se mezclan forma, color y pesos. Cada hijo tiene un atractor.</translation>
     </message>
     <message>
@@ -10535,7 +10535,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>C&amp;ruzar con:</translation>
     </message>
     <message>
-        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the variations are generated. With the same parent, the same settings and the same seed you get the same sheet again.</source>
         <translation>El número del que salen las variaciones. Con el mismo progenitor, los mismos ajustes y la misma semilla se obtiene otra vez la misma lámina.</translation>
     </message>
     <message>
@@ -10543,7 +10543,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Muestra otras variaciones del mismo progenitor, con la semilla siguiente.</translation>
     </message>
     <message>
-        <source>Variation %1, not made yet</source>
+        <source>Variation %1, not ready yet</source>
         <translation>Variación %1, todavía sin hacer</translation>
     </message>
     <message>
@@ -10563,11 +10563,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Haga clic en una imagen para convertirla en el nuevo progenitor.</translation>
     </message>
     <message>
-        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Nada puede cambiar: no hay variaciones. Marque al menos una casilla.</translation>
     </message>
     <message>
-        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Todas las aplicaciones están bloqueadas y conservan sus pesos: las variaciones solo se distinguen por los colores y, de vez en cuando, por una aplicación añadida. Muchas son iguales a su progenitor.</translation>
     </message>
 </context>
@@ -10811,7 +10811,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Tema</translation>
     </message>
     <message>
-        <source>The colours of windows and panels. The picture keeps its own.</source>
+        <source>The colours of windows and panels. The picture keeps its own colours.</source>
         <translation>Los colores de ventanas y paneles. La imagen conserva los suyos.</translation>
     </message>
     <message>
@@ -10871,7 +10871,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Giro de sólidos</translation>
     </message>
     <message>
-        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Cómo gira un sólido al arrastrar. En un plato giratorio, lo vertical sigue vertical. Un trackball gira libremente sobre los ejes de la pantalla, también por encima de los polos; para nivelar la vista de nuevo, mire a lo largo de un eje.</translation>
     </message>
     <message>
@@ -11003,7 +11003,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Crear sistemas en el plano o en el espacio</translation>
     </message>
     <message>
-        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <source>In the plane, the contraction of the maps follows a rule that makes the fractal fill its view. In space there is no such rule: the two larger scale factors of each map follow that of the plane, and the third is smaller.</source>
         <translation>En el plano, lo que contraen las aplicaciones sigue una regla con la que el fractal llena su vista. En el espacio no existe tal regla: los dos estiramientos mayores de cada aplicación siguen la del plano y el tercero es menor.</translation>
     </message>
     <message>
@@ -11055,7 +11055,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>La misma semilla vuelve a dar la misma lámina</translation>
     </message>
     <message>
-        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the systems are generated. With the same settings and the same seed you get the same sheet again.</source>
         <translation>El número del que salen los sistemas. Con los mismos ajustes y la misma semilla se obtiene otra vez la misma lámina.</translation>
     </message>
     <message>
@@ -11161,7 +11161,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Actualizar</translation>
     </message>
     <message>
-        <source>Replaces it by what the canvas shows now.</source>
+        <source>Replaces it by the current view of the canvas.</source>
         <translation>La sustituye por lo que muestra ahora el lienzo.</translation>
     </message>
     <message>
@@ -11575,7 +11575,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Dirección del plano</translation>
     </message>
     <message>
-        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <source>Sets the plane perpendicular to an axis or the diagonal; type any other normal in the fields below.</source>
         <translation>Coloca el plano perpendicular a un eje o a la diagonal; los campos de abajo admiten cualquier normal.</translation>
     </message>
     <message>
@@ -11672,7 +11672,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Una entrada que no se pudo leer no tiene instantáneas.</translation>
     </message>
     <message>
-        <source>“%1” is the same already.</source>
+        <source>“%1” is the same as the fractal.</source>
         <translation>«%1» ya es igual.</translation>
     </message>
     <message>
@@ -11684,7 +11684,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Restaurar «%1»</translation>
     </message>
     <message>
-        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <source>“%1” was deleted. To bring it back, use the menu of the panel.</source>
         <translation>«%1» se ha eliminado. El menú del panel la recupera.</translation>
     </message>
     <message>
@@ -11711,7 +11711,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Restaurar</translation>
     </message>
     <message>
-        <source>Make the fractal as it was in this snapshot.</source>
+        <source>Restore the fractal to this snapshot.</source>
         <translation>Dejar el fractal como estaba en esta instantánea.</translation>
     </message>
     <message>
@@ -11719,7 +11719,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Añadir como entrada</translation>
     </message>
     <message>
-        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <source>Add the snapshot to the file as an entry of its own, after this one.</source>
         <translation>Añadir la instantánea al archivo como entrada propia, detrás de esta.</translation>
     </message>
     <message>
@@ -11771,7 +11771,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Haga clic en una instantánea para restaurarla; deshacer vuelve atrás. Con las teclas de flecha o un clic derecho se selecciona aquella con la que se compara. F2 le cambia el nombre, Supr la elimina.</translation>
     </message>
     <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <source>States of this fractal that you kept. Click one to restore it, as one step of the history. The frame marks the snapshot that the canvas shows. The B marks the selected snapshot, the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
         <translation>Estados de este fractal que guardó. Haga clic en uno para restaurarlo: un paso del historial. El que tiene marco es el que muestra el lienzo. El que lleva una B está seleccionado y es con el que se compara: el más reciente, hasta que seleccione otro con las teclas de flecha o un clic derecho. Las instantáneas duran hasta que se cierra el archivo; «Añadir como entrada» guarda una en el archivo.</translation>
     </message>
 </context>
@@ -11793,19 +11793,19 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Imagen (.png)</translation>
     </message>
     <message>
-        <source>Body to print (.stl)</source>
+        <source>Mesh for 3D printing (.stl)</source>
         <translation>Cuerpo para imprimir (.stl)</translation>
     </message>
     <message>
-        <source>Body (.obj)</source>
+        <source>Mesh (.obj)</source>
         <translation>Cuerpo (.obj)</translation>
     </message>
     <message>
-        <source>Body (.glb)</source>
+        <source>Mesh (.glb)</source>
         <translation>Cuerpo (.glb)</translation>
     </message>
     <message>
-        <source>Body (.ply)</source>
+        <source>Mesh (.ply)</source>
         <translation>Cuerpo (.ply)</translation>
     </message>
     <message>
@@ -11813,7 +11813,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Programa de OpenSCAD (.scad)</translation>
     </message>
     <message>
-        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <source>A picture as the camera shows it, a watertight mesh that contains the attractor, or the maps as a program for OpenSCAD.</source>
         <translation>Una imagen tal como la muestra la cámara, un cuerpo estanco que contiene el atractor, o las aplicaciones como programa para OpenSCAD.</translation>
     </message>
     <message>
@@ -11841,7 +11841,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Ta&amp;maño:</translation>
     </message>
     <message>
-        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
         <translation>Dibuja tantos píxeles a lo largo de cada lado de uno: bordes más suaves.</translation>
     </message>
     <message>
@@ -11857,7 +11857,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>16 bits</translation>
     </message>
     <message>
-        <source>Bits for each channel. Depths always have 16.</source>
+        <source>Bits per channel. Depths always have 16.</source>
         <translation>Bits por canal. Las profundidades siempre tienen 16.</translation>
     </message>
     <message>
@@ -11869,7 +11869,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Fondo trans&amp;parente</translation>
     </message>
     <message>
-        <source>Leaves out what is around the solid.</source>
+        <source>Makes the surroundings of the solid transparent.</source>
         <translation>Omite lo que rodea al sólido.</translation>
     </message>
     <message>
@@ -11897,7 +11897,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation> mm</translation>
     </message>
     <message>
-        <source>The longest side of the body.</source>
+        <source>The longest side of the mesh.</source>
         <translation>El lado más largo del cuerpo.</translation>
     </message>
     <message>
@@ -11905,7 +11905,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Lado más largo:</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <source>Voxels along the longest side: more voxels make finer steps.</source>
         <translation>Vóxeles a lo largo del lado más largo: escalones más finos, y más de ellos.</translation>
     </message>
     <message>
@@ -11977,7 +11977,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Imagen en luz lineal (.exr)</translation>
     </message>
     <message>
-        <source>Depths are written as PNG only.</source>
+        <source>Depths can be written only as PNG.</source>
         <translation>Las profundidades solo se escriben como PNG.</translation>
     </message>
     <message>
@@ -11985,7 +11985,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Añadir a la cola…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Pide un nombre de archivo y crea el archivo cuando le toca, después de los que esperan en el panel Exportaciones. La cola continúa tras reiniciar.</translation>
     </message>
     <message>
@@ -12001,7 +12001,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Encuadre</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <source>What the picture shows: the view on the canvas, or a saved view.</source>
         <translation>Lo que muestra la imagen: lo que muestra el lienzo o una vista guardada.</translation>
     </message>
     <message>
@@ -12059,7 +12059,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Aspecto</translation>
     </message>
     <message>
-        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <source>A lit solid, the density of its points, or data for other programs.</source>
         <translation>Un sólido iluminado, la densidad de sus puntos, o números para otros programas.</translation>
     </message>
     <message>
@@ -12067,7 +12067,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Piedra</translation>
     </message>
     <message>
-        <source>A solid in the light of a lamp that you can move</source>
+        <source>A solid lit by a lamp that you can move</source>
         <translation>Un sólido a la luz de una lámpara que se puede mover</translation>
     </message>
     <message>
@@ -12167,7 +12167,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Colorear por</translation>
     </message>
     <message>
-        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
+        <source>The direction of the light as seen by the camera; in the middle, it shines from the camera.</source>
         <translation>Dónde está la lámpara vista desde el ojo: en el centro es el propio ojo.</translation>
     </message>
     <message>
@@ -12361,7 +12361,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Desplegar la simetría</translation>
     </message>
     <message>
-        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change them individually. The picture stays the same.</source>
         <translation>Escribe en la lista las copias que crea la simetría como aplicaciones propias, para poder cambiar una sola. La imagen no cambia.</translation>
     </message>
     <message>
@@ -12389,7 +12389,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Centro de la simetría, z</translation>
     </message>
     <message>
-        <source>The point that the symmetry leaves in place</source>
+        <source>The point that the symmetry leaves unchanged</source>
         <translation>El punto que la simetría deja en su sitio</translation>
     </message>
     <message>
@@ -12479,7 +12479,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Elegir</translation>
     </message>
     <message>
-        <source>Choose the picture that the fractal is to look like</source>
+        <source>Choose the picture that the fractal should look like</source>
         <translation>Elegir la imagen a la que debe parecerse el fractal</translation>
     </message>
     <message>
@@ -12539,7 +12539,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Umbral automático</translation>
     </message>
     <message>
-        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <source>Find the threshold that best separates dark from light (Otsu)</source>
         <translation>Separar lo oscuro de lo claro tan bien como puede un umbral (Otsu)</translation>
     </message>
     <message>
@@ -12567,7 +12567,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Imagen completa</translation>
     </message>
     <message>
-        <source>Use all of the picture again</source>
+        <source>Use the whole picture again</source>
         <translation>Volver a usar toda la imagen</translation>
     </message>
     <message>
@@ -12653,7 +12653,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Exportar…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Pide un nombre de archivo y escribe la imagen. Mientras tanto puede seguir trabajando.</translation>
     </message>
     <message>
@@ -12669,7 +12669,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Encuadre</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin.</source>
         <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un margen pequeño, mire donde mire el lienzo.</translation>
     </message>
     <message>
@@ -13083,7 +13083,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>, claves en esta fila: %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty area to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
         <translation>Una fila por cada parte que puede moverse. El rombo de delante crea una clave en el cabezal o la elimina. Arrastre claves para moverlas: Alt mueve también las posteriores, Ctrl las copia. Arrastre en la regla para mover el cabezal, o desde un lugar vacío para seleccionar claves. Ctrl + rueda amplía. Clic derecho en una clave para su transición. Las claves redondas son suaves: el movimiento pasa por ellas sin esquinas. Haga doble clic en un movimiento para cambiar su intensidad o su número de vueltas.</translation>
     </message>
 </context>
@@ -13265,7 +13265,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pareja</translation>
     </message>
     <message>
-        <source>The entry on which the picture lies</source>
+        <source>The entry on which the picture is placed</source>
         <translation>La entrada sobre la que está la imagen</translation>
     </message>
     <message>
@@ -13369,11 +13369,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Dividir palabras</translation>
     </message>
     <message>
-        <source>Choose the picture where it is now</source>
+        <source>Choose the current location of the picture</source>
         <translation>Elegir la imagen donde está ahora</translation>
     </message>
     <message>
-        <source>Divide maps of both entries into words until they have equally many</source>
+        <source>Divide maps of both entries into words until both have the same number</source>
         <translation>Dividir aplicaciones de ambas entradas en palabras hasta que tengan las mismas</translation>
     </message>
     <message>
@@ -13618,7 +13618,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
         <translation>Zoom en porcentaje: al 100 %, una unidad del plano ocupa 100 píxeles. Escriba otro valor o elija uno.</translation>
     </message>
     <message>

@@ -35,7 +35,7 @@
         <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie&#x202f;: une nouvelle application pour cette branche, la dernière application de son adresse, ou cette branche seule.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
+        <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>L’image reste où elle est&#x202f;: elle est désormais tenue par le nouveau triangle. Retour arrière reprend le dernier coin, Échap annule.</translation>
     </message>
     <message>
@@ -47,7 +47,7 @@
         <translation>Les coefficients ne changent pas. Pour garder l’image et modifier plutôt les coefficients, utilisez Intégrer au code.</translation>
     </message>
     <message>
-        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <source>Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest to the current cage. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
         <translation>Chaque application w devient T w T⁻¹, où T est ce que la cage fait à l’image. La cage est ensuite au repos. Une cage plate ou qui courbe l’image ne peut pas être intégrée.</translation>
     </message>
     <message>
@@ -59,7 +59,7 @@
         <translation>Le tableau des applications montre les nouveaux nombres pendant le glissement, et la cage est ensuite de nouveau au repos.</translation>
     </message>
     <message>
-        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
+        <source>The cage is included if that needs little space. The fractal itself does not change.</source>
         <translation>La cage est comprise là où cela prend peu de place. La fractale elle-même ne change pas.</translation>
     </message>
     <message>
@@ -71,7 +71,7 @@
         <translation>Seule la vue est retournée&#x202f;: ni les coefficients ni les coordonnées ne changent.</translation>
     </message>
     <message>
-        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <source>Press the key again to show the cage, handles, grid, axes and outlines.</source>
         <translation>La cage, les poignées, la grille, les axes et les contours reviennent quand vous appuyez de nouveau sur la touche.</translation>
     </message>
     <message>
@@ -79,7 +79,7 @@
         <translation>Une barre apparaît sous le canevas&#x202f;: choisissez le nombre d’étapes, ou laissez le jeu du chaos avancer point par point à n’importe quelle vitesse.</translation>
     </message>
     <message>
-        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <source>As a placement, it leaves the coefficients unchanged; as code, it replaces them by those of the transformed fractal. The canvas shows the result before you accept it.</source>
         <translation>Comme placement, les coefficients restent&#x202f;; comme code, ils deviennent ceux de la fractale transformée. Le canevas montre le résultat avant que vous l’acceptiez.</translation>
     </message>
     <message>
@@ -95,7 +95,7 @@
         <translation>Si un tableau ne nomme pas ses colonnes, leur ordre vous est demandé. Dans le panneau Applications, Coller ajoute à la fractale les applications copiées ou les lignes de nombres.</translation>
     </message>
     <message>
-        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
         <translation>Ce qui a le focus décide : le tableau des applications et le canevas avec l’outil des applications déplacent des applications, la liste des entrées des entrées.</translation>
     </message>
     <message>
@@ -103,11 +103,11 @@
         <translation>Les applications sont copiées avec leurs noms et en lignes de nombres, les entrées en texte .ifs que d’autres programmes peuvent lire.</translation>
     </message>
     <message>
-        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <source>A locked map cannot be edited in the table, dragged, nudged, arranged, fitted or deleted. Changes to the whole fractal, such as a cage that rewrites the code, also change its locked maps.</source>
         <translation>Une application verrouillée ne peut être ni retapée, ni glissée, ni poussée, ni disposée, ni ajustée, ni supprimée. Ce qui change toute la fractale, comme une cage qui réécrit le code, change aussi ses applications verrouillées.</translation>
     </message>
     <message>
-        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Seule la partie de l’attracteur que produit l’application est dessinée. Le fichier ne change pas, et une autre entrée est de nouveau affichée entière.</translation>
     </message>
 </context>
@@ -213,7 +213,7 @@
         <translation>inconnu : l’erreur serait plus grande</translation>
     </message>
     <message>
-        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
         <translation>Un ensemble compact auquel mène, pas à pas, tout ensemble compact de départ. Un système en a un exactement si ses applications contractent dans une norme.</translation>
     </message>
     <message>
@@ -261,7 +261,7 @@
         <translation>connexe</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>connexe, autant que l’arrondi permet d’en juger</translation>
     </message>
     <message>
@@ -289,7 +289,7 @@
         <translation>Entropie</translation>
     </message>
     <message>
-        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
         <translation>−Σ pᵢ ln pᵢ : ce qu’un pas du jeu du chaos laisse ouvert, en nats.</translation>
     </message>
     <message>
@@ -305,15 +305,15 @@
         <translation>Dimension de la mesure</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>L’entropie divisée par l’opposé de l’exposant de Liapounov, au plus 2 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
     <message>
-        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Le nombre D tel que Σ sᵢᴰ = 1, où les sᵢ sont les rapports des applications, si toutes sont des similitudes dans certaines coordonnées. C’est la dimension de l’attracteur sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is most stable. This is an estimate: the uncertainty is the difference between parts of that range, not a proven bound.</source>
         <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N est le nombre de boîtes de côté ε qui rencontrent l’attracteur, sur les tailles où elle est la plus régulière. C’est une estimation ; l’incertitude vient de l’écart entre des parties de cet intervalle et n’est pas une preuve.</translation>
     </message>
     <message>
@@ -321,15 +321,15 @@
         <translation>Moyenne de la mesure invariante, calculée sans échantillonnage : le centre de masse de l’image.</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. A uniform mass on the ellipse has the same mean and covariance.</source>
         <translation>Covariance xx, xy, yy de la mesure invariante, calculée sans échantillonnage : l’étendue de l’image. Une masse uniforme qui remplit l’ellipse a la même moyenne et la même covariance.</translation>
     </message>
     <message>
-        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Each side is off by at most the error.</source>
         <translation>Le plus petit rectangle de côtés parallèles aux axes qui contient l’attracteur ; certifié. Ses côtés s’écartent au plus de l’erreur.</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>Le plus petit triangle rectangle isocèle aux côtés parallèles aux axes qui contient l’attracteur ; certifié. Les signes donnent les directions de ses cathètes. Pour un seul point, la cathète vaut 1.</translation>
     </message>
     <message>
@@ -357,7 +357,7 @@
         <translation>Oui : %1 applications consécutives quelconques contractent, d’un facteur %2 ou moins par application.</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropie divisée par l’opposé de l’exposant de Liapounov, au plus 3 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
     <message>
@@ -382,7 +382,7 @@
         <translation>L’attracteur dépasse la boîte d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
     <message>
-        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>Le plus petit tétraèdre à trois côtés égaux parallèles aux axes qui contient l’attracteur ; certifié. Les signes donnent les directions de ses côtés. Pour un seul point, le côté vaut 1.</translation>
     </message>
     <message>
@@ -398,7 +398,7 @@
         <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(autant que l’arrondi permet d’en juger)</translation>
     </message>
     <message>
@@ -422,7 +422,7 @@
         <translation>Équation de Moran</translation>
     </message>
     <message>
-        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 avec les rapports de ces applications, ceux qui sont égaux étant regroupés. Sa solution est la dimension de similitude.</translation>
     </message>
 </context>
@@ -523,7 +523,7 @@
 <context>
     <name>ClusterJob</name>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>Le dossier %1 ne peut pas être créé.</translation>
     </message>
 </context>
@@ -654,7 +654,7 @@
         <translation>Plantes dans l’espace</translation>
     </message>
     <message>
-        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <source>Fronds and trees with branches all around the stem.</source>
         <translation>Des frondes et des arbres dont les branches entourent la tige.</translation>
     </message>
     <message>
@@ -686,7 +686,7 @@
         <translation>Applications liées</translation>
     </message>
     <message>
-        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
         <translation>Des applications qui ne peuvent en suivre que certaines : pavés de Penrose, frontières et jeux du chaos avec des règles.</translation>
     </message>
     <message>
@@ -694,7 +694,7 @@
         <translation>Transformations fractales</translation>
     </message>
     <message>
-        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Des fractales aux couleurs d’une image posée sur une autre ; un double clic ouvre les deux côte à côte.</translation>
     </message>
 </context>
@@ -725,18 +725,18 @@
         <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
     </message>
     <message>
-        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
         <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>L’application %1 de « %2 » change cette direction ; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
     </message>
 </context>
 <context>
     <name>Enqueue</name>
     <message>
-        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
         <translation>Le nom « %1 » ne correspond pas au format choisi. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -766,18 +766,18 @@
         <translation>Ce n’est pas un export de ce programme.</translation>
     </message>
     <message>
-        <source>Its settings are not ones of this version.</source>
+        <source>Its settings are not supported by this version.</source>
         <translation>Ses réglages ne sont pas ceux de cette version.</translation>
     </message>
     <message>
-        <source>The file that it names does not fit its format.</source>
+        <source>Its file name does not match its format.</source>
         <translation>Le fichier qu’il nomme ne correspond pas à son format.</translation>
     </message>
 </context>
 <context>
     <name>Exports</name>
     <message numerus="yes">
-        <source>%n exports from last time are in the queue.</source>
+        <source>%n exports from the last session are in the queue.</source>
         <translation>
             <numerusform>%n export de la dernière fois est dans la file d’attente.</numerusform>
             <numerusform>%n exports de la dernière fois sont dans la file d’attente.</numerusform>
@@ -795,7 +795,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <source>They will continue the next time you start Barycage. Close it now?</source>
         <translation>
             <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
             <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
@@ -855,7 +855,7 @@
         <translation>Montrer une étape de la leçon</translation>
     </message>
     <message>
-        <source>The cage of this entry has other corners than in the lesson.</source>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
         <translation>La cage de cette entrée a d’autres sommets que dans la leçon.</translation>
     </message>
 </context>
@@ -1091,7 +1091,7 @@
         <translation>&amp;Enregistrer</translation>
     </message>
     <message>
-        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged, byte for byte</source>
         <translation>Enregistrer le fichier&#x202f;; les entrées non modifiées sont conservées à l’octet près</translation>
     </message>
     <message>
@@ -1295,7 +1295,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Write the placement into the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, and the coefficients change</source>
         <translation>Intégrer le placement au code&#x202f;: l’image reste, les coefficients changent</translation>
     </message>
     <message>
@@ -1303,7 +1303,7 @@
         <translation>&amp;Extraire du code</translation>
     </message>
     <message>
-        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, and the code is rewritten for the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Extraire le placement du code&#x202f;: l’image reste, le code devient celui du triangle (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -1643,7 +1643,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
+        <source>Show only the canvas in full screen, for example on a projector; press Esc to return</source>
         <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@
         <translation>Placer aux &amp;coins</translation>
     </message>
     <message>
-        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <source>Move each selected map so that it leaves the nearest corner of the cage fixed</source>
         <translation>Déplacer chaque application sélectionnée jusqu’à ce qu’elle envoie le coin le plus proche de la cage sur lui-même</translation>
     </message>
     <message>
@@ -1843,7 +1843,7 @@
         <translation>«&#x202f;%1&#x202f;» a été supprimé, renommé ou déplacé depuis son ouverture ici.</translation>
     </message>
     <message>
-        <source>Saving creates it again at its old place.</source>
+        <source>Saving creates it again in its old location.</source>
         <translation>L’enregistrement le recréera à son ancien emplacement.</translation>
     </message>
     <message>
@@ -1867,7 +1867,7 @@
         <translation>Aplatir dans le plan</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh for 3D printing</source>
         <translation>Exporte l’image en PNG, SVG ou PDF, cadrée comme à l’écran ; un solide, aussi comme corps à imprimer</translation>
     </message>
     <message>
@@ -1991,7 +1991,7 @@
         <translation>Ctrl+Shift+T</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <source>Show another entry beside this one, and colour this one by a picture placed on the other</source>
         <translation>Afficher une autre entrée à côté de celle-ci et peindre celle-ci avec une image posée dessus</translation>
     </message>
     <message>
@@ -2003,7 +2003,7 @@
         <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
-        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <source>Export the animation as a video, an animated image or frames, on this computer or on a cluster</source>
         <translation>Exporter l’animation en vidéo, en image animée ou en images, ici ou sur une grappe de calcul</translation>
     </message>
     <message>
@@ -2023,7 +2023,7 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
         <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
     </message>
     <message>
@@ -2035,11 +2035,11 @@
         <translation>Montrer aussi le solide de dessus, de face et de droite</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Définit le triangle de contrôle par trois clics, dans l’espace le tétraèdre par quatre</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
         <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de graphe et de matrice.</translation>
     </message>
     <message>
@@ -2071,7 +2071,7 @@
         <translation>Stéréo, &amp;côte à côte</translation>
     </message>
     <message>
-        <source>Show what each eye sees, the left one to the left</source>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
         <translation>Montre ce que voit chaque œil, le gauche à gauche</translation>
     </message>
     <message>
@@ -2079,7 +2079,7 @@
         <translation>Stéréo, pour lunettes rouge et c&amp;yan</translation>
     </message>
     <message>
-        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
     </message>
     <message>
@@ -2159,7 +2159,7 @@
         <translation>&amp;Jouer la leçon</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen</source>
+        <source>Play the lesson in full screen</source>
         <translation>Jouer la leçon sur tout l’écran</translation>
     </message>
     <message>
@@ -2167,7 +2167,7 @@
         <translation>Étape &amp;suivante</translation>
     </message>
     <message>
-        <source>Show the next step of the lesson that is played</source>
+        <source>Show the next step of the lesson being played</source>
         <translation>Montrer l’étape suivante de la leçon en cours</translation>
     </message>
     <message>
@@ -2175,7 +2175,7 @@
         <translation>Étape &amp;précédente</translation>
     </message>
     <message>
-        <source>Show the previous step of the lesson that is played</source>
+        <source>Show the previous step of the lesson being played</source>
         <translation>Montrer l’étape précédente de la leçon en cours</translation>
     </message>
     <message>
@@ -2183,7 +2183,7 @@
         <translation>A&amp;jouter une étape</translation>
     </message>
     <message>
-        <source>Add a step to the lesson, with the state of the window now</source>
+        <source>Add a step to the lesson, with the current state of the window</source>
         <translation>Ajouter à la leçon une étape avec l’état actuel de la fenêtre</translation>
     </message>
     <message>
@@ -2191,11 +2191,11 @@
         <translation>&amp;Enregistrer la leçon…</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
     </message>
     <message>
-        <source>The step now has the state of the window.</source>
+        <source>The step now has the current state of the window.</source>
         <translation>L’étape a maintenant l’état de la fenêtre.</translation>
     </message>
     <message>
@@ -2207,7 +2207,7 @@
         <translation>La leçon ne nomme aucun fichier de fractales de son dossier («&#x202f;file: nom.ifs&#x202f;»).</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
     </message>
     <message>
@@ -2247,7 +2247,7 @@
         <translation>Les fractales contiennent des modifications non enregistrées.</translation>
     </message>
     <message>
-        <source>Step %1 has the state of the window. Write its text.</source>
+        <source>Step %1 has the current state of the window. Now write its text.</source>
         <translation>L’étape %1 a l’état de la fenêtre. Écrivez son texte.</translation>
     </message>
     <message>
@@ -2279,7 +2279,7 @@
         <translation>&amp;Verrouiller ou déverrouiller les applications</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits, or stop doing so</source>
+        <source>Lock the selected maps against editing, or unlock them</source>
         <translation>Protéger les applications sélectionnées des modifications, ou cesser de le faire</translation>
     </message>
     <message>
@@ -2295,11 +2295,11 @@
         <translation>États de cette fractale que vous avez gardés en travaillant. Cliquez sur l’un d’eux pour le rétablir.</translation>
     </message>
     <message>
-        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
         <translation>Les images dessinées l’une après l’autre en arrière-plan, et l’avancement de chacune.</translation>
     </message>
     <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
         <translation>Une leçon sur ces fractales&#x202f;: ses étapes, chacune avec un texte et l’état de la fenêtre, à jouer sur tout l’écran.</translation>
     </message>
     <message>
@@ -2339,11 +2339,11 @@
         <translation>Enregistrer la vue « %1 »</translation>
     </message>
     <message>
-        <source>Print &amp;Hand-out…</source>
+        <source>Print &amp;Handout…</source>
         <translation>Imprimer une &amp;fiche pour la classe…</translation>
     </message>
     <message>
-        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet</source>
         <translation>Imprimer des entrées pour la classe : images avec cage, applications et formules, ou une feuille d’exercices vierge</translation>
     </message>
     <message>
@@ -2379,7 +2379,7 @@
         <translation>Fi&amp;gure (TikZ)</translation>
     </message>
     <message>
-        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as shown on the canvas</source>
         <translation>Copier la cage et ses images par les applications, avec numéros et points fixes, comme affichées</translation>
     </message>
     <message>
@@ -2415,7 +2415,7 @@
         <translation>Ctrl+[</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <source>Rotate the view counter-clockwise by 15°</source>
         <translation>Tourner de 15° dans le sens inverse des aiguilles d’une montre ce que montre la zone de dessin</translation>
     </message>
     <message>
@@ -2427,7 +2427,7 @@
         <translation>Ctrl+]</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows clockwise by 15°</source>
+        <source>Rotate the view clockwise by 15°</source>
         <translation>Tourner de 15° dans le sens des aiguilles d’une montre ce que montre la zone de dessin</translation>
     </message>
     <message>
@@ -2435,7 +2435,7 @@
         <translation>&amp;Annuler la rotation</translation>
     </message>
     <message>
-        <source>Turn the view upright again</source>
+        <source>Return the view to upright</source>
         <translation>Redresser la vue</translation>
     </message>
     <message>
@@ -2447,7 +2447,7 @@
         <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, to compare and to edit both</source>
+        <source>Show another entry beside this one, to compare and edit both</source>
         <translation>Afficher une autre entrée à côté de celle-ci, pour comparer et modifier les deux</translation>
     </message>
     <message>
@@ -2455,7 +2455,7 @@
         <translation>Copié.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
         <translation>Le fichier de ses fractales, «&#x202f;%1&#x202f;», n’est pas dans le dossier de la leçon. Il a peut-être été renommé ou déplacé.</translation>
     </message>
     <message>
@@ -2471,7 +2471,7 @@
         <translation>Collections Fractint (*.ifs *.par)</translation>
     </message>
     <message>
-        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <source>The lesson now refers to %1. Save the lesson to keep this change.</source>
         <translation>La leçon appartient maintenant à %1. Enregistrez-la pour que cela reste ainsi.</translation>
     </message>
     <message>
@@ -2553,7 +2553,7 @@
         <translation>L’enregistrement de «&#x202f;%1&#x202f;» a été annulé. Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
     </message>
     <message>
@@ -2779,7 +2779,7 @@
         <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
     </message>
     <message>
-        <source>the WebP encoder has not enough memory.</source>
+        <source>the WebP encoder does not have enough memory.</source>
         <translation>l’encodeur WebP n’a pas assez de mémoire.</translation>
     </message>
 </context>
@@ -2798,7 +2798,7 @@
         <translation>Le fichier n’est pas une image PNG, ou il est endommagé.</translation>
     </message>
     <message>
-        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
         <translation>L’image contient trop de texte&#x202f;: la limite est de 40 Mo en tout.</translation>
     </message>
     <message>
@@ -2840,7 +2840,7 @@
         <translation>Un travail non enregistré a été trouvé</translation>
     </message>
     <message>
-        <source>The last time you used Barycage, it ended before this work was saved:</source>
+        <source>In the last session, Barycage ended before this work was saved:</source>
         <translation>La dernière fois, Barycage s’est arrêté avant que ce travail ne soit enregistré&#x202f;:</translation>
     </message>
     <message>
@@ -2860,7 +2860,7 @@
         <translation>Le travail non enregistré ne peut pas être gardé pour la récupération : on ne peut pas écrire dans le dossier « %1 », ou le disque est plein. Enregistrez souvent.</translation>
     </message>
     <message>
-        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
+        <source>The unsaved work from the last session is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>Un travail non enregistré de la dernière fois est endommagé et ne peut pas être récupéré. Ce qu’il en reste se trouve dans&#x202f;:</translation>
     </message>
     <message>
@@ -2898,7 +2898,7 @@
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <source>Restores the fractal to this snapshot, as one step of the history.</source>
         <translation>Remet la fractale comme elle était dans cet instantané : une étape de l’historique.</translation>
     </message>
     <message>
@@ -2921,7 +2921,7 @@
         <translation>S</translation>
     </message>
     <message>
-        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <source>Keep the current state of this fractal in the Snapshots panel</source>
         <translation>Garder l’état présent de cette fractale dans le panneau « Instantanés »</translation>
     </message>
     <message>
@@ -2933,11 +2933,11 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <source>Kept as “%1”. To see it, choose View, Panels, Snapshots.</source>
         <translation>Gardé sous « %1 ». « Affichage », « Panneaux », « Instantanés » le montre.</translation>
     </message>
     <message>
-        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Montrer à la place de la fractale l’instantané sélectionné dans le panneau « Instantanés », ou le plus récent ; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
     </message>
 </context>
@@ -3130,7 +3130,7 @@
         <translation>Rotation de la vue</translation>
     </message>
     <message>
-        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to return it to upright</source>
         <translation>De combien la vue est tournée dans le sens inverse des aiguilles d’une montre ; choisissez Affichage, Faire pivoter la vue, Annuler la rotation pour la redresser</translation>
     </message>
     <message>
@@ -3171,7 +3171,7 @@
 <context>
     <name>TaskFolder</name>
     <message>
-        <source>It is not an ordinary file.</source>
+        <source>It is not a regular file.</source>
         <translation>Ce n’est pas un fichier ordinaire.</translation>
     </message>
     <message>
@@ -3183,14 +3183,14 @@
         <translation>Il ne peut pas être lu.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
         <translation>Un export de la dernière fois a été ignoré. %1 Son fichier endommagé a été renommé en %2.</translation>
     </message>
 </context>
 <context>
     <name>TaskJob</name>
     <message>
-        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
         <translation>Un fichier « %1 » est apparu depuis que vous avez ajouté cet export. Réessayer le remplace.</translation>
     </message>
     <message>
@@ -3597,7 +3597,7 @@
         <translation>«&#x202f;%1&#x202f;» est un dossier. Choisissez un nom de fichier.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
+        <source>“%1” is not a regular file and will not be replaced. Choose another name.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et n’est pas remplacé. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -3649,7 +3649,7 @@
         <translation>Seuls les systèmes du plan peuvent être écrits en graphiques vectoriels.</translation>
     </message>
     <message>
-        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to copy.</source>
         <translation>Le système n’a pas d’attracteur dont on puisse certifier un contour&#x202f;: il n’y a donc rien à copier.</translation>
     </message>
     <message>
@@ -3912,7 +3912,7 @@
         <translation>connexe</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>connexe, autant que l’arrondi permet d’en juger</translation>
     </message>
     <message>
@@ -4112,7 +4112,7 @@
         <translation>%1 images à %2 par seconde, %3&#x202f;; %4 pistes, %5 mouvements</translation>
     </message>
     <message>
-        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
         <translation>Ce n’est pas un format de programmes de fractales. Ses listes de nombres sont lues comme des tableaux d’applications (systèmes&#x202f;: %1, applications&#x202f;: %2), dans l’ordre a b c d e f là où des noms n’en indiquent pas d’autre.</translation>
     </message>
     <message>
@@ -4184,7 +4184,7 @@
         <translation>La surface de « %1 » n’est pas fermée et n’a donc pas été écrite.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
         <translation>« %1 » est trop petit pour sa distance à l’origine : les nombres du fichier ne distinguent pas ses points. Déplacez-le à l’origine.</translation>
     </message>
     <message>
@@ -4228,7 +4228,7 @@
         <translation>« %1 » a été écrit par une autre version du programme, qui peut dessiner d’autres pixels.</translation>
     </message>
     <message>
-        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is present. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>L’image n’est pas complète : %1 % sont présents. Ajoutez les fichiers des autres parties, ou écrivez un fichier .sum.</translation>
     </message>
     <message>
@@ -4296,11 +4296,11 @@
         <translation>Il n’y a pas de transformation fractale entre ces entrées.</translation>
     </message>
     <message>
-        <source>“%1” is not a system of the plane.</source>
+        <source>“%1” is not a system in the plane.</source>
         <translation>« %1 » n’est pas un système du plan.</translation>
     </message>
     <message>
-        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <source>The cage of “%1” is flat or bends the picture. Bake or reset it first.</source>
         <translation>La cage de « %1 » est plate ou courbe l’image. Inscrivez-la d’abord dans le code, ou remettez-la au repos.</translation>
     </message>
     <message>
@@ -4308,7 +4308,7 @@
         <translation>« %1 » n’a aucune application active, il n’y a donc rien à dessiner.</translation>
     </message>
     <message>
-        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <source>No attractor could be proved for “%1”, so its points have no addresses.</source>
         <translation>« %1 » n’a pas d’attracteur démontrable, ses points n’ont donc pas d’adresses.</translation>
     </message>
     <message>
@@ -4316,7 +4316,7 @@
         <translation>L’ordre enregistré ne cite pas une fois chaque application active de « %1 ».</translation>
     </message>
     <message>
-        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
         <translation>« %1 » a %2 applications actives et « %3 » en a %4. Il en faut autant des deux côtés.</translation>
     </message>
     <message>
@@ -4368,7 +4368,7 @@
         <translation>Les liens de l’application %1 ne sont pas valides, donc aucun n’est appliqué&#x202f;: une ligne de liens a un nombre par application, 0 ou plus.</translation>
     </message>
     <message>
-        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <source>With these links every sequence of maps ends, so no map is active.</source>
         <translation>Avec ces liens, toute suite d’applications prend fin&#x202f;; aucune application n’est donc active.</translation>
     </message>
     <message>
@@ -4416,7 +4416,7 @@
         <translation>%1 facettes</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(autant que l’arrondi permet d’en juger)</translation>
     </message>
     <message>
@@ -4432,7 +4432,7 @@
         <translation>symétrie</translation>
     </message>
     <message>
-        <source>takes no part: after it, the chaos game comes to an end</source>
+        <source>takes no part: after it, the chaos game ends</source>
         <translation>ne participe pas&#x202f;: après elle, le jeu du chaos prend fin</translation>
     </message>
     <message>
@@ -4440,7 +4440,7 @@
         <translation>ne participe pas&#x202f;: aucune application n’y mène</translation>
     </message>
     <message>
-        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <source>takes no part: the chaos game leaves it and never returns</source>
         <translation>ne participe pas&#x202f;: le jeu du chaos la quitte et n’y revient jamais</translation>
     </message>
     <message>
@@ -4452,7 +4452,7 @@
         <translation>applications liées</translation>
     </message>
     <message>
-        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not computed for linked maps</source>
         <translation>la séparation, la connexité, le rayon spectral joint et les adresses périodiques ne sont pas déterminés pour les applications liées</translation>
     </message>
     <message>
@@ -4555,7 +4555,7 @@
         <translation>Jeu du chaos</translation>
     </message>
     <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
         <translation>Appuyez sur « Jeu du chaos », puis sur « Lancer ». Un seul point saute, chaque fois par une application choisie au hasard, et laisse une marque là où il tombe. Accélérez-le : quoi que disent les dés, les marques remplissent la même image, l’attracteur.</translation>
     </message>
     <message>
@@ -4563,7 +4563,7 @@
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
         <translation>L’application du dernier saut vers un point, celle d’avant, et ainsi de suite&#x202f;: ces numéros forment l’adresse du point. Choisissez Colorer selon&#x202f;: Adresse. Les points dont les adresses commencent de la même façon sont voisins, et maintenant ils se ressemblent.</translation>
     </message>
     <message>
@@ -4641,7 +4641,7 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
         <translation>Le dossier des fichiers temporaires n’a pas assez de place pour les images&#x202f;: %1.</translation>
     </message>
     <message>
@@ -4657,11 +4657,11 @@
         <translation>La mémoire ne suffit pas pour une image de la vidéo.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be made.</source>
+        <source>The palette of the GIF cannot be created.</source>
         <translation>La palette du GIF ne peut pas être créée.</translation>
     </message>
     <message>
-        <source>A frame of the GIF cannot be made.</source>
+        <source>A frame of the GIF cannot be created.</source>
         <translation>Une image du GIF ne peut pas être créée.</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@
         <translation>Ce format montre au plus %1 images par seconde. Choisissez une cadence plus basse.</translation>
     </message>
     <message>
-        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Ce Barycage a été compilé sans les bibliothèques de FFmpeg et n’écrit pas de vidéos. Écrivez plutôt les images en PNG.</translation>
     </message>
     <message>
@@ -4908,7 +4908,7 @@
         <translation>On ne peut pas lier plus de %1 applications.</translation>
     </message>
     <message>
-        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
         <translation>Les liens de « %1 » font finir toute suite d’applications : il n’y a rien que des applications simples pourraient dessiner.</translation>
     </message>
     <message>
@@ -5065,7 +5065,7 @@
         <translation>Forme affinement invariante</translation>
     </message>
     <message>
-        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle to a part of itself.</source>
         <translation>La ligne j d’une matrice contient les coordonnées barycentriques, dans le triangle, de l’image du sommet j&#x202f;; la somme de chaque ligne est donc 1. Les matrices ne changent pas quand on déplace le triangle. Là où aucun coefficient n’est négatif, l’application envoie le triangle dans lui-même.</translation>
     </message>
     <message>
@@ -5228,7 +5228,7 @@
         <translation>WebM : pour les pages web, avec transparence</translation>
     </message>
     <message>
-        <source>MKV: without loss, for editing</source>
+        <source>MKV: lossless, for editing</source>
         <translation>MKV : sans perte, pour le montage</translation>
     </message>
     <message>
@@ -5236,11 +5236,11 @@
         <translation>GIF : 256 couleurs</translation>
     </message>
     <message>
-        <source>WebP: a moving picture without loss</source>
+        <source>WebP: a lossless animated image</source>
         <translation>WebP : image animée sans perte</translation>
     </message>
     <message>
-        <source>APNG: a moving picture without loss</source>
+        <source>APNG: a lossless animated image</source>
         <translation>APNG : image animée sans perte</translation>
     </message>
     <message>
@@ -5248,7 +5248,7 @@
         <translation>PNG : une image par trame</translation>
     </message>
     <message>
-        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <source>A video, an animated image for web pages and messages, or one picture for each frame. All of them contain the animation, so Barycage can open them again.</source>
         <translation>Une vidéo, une image animée pour les pages et les messages, ou une image par trame. Toutes contiennent l’animation, et Barycage les rouvre.</translation>
     </message>
     <message>
@@ -5268,7 +5268,7 @@
         <translation>Toute l’animation</translation>
     </message>
     <message>
-        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <source>What the frames show where the camera has no keys: the view on the canvas, or everything that becomes visible, with a small margin.</source>
         <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe : ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
     </message>
     <message>
@@ -5372,11 +5372,11 @@
         <translation>Lissée : sans scintillement</translation>
     </message>
     <message>
-        <source>Fixed: that of frame 0</source>
+        <source>Fixed: as in frame 0</source>
         <translation>Fixe : celle de l’image 0</translation>
     </message>
     <message>
-        <source>Each: by itself</source>
+        <source>Each: frame by frame</source>
         <translation>Chacune : pour elle-même</translation>
     </message>
     <message>
@@ -5392,7 +5392,7 @@
         <translation>Tâches sur une grappe</translation>
     </message>
     <message>
-        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <source>How many cluster tasks share the frames when you choose On a Cluster.</source>
         <translation>Entre combien de tâches d’une grappe les images sont réparties avec « Sur une grappe ».</translation>
     </message>
     <message>
@@ -5420,7 +5420,7 @@
         <translation>&amp;Exporter…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Demande un nom de fichier et écrit l’animation. Vous pouvez continuer à éditer : l’animation est exportée telle qu’elle était à l’ouverture de ce dialogue.</translation>
     </message>
     <message>
@@ -5428,7 +5428,7 @@
         <translation>Sur une grapp&amp;e…</translation>
     </message>
     <message>
-        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Écrit un dossier avec l’animation et les scripts qui la dessinent sur une grappe Slurm, et le soumet là où sbatch est trouvé.</translation>
     </message>
     <message numerus="yes">
@@ -5495,7 +5495,7 @@
         <translation>Annulé ; le dossier est peut-être incomplet.</translation>
     </message>
     <message>
-        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <source>The job is in %1. sbatch was not found on this computer: run submit.sh in this folder on the cluster.</source>
         <translation>Le travail est dans %1. Il n’y a pas de sbatch ici : lancez submit.sh de ce dossier sur la grappe.</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@
         <translation>Plus de palettes…</translation>
     </message>
     <message>
-        <source>Browse hundreds of palettes, turn and shift them</source>
+        <source>Browse hundreds of palettes, change their hue and shift them</source>
         <translation>Parcourir des centaines de palettes, les tourner et les décaler</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@
         <translation>À 1, le gamma décide seulement de la force avec laquelle une couleur apparaît, et la couleur garde sa teinte. À 0, le gamma agit aussi sur le rouge, le vert et le bleu, et les couleurs sont plus pâles. Les flammes ont le même réglage.</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps applied, as in flames. The position of each map on the palette, and its speed, are in the Maps panel.</source>
         <translation>Ce que dit la couleur d’un point : combien de points tombent là, quelle application a agi en dernier, l’adresse entière, ou le mélange des couleurs de toutes les applications du chemin, comme dans les flames. Le panneau Applications a la place de chaque application sur la palette, et sa vitesse.</translation>
     </message>
     <message>
@@ -5698,11 +5698,11 @@
         <translation>Mélange des applications</translation>
     </message>
     <message>
-        <source>As in flames: each map draws colours to its place on the palette</source>
+        <source>As in flames: each map moves colours towards its position on the palette</source>
         <translation>Comme dans les flames : chaque application attire les couleurs vers sa place sur la palette</translation>
     </message>
     <message>
-        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Les couleurs, des parties les plus ténues aux plus denses, le long des adresses, ou le long des places entre lesquelles les applications mélangent.</translation>
     </message>
 </context>
@@ -5720,7 +5720,7 @@
         <translation>Diagramme du comptage de boîtes</translation>
     </message>
     <message>
-        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: at those sizes, the size of the whole or of a cell affects the count.</source>
         <translation>Combien de boîtes rencontrent l’attracteur selon leur finesse : log₂ N en fonction de k pour des boîtes de côté L·2⁻ᵏ, L le côté du carré autour de l’attracteur. Les points évidés ne comptent pas pour la droite : là se voit la taille de l’ensemble ou d’une cellule.</translation>
     </message>
     <message>
@@ -5819,7 +5819,7 @@
         <translation>Seulement ici</translation>
     </message>
     <message>
-        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <source>The code does not change. Only this branch is shown in another position; the same change does not appear at other scales.</source>
         <translation>Le code ne change pas. Seule cette branche est montrée ailleurs ; le changement ne se répète pas aux autres échelles.</translation>
     </message>
     <message>
@@ -5889,7 +5889,7 @@
         <translation>L’image est trop mince pour une telle cage.</translation>
     </message>
     <message>
-        <source>The cage is already there.</source>
+        <source>The cage already has this shape.</source>
         <translation>La cage y est déjà.</translation>
     </message>
     <message>
@@ -5956,7 +5956,7 @@
         <translation>Définir…</translation>
     </message>
     <message>
-        <source>Define the triangle by three clicks on the canvas; the picture stays</source>
+        <source>Define the triangle with three clicks on the canvas; the picture stays</source>
         <translation>Définir le triangle en trois clics dans la zone de dessin&#x202f;; l’image reste</translation>
     </message>
     <message>
@@ -6215,7 +6215,7 @@
         <translation>Trois arêtes de la boîte englobante</translation>
     </message>
     <message>
-        <source>The system has very many maps: the cage around it is being found…</source>
+        <source>The system has very many maps. Computing the cage around it…</source>
         <translation>Le système a de très nombreuses applications : la cage qui l’entoure est en cours de calcul…</translation>
     </message>
     <message>
@@ -6231,7 +6231,7 @@
         <translation>Octaèdre</translation>
     </message>
     <message>
-        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Définit le tétraèdre par quatre clics sur le canevas ; l’image reste</translation>
     </message>
     <message>
@@ -6337,7 +6337,7 @@
         <translation>Aucune application activée n’a un poids supérieur à 0&#x202f;: il n’y a rien à dessiner. Donnez un poids à l’une d’elles.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <source>This system has no attractor. The picture shows where its points fall most often.</source>
         <translation>Ce système n’a pas d’attracteur. L’image montre où ses points séjournent.</translation>
     </message>
     <message>
@@ -6345,7 +6345,7 @@
         <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
     </message>
 </context>
@@ -6460,7 +6460,7 @@
         <translation>&amp;Définir un triangle</translation>
     </message>
     <message>
-        <source>Defines the triangle by three clicks; the picture stays</source>
+        <source>Defines the triangle with three clicks; the picture stays</source>
         <translation>Tenir l’image par trois points choisis d’un clic</translation>
     </message>
     <message>
@@ -6604,7 +6604,7 @@
         <translation>Permet de nouveau de modifier cette application</translation>
     </message>
     <message>
-        <source>Protects this map against edits</source>
+        <source>Locks this map against editing</source>
         <translation>Protège cette application des modifications</translation>
     </message>
     <message>
@@ -6612,7 +6612,7 @@
         <translation>Annuler la r&amp;otation</translation>
     </message>
     <message>
-        <source>Turns the view upright again</source>
+        <source>Returns the view to upright</source>
         <translation>Redresse la vue</translation>
     </message>
 </context>
@@ -6805,7 +6805,7 @@
         <translation>Couverture</translation>
     </message>
     <message>
-        <source>The share of the target that is covered</source>
+        <source>The part of the target that is covered</source>
         <translation>La part de la cible qui est couverte</translation>
     </message>
     <message>
@@ -6845,7 +6845,7 @@
         <translation>aucune : une application étire de %1</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <source>No point of the target is farther from the attractor than this, and no point of the attractor from the target. The value is larger during a drag, when a coarser picture is measured</source>
         <translation>Aucun point de la cible n’est plus loin de l’attracteur que cela, ni l’inverse. Elle est plus grande pendant que vous faites glisser, car une image plus grossière est mesurée</translation>
     </message>
     <message>
@@ -6936,7 +6936,7 @@
         <translation>masqué</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
         <translation>Ce qui est comparé à la cible : les images de la cible par les applications, ou l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu</translation>
     </message>
     <message>
@@ -6963,7 +6963,7 @@
         <translation>La fractale a changé entre-temps ; le résultat n’a pas été utilisé.</translation>
     </message>
     <message>
-        <source>Nothing was found that agrees better.</source>
+        <source>No better agreement was found.</source>
         <translation>Rien de plus concordant n’a été trouvé.</translation>
     </message>
     <message>
@@ -7186,7 +7186,7 @@
         <translation>Aucune commande correspondante</translation>
     </message>
     <message>
-        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Les commandes dont le nom contient ces mots, puis celles dont la description les contient.</translation>
     </message>
 </context>
@@ -7213,7 +7213,7 @@
         <translation>Lier les vues</translation>
     </message>
     <message>
-        <source>Move and zoom both together, at the same place and the same scale</source>
+        <source>Pan and zoom both together, at the same position and scale</source>
         <translation>Déplacer et zoomer les deux ensemble, au même endroit et à la même échelle</translation>
     </message>
     <message>
@@ -7225,7 +7225,7 @@
         <translation>Afficher seulement l’entrée actuelle</translation>
     </message>
     <message>
-        <source>An entry of the plane and one in space have no view in common</source>
+        <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Une entrée du plan et une de l’espace n’ont pas de vue commune</translation>
     </message>
 </context>
@@ -7312,7 +7312,7 @@
         <translation>L’algorithme déterministe : toutes les applications appliquées n fois à la cage ou à une autre figure</translation>
     </message>
     <message>
-        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
         <translation>Combien de fois toutes les applications sont appliquées : 0 donne la figure de départ, et à chaque étape l’image se rapproche de l’attracteur. Chaque copie a la couleur de son application la plus externe.</translation>
     </message>
     <message>
@@ -7328,7 +7328,7 @@
         <translation>Sauts par seconde</translation>
     </message>
     <message>
-        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
         <translation>Combien de sauts le jeu du chaos fait par seconde. Jusqu’à dix par seconde, le dé montre chaque application qui sort.</translation>
     </message>
     <message>
@@ -7340,7 +7340,7 @@
         <translation>W%1 : %2 copies</translation>
     </message>
     <message>
-        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <source>The Hausdorff distance from the picture to the attractor A, and its upper bound</source>
         <translation>La distance de Hausdorff de l’image à l’attracteur A, et ce qu’elle ne peut dépasser</translation>
     </message>
     <message>
@@ -7395,7 +7395,7 @@
         <translation>Dé</translation>
     </message>
     <message>
-        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
         <translation>Le dé du jeu du chaos. Il a une face par application, aussi large que la probabilité de celle-ci. La face sortie apparaît dans la couleur de son application, comme le point auquel celle-ci a mené. Au-delà de dix sauts par seconde, il roule trop vite pour être lu.</translation>
     </message>
     <message>
@@ -7403,7 +7403,7 @@
         <translation>Chaque application a une face, aussi large que sa probabilité.</translation>
     </message>
     <message>
-        <source>Map %1 fell, whose probability is %2.</source>
+        <source>Map %1 was rolled; its probability is %2.</source>
         <translation>L’application %1 est sortie ; sa probabilité est %2.</translation>
     </message>
 </context>
@@ -7414,11 +7414,11 @@
         <translation>Transition personnalisée</translation>
     </message>
     <message>
-        <source>Curve: time to the right, the way upwards</source>
+        <source>Curve: time to the right, progress upwards</source>
         <translation>Courbe : le temps vers la droite, le chemin vers le haut</translation>
     </message>
     <message>
-        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <source>How the motion to the next key progresses over time. Drag the two handles.</source>
         <translation>Comment le chemin jusqu’à la clé suivante est parcouru dans le temps. Tirez les deux poignées.</translation>
     </message>
     <message>
@@ -7426,7 +7426,7 @@
         <translation>Temps de la première poignée</translation>
     </message>
     <message>
-        <source>Way of the first handle</source>
+        <source>Progress of the first handle</source>
         <translation>Chemin de la première poignée</translation>
     </message>
     <message>
@@ -7434,7 +7434,7 @@
         <translation>Temps de la seconde poignée</translation>
     </message>
     <message>
-        <source>Way of the second handle</source>
+        <source>Progress of the second handle</source>
         <translation>Chemin de la seconde poignée</translation>
     </message>
     <message>
@@ -7454,7 +7454,7 @@
         <translation>Seconde poignée :</translation>
     </message>
     <message>
-        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Une fraction de 0 à 1. Une courbe trop raide est aplatie.</translation>
     </message>
 </context>
@@ -7818,7 +7818,7 @@
         <translation>Points en couleurs (.ply)</translation>
     </message>
     <message>
-        <source>Turn &amp;y around so that the flame is the right way up</source>
+        <source>Flip &amp;y so that the flame is the right way up</source>
         <translation>&amp;Retourner y, pour que la flamme soit dans le même sens</translation>
     </message>
     <message>
@@ -8189,7 +8189,7 @@
         <translation>SVG et PDF sont faits de formes, qui restent nettes à toutes les tailles&#x202f;; les autres sont faits de pixels. Si le nom du fichier a l’extension d’un autre format, c’est ce format qui est écrit.</translation>
     </message>
     <message>
-        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <source>The name “%1” does not determine the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» n’indique pas le format&#x202f;: il doit se terminer par .png, .jpg, .webp, .tiff, .exr, .svg ou .pdf.</translation>
     </message>
     <message>
@@ -8197,7 +8197,7 @@
         <translation>Ajouter à la file d’attente…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Demande un nom de fichier et dessine l’image à son tour, après celles qui attendent dans le panneau Exports. La file d’attente reprend après un redémarrage.</translation>
     </message>
     <message>
@@ -8205,7 +8205,7 @@
         <translation>La vue « %1 »</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
     </message>
 </context>
@@ -8220,7 +8220,7 @@
         <translation>Ce que montrera le fichier</translation>
     </message>
     <message>
-        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <source>The picture as it will be exported: its proportions and the section it shows. A chequerboard marks transparent parts. The preview follows every field.</source>
         <translation>L’image telle qu’elle sera exportée : sa forme et la section qu’elle montre. Là où elle est transparente, un damier apparaît. Elle suit tous les champs.</translation>
     </message>
     <message>
@@ -8235,11 +8235,11 @@
 <context>
     <name>view::ExportQueue</name>
     <message>
-        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <source>Barycage ended unexpectedly twice while drawing this picture. Try it again alone, or export a smaller one.</source>
         <translation>Le programme s’est arrêté deux fois pendant qu’il dessinait cette image. Réessayez avec elle seule, ou exportez-en une plus petite.</translation>
     </message>
     <message>
-        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>La file d’attente des exports ne peut pas être conservée pour le prochain démarrage : son dossier n’est pas accessible en écriture, ou le disque est plein.</translation>
     </message>
 </context>
@@ -8294,7 +8294,7 @@
         <translation>Résolution en points par pouce</translation>
     </message>
     <message>
-        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are locked.</source>
         <translation>Une longueur dans l’unité choisie à côté. L’autre côté suit tant que les proportions sont gardées.</translation>
     </message>
     <message>
@@ -8310,7 +8310,7 @@
         <translation>Taille nommée</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; if the proportions differ, the picture shows more around it.</source>
         <translation>La taille de l’image à l’écran ou un multiple de celle-ci, celle d’un écran courant ou d’une feuille de papier. Tout ce que montre la fenêtre reste dans l’image ; si la forme diffère, on en voit davantage autour.</translation>
     </message>
     <message>
@@ -8407,11 +8407,11 @@
         <translation>File d’attente des exports</translation>
     </message>
     <message>
-        <source>The exports, drawn from the top to the bottom.</source>
+        <source>The exports, drawn from top to bottom.</source>
         <translation>Les exports, dessinés de haut en bas.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
         <translation>Aucun export n’attend. Choisissez Ajouter à la file d’attente dans Fichier › Exporter l’image… pour dessiner des images l’une après l’autre pendant que vous continuez.</translation>
     </message>
     <message>
@@ -8439,7 +8439,7 @@
         <translation>R&amp;éessayer</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed once more.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Redessiner les exports sélectionnés qui ont échoué.</translation>
     </message>
     <message>
@@ -8459,7 +8459,7 @@
         <translation>Retirer les &amp;terminés</translation>
     </message>
     <message>
-        <source>Take all exports that are done off the list; their files stay.</source>
+        <source>Remove all finished exports from the list; their files are kept.</source>
         <translation>Retirer de la liste tous les exports terminés ; leurs fichiers restent.</translation>
     </message>
     <message>
@@ -8467,7 +8467,7 @@
         <translation>&amp;Reprendre</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you continue editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
         <translation>Les exports que vous avez ajoutés à la file d’attente. Ils sont dessinés l’un après l’autre, de haut en bas, pendant que vous continuez à travailler. Ceux qui ne sont pas terminés quand vous quittez reprennent au prochain démarrage de Barycage.</translation>
     </message>
     <message>
@@ -8497,7 +8497,7 @@
         <translation>La meilleure de 2 à 8</translation>
     </message>
     <message>
-        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <source>How many maps a suggestion has; in a range, a map is added only if it improves the fit enough</source>
         <translation>Combien d’applications a une suggestion ; dans un intervalle, chacune doit être rentable</translation>
     </message>
     <message>
@@ -8525,7 +8525,7 @@
         <translation>Graine des nombres aléatoires</translation>
     </message>
     <message>
-        <source>Another seed searches in other places</source>
+        <source>Another seed gives another search</source>
         <translation>Une autre graine cherche ailleurs</translation>
     </message>
     <message>
@@ -8545,7 +8545,7 @@
         <translation>Sans images miroir</translation>
     </message>
     <message>
-        <source>Only maps that do not mirror</source>
+        <source>Only maps without reflection</source>
         <translation>Seulement des applications sans réflexion</translation>
     </message>
     <message>
@@ -8569,7 +8569,7 @@
         <translation>Angles</translation>
     </message>
     <message>
-        <source>By which angles the maps may turn</source>
+        <source>The angles by which the maps may rotate</source>
         <translation>De quels angles les applications peuvent tourner</translation>
     </message>
     <message>
@@ -8905,7 +8905,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Ligne pour le nom et la date</translation>
     </message>
     <message>
-        <source>Print a Hand-out</source>
+        <source>Print a Handout</source>
         <translation>Imprimer une fiche pour la classe</translation>
     </message>
     <message>
@@ -8925,7 +8925,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Entrées à imprimer</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
         <translation>Les entrées du fichier qui sont des systèmes dans le plan. Celles qui sont cochées sont imprimées dans cet ordre, %1 au plus.</translation>
     </message>
     <message>
@@ -8945,11 +8945,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Décocher toutes les entrées</translation>
     </message>
     <message>
-        <source>Hand-out with pictures</source>
+        <source>Handout with pictures</source>
         <translation>Fiche avec images</translation>
     </message>
     <message>
-        <source>Blank task sheet</source>
+        <source>Blank worksheet</source>
         <translation>Feuille d’exercices vierge</translation>
     </message>
     <message>
@@ -8957,7 +8957,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Type de feuille</translation>
     </message>
     <message>
-        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
         <translation>Une fiche montre l’image de chaque entrée avec sa cage, ses applications et leurs formules. Une feuille d’exercices vierge montre la cage sur une grille et un tableau vide à remplir à la main.</translation>
     </message>
     <message>
@@ -8997,7 +8997,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Choisissez d’abord une entrée</translation>
     </message>
     <message>
-        <source>%1-hand-out.pdf</source>
+        <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-fiche.pdf</translation>
     </message>
@@ -9102,7 +9102,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
 <context>
     <name>view::LessonPanel</name>
     <message>
-        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <source>Arrange the window as you want to show it, and press Add Step. Then write the text of the step.</source>
         <translation>Disposez la fenêtre comme la classe doit la voir et cliquez sur «&#x202f;Ajouter une étape&#x202f;». Écrivez ensuite ce que vous voulez en dire.</translation>
     </message>
     <message>
@@ -9122,7 +9122,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Ajouter une étape</translation>
     </message>
     <message>
-        <source>Add a step with the state of the window now</source>
+        <source>Add a step with the current state of the window</source>
         <translation>Ajouter une étape avec l’état actuel de la fenêtre</translation>
     </message>
     <message>
@@ -9130,7 +9130,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Mettre à jour l’étape</translation>
     </message>
     <message>
-        <source>Give the selected step the state of the window now</source>
+        <source>Replace the state of the selected step by the current state of the window</source>
         <translation>Donner à l’étape choisie l’état actuel de la fenêtre</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Montrer l’étape</translation>
     </message>
     <message>
-        <source>Bring the window into the state of the selected step</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Mettre la fenêtre dans l’état de l’étape choisie</translation>
     </message>
     <message>
@@ -9194,7 +9194,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Étapes de la leçon</translation>
     </message>
     <message>
-        <source>Double-click a step to bring the window into its state</source>
+        <source>Double-click a step to restore its state of the window</source>
         <translation>Double-cliquez sur une étape pour mettre la fenêtre dans son état</translation>
     </message>
     <message>
@@ -9214,11 +9214,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Affiché à côté de l’image&#x202f;; une ligne vide commence un paragraphe</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen, from the selected step</source>
+        <source>Play the lesson in full screen, from the selected step</source>
         <translation>Jouer la leçon sur tout l’écran à partir de l’étape choisie</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
     </message>
     <message>
@@ -9243,7 +9243,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Une leçon est une liste d’étapes. Chacune a un texte et l’état de la fenêtre qui lui correspond : l’entrée, ce qu’on en voit, l’outil, les couleurs et les contours.</translation>
     </message>
 </context>
@@ -9284,7 +9284,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Faites glisser d’une application à une autre pour les lier ; cliquez sur une flèche et appuyez sur Suppr pour la retirer.</translation>
     </message>
     <message>
-        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
         <translation>Chaque cercle est une application, et une flèche mène à chaque application qui peut la suivre dans le jeu du chaos ; les flèches plus épaisses ont plus de poids. Faites glisser d’une application à une autre pour les lier, ou hors d’une application et retour pour la lier à elle-même. Cliquez sur une flèche et appuyez sur Suppr pour la retirer, ou double-cliquez pour saisir son poids. Au clavier : Gauche et Droite parcourent les applications, Haut et Bas les flèches d’une application ; Espace commence une nouvelle flèche, Gauche et Droite en choisissent la fin, Entrée l’ajoute. Les applications à l’anneau pointillé ne participent pas, pour la raison indiquée à côté.</translation>
     </message>
     <message>
@@ -9292,7 +9292,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Aucune application n’est sélectionnée.</translation>
     </message>
     <message>
-        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc cancels.</source>
         <translation>Nouvelle flèche de l’application %1 à l’application %2. Entrée l’ajoute, Échap non.</translation>
     </message>
     <message>
@@ -9311,7 +9311,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Non atteinte&#x202f;: aucune application n’y mène</translation>
     </message>
     <message>
-        <source>Left: the chaos game never comes back</source>
+        <source>Transient: the chaos game never returns</source>
         <translation>Quittée&#x202f;: le jeu du chaos n’y revient jamais</translation>
     </message>
     <message>
@@ -9339,7 +9339,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Dans le jeu du chaos</translation>
     </message>
     <message>
-        <source>Whether the map is applied again and again, or why not</source>
+        <source>Whether the chaos game keeps applying the map, or why not</source>
         <translation>Si l’application est appliquée encore et encore, ou pourquoi pas</translation>
     </message>
     <message>
@@ -9381,7 +9381,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Liens entre applications</translation>
     </message>
     <message>
-        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <source>Rows are the maps applied before, columns the maps applied after. A number multiplies the weight of the map in its column: 1 leaves it unchanged, 0 forbids the link.</source>
         <translation>Les lignes sont les applications appliquées avant, les colonnes celles d’après. Un nombre multiplie le poids de l’application de la colonne&#x202f;: 1 le laisse tel quel, 0 l’interdit.</translation>
     </message>
     <message>
@@ -9389,7 +9389,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Toute application peut de nouveau suivre toute autre</translation>
     </message>
     <message>
-        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <source>Every sequence of maps ends, so nothing is drawn.</source>
         <translation>Toute suite d’applications prend fin&#x202f;; rien n’est donc dessiné.</translation>
     </message>
     <message>
@@ -9412,11 +9412,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Couleur</translation>
     </message>
     <message>
-        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <source>The position on the palette to which this map moves colours, from 0 to 1</source>
         <translation>Vers où sur la palette cette application attire les couleurs : de 0, son début, à 1</translation>
     </message>
     <message>
-        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <source>Whenever this map is applied, the colour of the point moves towards the position of the map on the palette: 0 is the beginning of the palette, 1 its end. Flame programs call it the colour coordinate.</source>
         <translation>Chaque fois qu’une application agit, la couleur d’un point se rapproche de la place de cette application sur la palette : 0 est le début de la palette, 1 sa fin. Les flames l’appellent la coordonnée de couleur.</translation>
     </message>
     <message>
@@ -9424,11 +9424,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <source>How far this map moves colours each time, from 0 (not at all) to 1 (all the way)</source>
         <translation>Jusqu’où cette application attire les couleurs chaque fois : de 0, pas du tout, à 1, tout le chemin</translation>
     </message>
     <message>
-        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <source>How far the map moves colours towards its position on the palette each time: with 1, its piece has a single colour; with 0, all colours stay as they are. Flame programs call it the colour speed.</source>
         <translation>Quelle part du chemin vers sa place sur la palette l’application fait parcourir aux couleurs chaque fois : avec 1, sa pièce a une seule couleur, avec 0, elle laisse toutes les couleurs telles quelles. Les flames l’appellent la vitesse de couleur.</translation>
     </message>
     <message>
@@ -9946,7 +9946,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Intégrer</translation>
     </message>
     <message>
-        <source>Turn the effective code into the code; the cage is then at rest</source>
+        <source>Replace the code by the effective code; the cage is then at rest</source>
         <translation>Faire du code effectif le code&#x202f;; la cage est ensuite au repos</translation>
     </message>
     <message>
@@ -10130,7 +10130,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Verrouiller</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits</source>
+        <source>Lock the selected maps against editing</source>
         <translation>Protéger les applications sélectionnées des modifications</translation>
     </message>
     <message>
@@ -10239,7 +10239,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
 <context>
     <name>view::MorphDialog</name>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
+        <source>A fractal in the plane cannot become one in space.</source>
         <translation>Une fractale du plan ne peut pas devenir une fractale de l’espace.</translation>
     </message>
     <message>
@@ -10283,7 +10283,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Libérer les paires</translation>
     </message>
     <message>
-        <source>Lets all maps go where the way is shortest.</source>
+        <source>Pairs all maps so that the total distance is shortest.</source>
         <translation>Laisse toutes les applications suivre le chemin le plus court.</translation>
     </message>
     <message>
@@ -10302,7 +10302,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Paires d’applications</translation>
     </message>
     <message>
-        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <source>The maps of this fractal are on the left, those of the other one on the right. A line shows what a map becomes, and its thickness shows its share of the weight. Drag from a map to one in the other column to pin the pair, and again to unpin it. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del removes all pins of a map.</source>
         <translation>À gauche les applications de cette fractale, à droite celles de l’autre. Une ligne montre ce que devient une application, et son épaisseur la part du poids qui prend ce chemin. Faites glisser d’une application à une autre de l’autre colonne pour fixer la paire, et de nouveau pour la libérer. Au clavier : choisissez une application avec les flèches, appuyez sur Espace, allez à l’autre et appuyez de nouveau sur Espace. Suppr libère toutes les paires fixées d’une application.</translation>
     </message>
     <message>
@@ -10365,11 +10365,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cycles</translation>
     </message>
     <message>
-        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <source>How many turns it makes during the animation. A negative number turns the other way.</source>
         <translation>Combien de fois il fait le tour pendant la durée de l’animation. Un nombre négatif tourne dans l’autre sens.</translation>
     </message>
     <message>
-        <source>How many times it goes back and forth in the length of the animation.</source>
+        <source>How many times it moves back and forth during the animation.</source>
         <translation>Combien de fois il va et vient pendant la durée de l’animation.</translation>
     </message>
 </context>
@@ -10471,7 +10471,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Distance des variations à leur parent</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <source>On the left, the variations stay close to their parent; on the right, they differ greatly.</source>
         <translation>À gauche, les variations restent proches de leur parent ; à droite, elles s’en éloignent beaucoup.</translation>
     </message>
     <message>
@@ -10483,7 +10483,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Tourner, étirer et déplacer les applications</translation>
     </message>
     <message>
-        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <source>The maps are turned, stretched and moved, and occasionally one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
         <translation>Les applications sont tournées, étirées et déplacées ; de temps en temps, l’une est ajoutée ou retirée. Celles qui sont verrouillées ou désactivées restent telles quelles.</translation>
     </message>
     <message>
@@ -10495,7 +10495,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Essayer d’autres couleurs</translation>
     </message>
     <message>
-        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <source>The hues of the palette, the plain colour and the colours of the maps change. The background and the meaning of the colours stay the same.</source>
         <translation>La palette, la couleur unie et les couleurs des applications changent de teinte. L’arrière-plan reste, de même que ce que les couleurs représentent.</translation>
     </message>
     <message>
@@ -10507,7 +10507,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Rendre certaines applications plus denses, d’autres plus pâles</translation>
     </message>
     <message>
-        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <source>The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
         <translation>Les poids changent au hasard et suivent la taille des applications. Sinon, chaque application garde le sien. Un solide dans l’espace ne dépend pas des poids ; un nuage, si.</translation>
     </message>
     <message>
@@ -10527,7 +10527,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Mélanger le parent avec une autre entrée de ce fichier</translation>
     </message>
     <message>
-        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are halfway between two corresponding maps. The checkboxes above determine whether shape, colour and weights are mixed. Every child has an attractor.</source>
         <translation>Les variations prennent certaines applications du parent, d’autres de l’autre entrée, et d’autres encore à mi-chemin entre deux qui se correspondent. Les cases ci-dessus disent si forme, couleur et poids sont mélangés. Chaque enfant a un attracteur.</translation>
     </message>
     <message>
@@ -10535,7 +10535,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>C&amp;roiser avec :</translation>
     </message>
     <message>
-        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the variations are generated. With the same parent, the same settings and the same seed you get the same sheet again.</source>
         <translation>Le nombre dont naissent les variations. Avec le même parent, les mêmes réglages et la même graine, vous retrouvez la même planche.</translation>
     </message>
     <message>
@@ -10543,7 +10543,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Affiche d’autres variations du même parent, avec la graine suivante.</translation>
     </message>
     <message>
-        <source>Variation %1, not made yet</source>
+        <source>Variation %1, not ready yet</source>
         <translation>Variation %1, pas encore prête</translation>
     </message>
     <message>
@@ -10563,11 +10563,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cliquez sur une image pour en faire le nouveau parent.</translation>
     </message>
     <message>
-        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Rien ne peut changer : il n’y a pas de variations. Cochez au moins une case.</translation>
     </message>
     <message>
-        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Toutes les applications sont verrouillées et gardent leurs poids : les variations ne diffèrent que par les couleurs et, de temps en temps, par une application ajoutée. Beaucoup sont semblables à leur parent.</translation>
     </message>
 </context>
@@ -10811,7 +10811,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Thème</translation>
     </message>
     <message>
-        <source>The colours of windows and panels. The picture keeps its own.</source>
+        <source>The colours of windows and panels. The picture keeps its own colours.</source>
         <translation>Les couleurs des fenêtres et des panneaux. L’image garde les siennes.</translation>
     </message>
     <message>
@@ -10871,7 +10871,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Rotation des solides</translation>
     </message>
     <message>
-        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Comment un solide tourne quand on le fait glisser. Sur un plateau tournant, ce qui est vertical le reste. Un trackball tourne librement autour des axes de l’écran, même au-delà des pôles ; pour remettre la vue d’aplomb, regardez le long d’un axe.</translation>
     </message>
     <message>
@@ -11003,7 +11003,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Créer des systèmes dans le plan ou dans l’espace</translation>
     </message>
     <message>
-        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <source>In the plane, the contraction of the maps follows a rule that makes the fractal fill its view. In space there is no such rule: the two larger scale factors of each map follow that of the plane, and the third is smaller.</source>
         <translation>Dans le plan, la contraction des applications suit une règle selon laquelle la fractale remplit sa vue. Dans l’espace, il n’y a pas de telle règle : les deux plus grands étirements de chaque application suivent celle du plan, et le troisième est plus petit.</translation>
     </message>
     <message>
@@ -11055,7 +11055,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>La même graine redonne la même planche</translation>
     </message>
     <message>
-        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the systems are generated. With the same settings and the same seed you get the same sheet again.</source>
         <translation>Le nombre dont naissent les systèmes. Avec les mêmes réglages et la même graine, vous retrouvez la même planche.</translation>
     </message>
     <message>
@@ -11161,7 +11161,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Mettre à jour</translation>
     </message>
     <message>
-        <source>Replaces it by what the canvas shows now.</source>
+        <source>Replaces it by the current view of the canvas.</source>
         <translation>La remplace par ce que montre maintenant le canevas.</translation>
     </message>
     <message>
@@ -11575,7 +11575,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Direction du plan</translation>
     </message>
     <message>
-        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <source>Sets the plane perpendicular to an axis or the diagonal; type any other normal in the fields below.</source>
         <translation>Place le plan en travers d’un axe ou de la diagonale ; les champs ci-dessous acceptent toute normale.</translation>
     </message>
     <message>
@@ -11672,7 +11672,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Une entrée qui n’a pas pu être lue n’a pas d’instantanés.</translation>
     </message>
     <message>
-        <source>“%1” is the same already.</source>
+        <source>“%1” is the same as the fractal.</source>
         <translation>« %1 » est déjà identique.</translation>
     </message>
     <message>
@@ -11684,7 +11684,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Rétablir « %1 »</translation>
     </message>
     <message>
-        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <source>“%1” was deleted. To bring it back, use the menu of the panel.</source>
         <translation>« %1 » a été supprimé. Le menu du panneau le fait revenir.</translation>
     </message>
     <message>
@@ -11711,7 +11711,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Rétablir</translation>
     </message>
     <message>
-        <source>Make the fractal as it was in this snapshot.</source>
+        <source>Restore the fractal to this snapshot.</source>
         <translation>Remettre la fractale comme elle était dans cet instantané.</translation>
     </message>
     <message>
@@ -11719,7 +11719,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Ajouter comme entrée</translation>
     </message>
     <message>
-        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <source>Add the snapshot to the file as an entry of its own, after this one.</source>
         <translation>Ajouter l’instantané au fichier comme une entrée à part, après celle-ci.</translation>
     </message>
     <message>
@@ -11771,7 +11771,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cliquez sur un instantané pour le rétablir ; annuler revient en arrière. Les touches fléchées ou un clic droit sélectionnent celui avec lequel on compare. F2 le renomme, Suppr le supprime.</translation>
     </message>
     <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <source>States of this fractal that you kept. Click one to restore it, as one step of the history. The frame marks the snapshot that the canvas shows. The B marks the selected snapshot, the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
         <translation>États de cette fractale que vous avez gardés. Cliquez sur l’un d’eux pour le rétablir : une étape de l’historique. Celui qui est encadré est ce que montre le canevas. Celui qui porte un B est sélectionné, et c’est avec lui que l’on compare : le plus récent, jusqu’à ce que vous en sélectionniez un autre avec les touches fléchées ou un clic droit. Les instantanés durent jusqu’à la fermeture du fichier ; « Ajouter comme entrée » en garde un dans le fichier.</translation>
     </message>
 </context>
@@ -11793,19 +11793,19 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Image (.png)</translation>
     </message>
     <message>
-        <source>Body to print (.stl)</source>
+        <source>Mesh for 3D printing (.stl)</source>
         <translation>Corps à imprimer (.stl)</translation>
     </message>
     <message>
-        <source>Body (.obj)</source>
+        <source>Mesh (.obj)</source>
         <translation>Corps (.obj)</translation>
     </message>
     <message>
-        <source>Body (.glb)</source>
+        <source>Mesh (.glb)</source>
         <translation>Corps (.glb)</translation>
     </message>
     <message>
-        <source>Body (.ply)</source>
+        <source>Mesh (.ply)</source>
         <translation>Corps (.ply)</translation>
     </message>
     <message>
@@ -11813,7 +11813,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Programme OpenSCAD (.scad)</translation>
     </message>
     <message>
-        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <source>A picture as the camera shows it, a watertight mesh that contains the attractor, or the maps as a program for OpenSCAD.</source>
         <translation>Une image telle que la caméra la montre, un corps étanche qui contient l’attracteur, ou les applications sous forme de programme pour OpenSCAD.</translation>
     </message>
     <message>
@@ -11841,7 +11841,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Taille :</translation>
     </message>
     <message>
-        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
         <translation>Dessine autant de pixels le long de chaque côté d’un pixel : des bords plus lisses.</translation>
     </message>
     <message>
@@ -11857,7 +11857,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>16 bits</translation>
     </message>
     <message>
-        <source>Bits for each channel. Depths always have 16.</source>
+        <source>Bits per channel. Depths always have 16.</source>
         <translation>Bits par canal. Les profondeurs en ont toujours 16.</translation>
     </message>
     <message>
@@ -11869,7 +11869,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Fond trans&amp;parent</translation>
     </message>
     <message>
-        <source>Leaves out what is around the solid.</source>
+        <source>Makes the surroundings of the solid transparent.</source>
         <translation>Omet ce qui entoure le solide.</translation>
     </message>
     <message>
@@ -11897,7 +11897,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation> mm</translation>
     </message>
     <message>
-        <source>The longest side of the body.</source>
+        <source>The longest side of the mesh.</source>
         <translation>Le plus long côté du corps.</translation>
     </message>
     <message>
@@ -11905,7 +11905,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Plus &amp;long côté :</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <source>Voxels along the longest side: more voxels make finer steps.</source>
         <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses.</translation>
     </message>
     <message>
@@ -11977,7 +11977,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Image en lumière linéaire (.exr)</translation>
     </message>
     <message>
-        <source>Depths are written as PNG only.</source>
+        <source>Depths can be written only as PNG.</source>
         <translation>Les profondeurs ne s’écrivent qu’en PNG.</translation>
     </message>
     <message>
@@ -11985,7 +11985,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Ajouter à la file d’attente…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Demande un nom de fichier et crée le fichier à son tour, après ceux qui attendent dans le panneau Exports. La file d’attente reprend après un redémarrage.</translation>
     </message>
     <message>
@@ -12001,7 +12001,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cadrage</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <source>What the picture shows: the view on the canvas, or a saved view.</source>
         <translation>Ce que montre l’image : ce que montre le canevas, ou une vue enregistrée.</translation>
     </message>
     <message>
@@ -12059,7 +12059,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Aspect</translation>
     </message>
     <message>
-        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <source>A lit solid, the density of its points, or data for other programs.</source>
         <translation>Un solide éclairé, la densité de ses points, ou des nombres pour d’autres programmes.</translation>
     </message>
     <message>
@@ -12067,7 +12067,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Pierre</translation>
     </message>
     <message>
-        <source>A solid in the light of a lamp that you can move</source>
+        <source>A solid lit by a lamp that you can move</source>
         <translation>Un solide à la lumière d’une lampe que l’on peut déplacer</translation>
     </message>
     <message>
@@ -12167,7 +12167,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Colorer selon</translation>
     </message>
     <message>
-        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
+        <source>The direction of the light as seen by the camera; in the middle, it shines from the camera.</source>
         <translation>Où se trouve la lampe vue de l’œil : au milieu, c’est l’œil lui-même.</translation>
     </message>
     <message>
@@ -12361,7 +12361,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Développer la symétrie</translation>
     </message>
     <message>
-        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change them individually. The picture stays the same.</source>
         <translation>Inscrit dans la liste les copies créées par la symétrie, comme applications à part entière, pour pouvoir n’en modifier qu’une. L’image reste la même.</translation>
     </message>
     <message>
@@ -12389,7 +12389,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Centre de la symétrie, z</translation>
     </message>
     <message>
-        <source>The point that the symmetry leaves in place</source>
+        <source>The point that the symmetry leaves unchanged</source>
         <translation>Le point que la symétrie laisse en place</translation>
     </message>
     <message>
@@ -12479,7 +12479,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Choisir</translation>
     </message>
     <message>
-        <source>Choose the picture that the fractal is to look like</source>
+        <source>Choose the picture that the fractal should look like</source>
         <translation>Choisir l’image à laquelle la fractale doit ressembler</translation>
     </message>
     <message>
@@ -12539,7 +12539,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Seuil automatique</translation>
     </message>
     <message>
-        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <source>Find the threshold that best separates dark from light (Otsu)</source>
         <translation>Séparer le sombre du clair aussi bien qu’un seuil le peut (Otsu)</translation>
     </message>
     <message>
@@ -12567,7 +12567,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Image entière</translation>
     </message>
     <message>
-        <source>Use all of the picture again</source>
+        <source>Use the whole picture again</source>
         <translation>Utiliser de nouveau toute l’image</translation>
     </message>
     <message>
@@ -12653,7 +12653,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Exporter…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Demande un nom de fichier et écrit l’image. Vous pouvez continuer à travailler.</translation>
     </message>
     <message>
@@ -12669,7 +12669,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cadrage</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin.</source>
         <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que le canevas regarde.</translation>
     </message>
     <message>
@@ -13083,7 +13083,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>, clés dans cette ligne : %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty area to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
         <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition. Les clés rondes sont fluides : le mouvement les traverse sans angle. Double-cliquez sur un mouvement pour modifier sa force ou son nombre de tours.</translation>
     </message>
 </context>
@@ -13265,7 +13265,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Partenaire</translation>
     </message>
     <message>
-        <source>The entry on which the picture lies</source>
+        <source>The entry on which the picture is placed</source>
         <translation>L’entrée sur laquelle l’image est posée</translation>
     </message>
     <message>
@@ -13369,11 +13369,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Diviser les mots</translation>
     </message>
     <message>
-        <source>Choose the picture where it is now</source>
+        <source>Choose the current location of the picture</source>
         <translation>Choisir l’image là où elle est maintenant</translation>
     </message>
     <message>
-        <source>Divide maps of both entries into words until they have equally many</source>
+        <source>Divide maps of both entries into words until both have the same number</source>
         <translation>Diviser des applications des deux entrées en mots jusqu’à en avoir autant</translation>
     </message>
     <message>
@@ -13618,7 +13618,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
         <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels. Saisissez une autre valeur ou choisissez-en une.</translation>
     </message>
     <message>

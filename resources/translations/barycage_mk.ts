@@ -35,7 +35,7 @@
         <translation>Shift + тркалце избира колку длабока е гранката. Лентата под платното кажува што менува влечењето: ново пресликување за гранката, последното пресликување од нејзината адреса или само оваа гранка.</translation>
     </message>
     <message>
-        <source>The picture stays where it is: it is held by the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
+        <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>Сликата останува каде што е: отсега ја држи новиот триаголник. Backspace го враќа последното теме, Esc откажува.</translation>
     </message>
     <message>
@@ -47,7 +47,7 @@
         <translation>Коефициентите не се менуваат. За сликата да остане иста, а да се сменат коефициентите, користи Впиши во кодот.</translation>
     </message>
     <message>
-        <source>Each map w becomes T w T⁻¹, where T is what the cage does to the picture. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
+        <source>Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest to the current cage. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
         <translation>Секое пресликување w станува T w T⁻¹, каде што T е она што кафезот ѝ го прави на сликата. Потоа кафезот е во мирување. Рамен кафез или кафез што ја витка сликата не може да се впише.</translation>
     </message>
     <message>
@@ -59,7 +59,7 @@
         <translation>Табелата на пресликувања ги покажува новите броеви за време на влечењето, а потоа кафезот пак е во мирување.</translation>
     </message>
     <message>
-        <source>The cage is included if that takes little room. The fractal itself does not change.</source>
+        <source>The cage is included if that needs little space. The fractal itself does not change.</source>
         <translation>Кафезот е вклучен кога тоа бара малку простор. Самиот фрактал не се менува.</translation>
     </message>
     <message>
@@ -71,7 +71,7 @@
         <translation>Се превртува само приказот: коефициентите и координатите не се менуваат.</translation>
     </message>
     <message>
-        <source>Cage, handles, grid, axes and outlines come back when you press the key again.</source>
+        <source>Press the key again to show the cage, handles, grid, axes and outlines.</source>
         <translation>Кафезот, рачките, мрежата, оските и обрисите се враќаат кога пак ќе го притиснеш копчето.</translation>
     </message>
     <message>
@@ -79,7 +79,7 @@
         <translation>Под платното се појавува лента: избери број на чекори или пушти ја играта на хаосот да оди точка по точка со која било брзина.</translation>
     </message>
     <message>
-        <source>As placement, the coefficients stay; as code, they become those of the transformed fractal. The canvas shows the result before you accept it.</source>
+        <source>As a placement, it leaves the coefficients unchanged; as code, it replaces them by those of the transformed fractal. The canvas shows the result before you accept it.</source>
         <translation>Како поставеност, коефициентите остануваат; како код, стануваат коефициенти на трансформираниот фрактал. Платното го покажува резултатот пред да го прифатиш.</translation>
     </message>
     <message>
@@ -95,7 +95,7 @@
         <translation>Ако табелата не ги именува колоните, ќе бидете прашани за нивниот редослед. Во панелот Пресликувања, Залепи ги додава копираните пресликувања или редиците броеви во фракталот.</translation>
     </message>
     <message>
-        <source>What has the focus decides: the table of maps and the canvas with the Maps tool move maps, the list of entries moves entries.</source>
+        <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
         <translation>Одлучува она што е во фокус: табелата со пресликувања и платното со алатката за пресликувања преместуваат пресликувања, а списокот записи записи.</translation>
     </message>
     <message>
@@ -103,11 +103,11 @@
         <translation>Пресликувањата се копираат со нивните имиња и како редици броеви, а записите како .ifs текст што може да го читаат други програми.</translation>
     </message>
     <message>
-        <source>A locked map cannot be typed over, dragged, nudged, arranged, fitted or deleted. What changes the whole fractal, such as a cage that rewrites the code, changes its locked maps, too.</source>
+        <source>A locked map cannot be edited in the table, dragged, nudged, arranged, fitted or deleted. Changes to the whole fractal, such as a cage that rewrites the code, also change its locked maps.</source>
         <translation>Заклучено пресликување не може да се препишува, влече, поместува, подредува, приспособува или брише. Она што го менува целиот фрактал, како кафез што го препишува кодот, ги менува и неговите заклучени пресликувања.</translation>
     </message>
     <message>
-        <source>Only the part of the attractor that the map makes is drawn. The file does not change, and another entry is shown whole again.</source>
+        <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Се црта само делот од атракторот што го создава пресликувањето. Датотеката не се менува, а друг запис пак се прикажува цел.</translation>
     </message>
 </context>
@@ -214,7 +214,7 @@
         <translation>непознато: грешката би била поголема</translation>
     </message>
     <message>
-        <source>A compact set to which every compact starting set leads, step by step. A system has one exactly if its maps contract in some norm.</source>
+        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
         <translation>Компактно множество до кое чекор по чекор води секое компактно почетно множество. Систем го има точно ако неговите пресликувања контрахираат во некоја норма.</translation>
     </message>
     <message>
@@ -262,7 +262,7 @@
         <translation>сврзан</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>сврзан, колку што се гледа од заокружувањето</translation>
     </message>
     <message>
@@ -290,7 +290,7 @@
         <translation>Ентропија</translation>
     </message>
     <message>
-        <source>−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats.</source>
+        <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
         <translation>−Σ pᵢ ln pᵢ: колку остава отворено еден чекор од играта на хаос, во нати.</translation>
     </message>
     <message>
@@ -306,15 +306,15 @@
         <translation>Димензија на мерата</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Ентропијата поделена со минус експонентот на Љапунов, најмногу 2: димензијата на инваријантната мера под условот на отворено множество, а инаку нејзина горна граница.</translation>
     </message>
     <message>
-        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound of it otherwise.</source>
+        <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Бројот D со Σ sᵢᴰ = 1, каде што sᵢ се коефициентите на пресликувањата, ако сите се сличности во некои координати. Тоа е димензијата на атракторот под условот на отворено множество, а инаку нејзина горна граница.</translation>
     </message>
     <message>
-        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is steadiest. This is an estimate: the uncertainty is how much parts of that range differ, and proves nothing.</source>
+        <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is most stable. This is an estimate: the uncertainty is the difference between parts of that range, not a proven bound.</source>
         <translation>Наклон на правата на најмали квадрати за ln N наспроти ln 1/ε, каде што N е бројот на кутии со страна ε што го допираат атракторот, за големините при кои е најрамномерен. Тоа е проценка; несигурноста доаѓа од разликите меѓу деловите на тој опсег и не е доказ.</translation>
     </message>
     <message>
@@ -322,15 +322,15 @@
         <translation>Средна вредност на инваријантната мера, пресметана без примероци: тежиштето на сликата.</translation>
     </message>
     <message>
-        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. An even mass that fills the ellipse has the same mean and covariance.</source>
+        <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. A uniform mass on the ellipse has the same mean and covariance.</source>
         <translation>Коваријанса xx, xy, yy на инваријантната мера, пресметана без примероци: колку се шири сликата. Рамномерна маса што ја исполнува елипсата има иста средна вредност и коваријанса.</translation>
     </message>
     <message>
-        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Its sides are off by the error at most.</source>
+        <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Each side is off by at most the error.</source>
         <translation>Најмалиот правоаголник со страни паралелни на оските што го содржи атракторот; потврдено. Неговите страни отстапуваат најмногу за грешката.</translation>
     </message>
     <message>
-        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>Најмалиот рамнокрак правоаголен триаголник со катети паралелни на оските што го содржи атракторот; потврдено. Знаците ги даваат насоките на неговите катети. За една точка катетата е 1.</translation>
     </message>
     <message>
@@ -358,7 +358,7 @@
         <translation>Да: кои било %1 последователни пресликувања контрахираат, со фактор %2 или помалку по пресликување.</translation>
     </message>
     <message>
-        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound of it otherwise.</source>
+        <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Ентропија поделена со негативниот експонент на Љапунов, најмногу 3: димензијата на инваријантната мера под условот на отворено множество, инаку нејзина горна граница.</translation>
     </message>
     <message>
@@ -383,7 +383,7 @@
         <translation>Атракторот излегува од квадарот најмногу за толку; докажано.</translation>
     </message>
     <message>
-        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. Of a single point, the leg is 1.</source>
+        <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
         <translation>Најмалиот тетраедар со три еднакви краци паралелни на оските што го содржи атракторот; потврден. Знаците ги даваат насоките на краците. За една точка, кракот е 1.</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>Атракторот излегува од полиедарот најмногу за толку; докажано.</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(колку што се гледа од заокружувањето)</translation>
     </message>
     <message>
@@ -423,7 +423,7 @@
         <translation>Моранова равенка</translation>
     </message>
     <message>
-        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the similarity dimension.</source>
+        <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 со коефициентите на овие пресликувања, еднаквите земени заедно. Нејзиното решение е димензијата на сличност.</translation>
     </message>
 </context>
@@ -524,7 +524,7 @@
 <context>
     <name>ClusterJob</name>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>Папката %1 не може да се создаде.</translation>
     </message>
 </context>
@@ -655,7 +655,7 @@
         <translation>Растенија во простор</translation>
     </message>
     <message>
-        <source>Fronds and trees whose branches stand all around the stem.</source>
+        <source>Fronds and trees with branches all around the stem.</source>
         <translation>Лисја и дрвја чии гранки стојат насекаде околу стеблото.</translation>
     </message>
     <message>
@@ -687,7 +687,7 @@
         <translation>Поврзани пресликувања</translation>
     </message>
     <message>
-        <source>Maps that may follow only some maps: Penrose tiles, boundaries, and chaos games with rules.</source>
+        <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
         <translation>Пресликувања што смеат да следат само некои: Пенроузови плочки, граници и игри на хаос со правила.</translation>
     </message>
     <message>
@@ -695,7 +695,7 @@
         <translation>Фрактални трансформации</translation>
     </message>
     <message>
-        <source>Fractals in the colours of a picture on another one; a double click opens both side by side.</source>
+        <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Фрактали во боите на слика врз друг фрактал; двоен клик ги отвора двата еден до друг.</translation>
     </message>
 </context>
@@ -726,18 +726,18 @@
         <translation>Кафезот на „%1“ не може да се впише во пресликувањата, па не може да се израмни.</translation>
     </message>
     <message>
-        <source>The maps of “%1” are linked, which maps in space cannot be.</source>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
         <translation>Пресликувањата на „%1“ се поврзани, а пресликувањата во просторот не можат да бидат.</translation>
     </message>
     <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture from that side instead.</source>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>Пресликувањето %1 од „%2“ ја менува насоката, па проекцијата не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
     </message>
 </context>
 <context>
     <name>Enqueue</name>
     <message>
-        <source>The name “%1” does not fit the chosen format. Choose another name.</source>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
         <translation>Името „%1“ не одговара на избраниот формат. Изберете друго име.</translation>
     </message>
     <message>
@@ -767,18 +767,18 @@
         <translation>Не е извоз од оваа програма.</translation>
     </message>
     <message>
-        <source>Its settings are not ones of this version.</source>
+        <source>Its settings are not supported by this version.</source>
         <translation>Неговите поставки не се од оваа верзија.</translation>
     </message>
     <message>
-        <source>The file that it names does not fit its format.</source>
+        <source>Its file name does not match its format.</source>
         <translation>Датотеката што ја наведува не одговара на неговиот формат.</translation>
     </message>
 </context>
 <context>
     <name>Exports</name>
     <message numerus="yes">
-        <source>%n exports from last time are in the queue.</source>
+        <source>%n exports from the last session are in the queue.</source>
         <translation>
             <numerusform>%n извоз од минатиот пат е во редот.</numerusform>
             <numerusform>%n извози од минатиот пат се во редот.</numerusform>
@@ -798,7 +798,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>They go on when you start Barycage the next time. Close it now?</source>
+        <source>They will continue the next time you start Barycage. Close it now?</source>
         <translation>
             <numerusform>Ќе продолжи кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
             <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
@@ -860,7 +860,7 @@
         <translation>Прикажи чекор од лекцијата</translation>
     </message>
     <message>
-        <source>The cage of this entry has other corners than in the lesson.</source>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
         <translation>Кафезот на овој запис има други темиња отколку во лекцијата.</translation>
     </message>
 </context>
@@ -1099,7 +1099,7 @@
         <translation>&amp;Зачувај</translation>
     </message>
     <message>
-        <source>Save the file; entries that you did not edit stay unchanged to the byte</source>
+        <source>Save the file; entries that you did not edit stay unchanged, byte for byte</source>
         <translation>Зачувај ја датотеката; неизменетите записи го задржуваат секој бајт</translation>
     </message>
     <message>
@@ -1303,7 +1303,7 @@
         <translation>Ctrl+B</translation>
     </message>
     <message>
-        <source>Write the placement into the code: the picture stays, the coefficients change</source>
+        <source>Write the placement into the code: the picture stays, and the coefficients change</source>
         <translation>Впиши ја поставеноста во кодот: сликата останува иста, се менуваат коефициентите</translation>
     </message>
     <message>
@@ -1311,7 +1311,7 @@
         <translation>&amp;Извади од кодот</translation>
     </message>
     <message>
-        <source>Extract the placement from the code: the picture stays, the code becomes that of the triangle (0, 0), (1, 0), (0, 1)</source>
+        <source>Extract the placement from the code: the picture stays, and the code is rewritten for the triangle (0, 0), (1, 0), (0, 1)</source>
         <translation>Извади ја поставеноста од кодот: сликата останува иста, а кодот станува код на триаголникот (0, 0), (1, 0), (0, 1)</translation>
     </message>
     <message>
@@ -1651,7 +1651,7 @@
         <translation>Shift+F11</translation>
     </message>
     <message>
-        <source>Show only the canvas, on the whole screen, as for a projector; press Esc to return</source>
+        <source>Show only the canvas in full screen, for example on a projector; press Esc to return</source>
         <translation>Целиот екран се остава на платното, на пример за проектор; Esc го враќа останатото</translation>
     </message>
     <message>
@@ -1811,7 +1811,7 @@
         <translation>Постави во &amp;темињата</translation>
     </message>
     <message>
-        <source>Move each selected map until it takes the nearest corner of the cage to itself</source>
+        <source>Move each selected map so that it leaves the nearest corner of the cage fixed</source>
         <translation>Помести го секое избрано пресликување додека најблиското теме на кафезот не се пресликува во себе</translation>
     </message>
     <message>
@@ -1851,7 +1851,7 @@
         <translation>Откако е отворена тука, датотеката „%1“ е избришана, преименувана или преместена.</translation>
     </message>
     <message>
-        <source>Saving creates it again at its old place.</source>
+        <source>Saving creates it again in its old location.</source>
         <translation>Со зачувувањето повторно се создава на старото место.</translation>
     </message>
     <message>
@@ -1875,7 +1875,7 @@
         <translation>Сплескај во рамнина</translation>
     </message>
     <message>
-        <source>Export the picture as PNG, SVG or PDF, framed as on the screen; a solid also as a body to print</source>
+        <source>Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh for 3D printing</source>
         <translation>Ја извезува сликата како PNG, SVG или PDF, врамена како на екранот; тело и како предмет за печатење</translation>
     </message>
     <message>
@@ -1999,7 +1999,7 @@
         <translation>Ctrl+Shift+T</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, and paint this one with a picture on it</source>
+        <source>Show another entry beside this one, and colour this one by a picture placed on the other</source>
         <translation>Прикажи друг запис покрај овој и обој го овој со слика врз него</translation>
     </message>
     <message>
@@ -2011,7 +2011,7 @@
         <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
-        <source>Export the animation as a video, a moving picture or frames, here or on a cluster</source>
+        <source>Export the animation as a video, an animated image or frames, on this computer or on a cluster</source>
         <translation>Извезете ја анимацијата како видео, подвижна слика или кадри, тука или на кластер</translation>
     </message>
     <message>
@@ -2031,7 +2031,7 @@
         <translation>Колаж</translation>
     </message>
     <message>
-        <source>A fractal for a picture: the target, how well the fractal agrees with it, and fits.</source>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
         <translation>Фрактал за слика: целта, колку фракталот се согласува со неа, и прилагодувања.</translation>
     </message>
     <message>
@@ -2043,11 +2043,11 @@
         <translation>Прикажи го телото и одозгора, однапред и оддесно</translation>
     </message>
     <message>
-        <source>Define the control triangle by three clicks, in space the tetrahedron by four</source>
+        <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Го одредува контролниот триаголник со три клика, во просторот тетраедарот со четири</translation>
     </message>
     <message>
-        <source>Which maps the chaos game may apply after which, as a graph and as a matrix.</source>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
         <translation>Кои пресликувања играта на хаос смее да ги примени по кои, како граф и како матрица.</translation>
     </message>
     <message>
@@ -2079,7 +2079,7 @@
         <translation>Стерео, &amp;еден до друг</translation>
     </message>
     <message>
-        <source>Show what each eye sees, the left one to the left</source>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
         <translation>Прикажува што гледа секое око, левото лево</translation>
     </message>
     <message>
@@ -2087,7 +2087,7 @@
         <translation>Стерео, за црвено-&amp;цијан очила</translation>
     </message>
     <message>
-        <source>Show what both eyes see in one picture, in red and cyan</source>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
     </message>
     <message>
@@ -2167,7 +2167,7 @@
         <translation>&amp;Пушти ја лекцијата</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen</source>
+        <source>Play the lesson in full screen</source>
         <translation>Пушти ја лекцијата на целиот екран</translation>
     </message>
     <message>
@@ -2175,7 +2175,7 @@
         <translation>&amp;Следен чекор</translation>
     </message>
     <message>
-        <source>Show the next step of the lesson that is played</source>
+        <source>Show the next step of the lesson being played</source>
         <translation>Прикажи го следниот чекор од лекцијата што тече</translation>
     </message>
     <message>
@@ -2183,7 +2183,7 @@
         <translation>&amp;Претходен чекор</translation>
     </message>
     <message>
-        <source>Show the previous step of the lesson that is played</source>
+        <source>Show the previous step of the lesson being played</source>
         <translation>Прикажи го претходниот чекор од лекцијата што тече</translation>
     </message>
     <message>
@@ -2191,7 +2191,7 @@
         <translation>&amp;Додај чекор</translation>
     </message>
     <message>
-        <source>Add a step to the lesson, with the state of the window now</source>
+        <source>Add a step to the lesson, with the current state of the window</source>
         <translation>Додај ѝ на лекцијата чекор со сегашната состојба на прозорецот</translation>
     </message>
     <message>
@@ -2199,11 +2199,11 @@
         <translation>&amp;Зачувај ја лекцијата…</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
     </message>
     <message>
-        <source>The step now has the state of the window.</source>
+        <source>The step now has the current state of the window.</source>
         <translation>Чекорот сега ја има состојбата на прозорецот.</translation>
     </message>
     <message>
@@ -2215,7 +2215,7 @@
         <translation>Лекцијата не именува датотека со фрактали во својата папка („file: ime.ifs“).</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
     </message>
     <message>
@@ -2255,7 +2255,7 @@
         <translation>Фракталите имаат измени што не се зачувани.</translation>
     </message>
     <message>
-        <source>Step %1 has the state of the window. Write its text.</source>
+        <source>Step %1 has the current state of the window. Now write its text.</source>
         <translation>Чекорот %1 ја има состојбата на прозорецот. Напишете го неговиот текст.</translation>
     </message>
     <message>
@@ -2287,7 +2287,7 @@
         <translation>&amp;Заклучи или отклучи пресликувања</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits, or stop doing so</source>
+        <source>Lock the selected maps against editing, or unlock them</source>
         <translation>Заштити ги избраните пресликувања од измени, или престани со тоа</translation>
     </message>
     <message>
@@ -2303,11 +2303,11 @@
         <translation>Состојби на овој фрактал што сте ги зачувале додека работевте. Кликнете на една за да ја вратите.</translation>
     </message>
     <message>
-        <source>Pictures that are drawn one after another in the background, and how far each is.</source>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
         <translation>Слики што се цртаат една по друга во заднина, и докаде е секоја.</translation>
     </message>
     <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played on the whole screen.</source>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
         <translation>Лекција за овие фрактали: нејзините чекори, секој со текст и состојба на прозорецот, за пуштање на целиот екран.</translation>
     </message>
     <message>
@@ -2347,11 +2347,11 @@
         <translation>Зачувување на погледот „%1“</translation>
     </message>
     <message>
-        <source>Print &amp;Hand-out…</source>
+        <source>Print &amp;Handout…</source>
         <translation>Печати &amp;лист за час…</translation>
     </message>
     <message>
-        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank task sheet</source>
+        <source>Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet</source>
         <translation>Печати записи за час: слики со кафез, пресликувања и формули, или празен лист со задачи</translation>
     </message>
     <message>
@@ -2387,7 +2387,7 @@
         <translation>С&amp;лика (TikZ)</translation>
     </message>
     <message>
-        <source>Copy the cage and its images under the maps, with numbers and fixed points, as they are displayed</source>
+        <source>Copy the cage and its images under the maps, with numbers and fixed points, as shown on the canvas</source>
         <translation>Копирај го кафезот и неговите слики според пресликувањата, со броеви и неподвижни точки, како што се прикажани</translation>
     </message>
     <message>
@@ -2423,7 +2423,7 @@
         <translation>Ctrl+[</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows counter-clockwise by 15°</source>
+        <source>Rotate the view counter-clockwise by 15°</source>
         <translation>Сврти го прикажаното за 15° спротивно од стрелките на часовникот</translation>
     </message>
     <message>
@@ -2435,7 +2435,7 @@
         <translation>Ctrl+]</translation>
     </message>
     <message>
-        <source>Turn what the canvas shows clockwise by 15°</source>
+        <source>Rotate the view clockwise by 15°</source>
         <translation>Сврти го прикажаното за 15° во насока на стрелките на часовникот</translation>
     </message>
     <message>
@@ -2443,7 +2443,7 @@
         <translation>Поништи го &amp;вртењето</translation>
     </message>
     <message>
-        <source>Turn the view upright again</source>
+        <source>Return the view to upright</source>
         <translation>Исправи го погледот</translation>
     </message>
     <message>
@@ -2455,7 +2455,7 @@
         <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
-        <source>Show another entry beside this one, to compare and to edit both</source>
+        <source>Show another entry beside this one, to compare and edit both</source>
         <translation>Прикажи друг запис до овој за споредба и уредување на двата</translation>
     </message>
     <message>
@@ -2463,7 +2463,7 @@
         <translation>Копирано.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. Perhaps it has been renamed or moved.</source>
+        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
         <translation>Датотеката со нејзините фрактали, „%1“, не е во папката на лекцијата. Можеби е преименувана или преместена.</translation>
     </message>
     <message>
@@ -2479,7 +2479,7 @@
         <translation>Збирки на Fractint (*.ifs *.par)</translation>
     </message>
     <message>
-        <source>The lesson belongs to %1 now. Save the lesson to keep it so.</source>
+        <source>The lesson now refers to %1. Save the lesson to keep this change.</source>
         <translation>Лекцијата сега припаѓа на %1. Зачувајте ја лекцијата за да остане така.</translation>
     </message>
     <message>
@@ -2561,7 +2561,7 @@
         <translation>Зачувувањето на „%1“ е откажано. Датотеката на дискот е како што беше.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and cannot be opened.</source>
+        <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
     </message>
     <message>
@@ -2787,7 +2787,7 @@
         <translation>Сликата не може да се запише: %1</translation>
     </message>
     <message>
-        <source>the WebP encoder has not enough memory.</source>
+        <source>the WebP encoder does not have enough memory.</source>
         <translation>кодерот за WebP нема доволно меморија.</translation>
     </message>
 </context>
@@ -2806,7 +2806,7 @@
         <translation>Датотеката не е PNG-слика или е оштетена.</translation>
     </message>
     <message>
-        <source>The picture carries too much text: the limit is 40 MB in all.</source>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
         <translation>Сликата носи премногу текст: границата е вкупно 40 MB.</translation>
     </message>
     <message>
@@ -2848,7 +2848,7 @@
         <translation>Најдена е незачувана работа</translation>
     </message>
     <message>
-        <source>The last time you used Barycage, it ended before this work was saved:</source>
+        <source>In the last session, Barycage ended before this work was saved:</source>
         <translation>Минатиот пат Barycage заврши пред да се зачува оваа работа:</translation>
     </message>
     <message>
@@ -2868,7 +2868,7 @@
         <translation>Незачуваната работа не може да се чува за обновување: во папката „%1“ не може да се запишува или дискот е полн. Зачувувајте често.</translation>
     </message>
     <message>
-        <source>The unsaved work from last time is damaged and cannot be recovered. What remains of it is in:</source>
+        <source>The unsaved work from the last session is damaged and cannot be recovered. What remains of it is in:</source>
         <translation>Незачуваната работа од минатиот пат е оштетена и не може да се врати. Она што остана од неа се наоѓа во:</translation>
     </message>
     <message>
@@ -2906,7 +2906,7 @@
         <translation>Врати</translation>
     </message>
     <message>
-        <source>Makes the fractal as it was in this snapshot: one step of the history.</source>
+        <source>Restores the fractal to this snapshot, as one step of the history.</source>
         <translation>Го прави фракталот каков што беше на оваа снимка: еден чекор во историјата.</translation>
     </message>
     <message>
@@ -2929,7 +2929,7 @@
         <translation>S</translation>
     </message>
     <message>
-        <source>Keep the present state of this fractal in the Snapshots panel</source>
+        <source>Keep the current state of this fractal in the Snapshots panel</source>
         <translation>Зачувај ја сегашната состојба на фракталот во панелот „Снимки“</translation>
     </message>
     <message>
@@ -2941,11 +2941,11 @@
         <translation>Q</translation>
     </message>
     <message>
-        <source>Kept as “%1”. View, Panels, Snapshots shows it.</source>
+        <source>Kept as “%1”. To see it, choose View, Panels, Snapshots.</source>
         <translation>Зачувано како „%1“. Ја покажува „Приказ“, „Панели“, „Снимки“.</translation>
     </message>
     <message>
-        <source>Show the snapshot that is selected in the Snapshots panel, or the newest one, in place of the fractal; press again, or hold the key and let go, to come back</source>
+        <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Прикажи ја наместо фракталот снимката што е избрана во панелот „Снимки“, или најновата; притиснете повторно, или држете го копчето и пуштете го, за да се вратите</translation>
     </message>
 </context>
@@ -3138,7 +3138,7 @@
         <translation>Вртење на погледот</translation>
     </message>
     <message>
-        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to turn it upright again</source>
+        <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to return it to upright</source>
         <translation>Колку е свртен погледот спротивно од стрелките на часовникот; Приказ, Сврти го погледот, Поништи го вртењето повторно го исправа</translation>
     </message>
     <message>
@@ -3179,7 +3179,7 @@
 <context>
     <name>TaskFolder</name>
     <message>
-        <source>It is not an ordinary file.</source>
+        <source>It is not a regular file.</source>
         <translation>Не е обична датотека.</translation>
     </message>
     <message>
@@ -3191,14 +3191,14 @@
         <translation>Не може да се прочита.</translation>
     </message>
     <message>
-        <source>An export from last time was skipped. %1 Its damaged file was renamed to %2.</source>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
         <translation>Еден извоз од минатиот пат е прескокнат. %1 Неговата оштетена датотека е преименувана во %2.</translation>
     </message>
 </context>
 <context>
     <name>TaskJob</name>
     <message>
-        <source>A file “%1” has appeared since you added this export. Try Again replaces it.</source>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
         <translation>Откако го додадовте овој извоз, се појави датотека „%1“. „Обиди се повторно“ ја заменува.</translation>
     </message>
     <message>
@@ -3605,7 +3605,7 @@
         <translation>„%1“ е папка. Изберете име на датотека.</translation>
     </message>
     <message>
-        <source>“%1” is not an ordinary file and will not be replaced. Choose another name.</source>
+        <source>“%1” is not a regular file and will not be replaced. Choose another name.</source>
         <translation>„%1“ не е обична датотека и не се заменува. Изберете друго име.</translation>
     </message>
     <message>
@@ -3657,7 +3657,7 @@
         <translation>Само системи во рамнината може да се запишат како векторска графика.</translation>
     </message>
     <message>
-        <source>No outline of an attractor could be certified for this system, so there is nothing to make copies of.</source>
+        <source>No outline of an attractor could be certified for this system, so there is nothing to copy.</source>
         <translation>Системот нема атрактор чија контура би можела со сигурност да се определи, па нема од што да се прават копии.</translation>
     </message>
     <message>
@@ -3921,7 +3921,7 @@
         <translation>сврзан</translation>
     </message>
     <message>
-        <source>connected, as far as rounding tells</source>
+        <source>connected, within rounding error</source>
         <translation>сврзан, колку што се гледа од заокружувањето</translation>
     </message>
     <message>
@@ -4121,7 +4121,7 @@
         <translation>%1 кадри, %2 во секунда, %3; %4 траки, %5 движења</translation>
     </message>
     <message>
-        <source>This is not a format of fractal programs. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f where names do not say another.</source>
+        <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
         <translation>Ова не е формат на програми за фрактали. Неговите списоци од броеви се читаат како табели со пресликувања (системи: %1, пресликувања: %2), по редот a b c d e f онаму каде што имињата не кажуваат друг.</translation>
     </message>
     <message>
@@ -4193,7 +4193,7 @@
         <translation>Површината на „%1“ не е затворена, па не беше запишана.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers of the file cannot tell its points apart. Move it to the origin.</source>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
         <translation>„%1“ е премал за своето растојание од почетокот: броевите во датотеката не ги разликуваат неговите точки. Преместете го кон почетокот.</translation>
     </message>
     <message>
@@ -4237,7 +4237,7 @@
         <translation>„%1“ е запишана со друга верзија на програмата, која може да црта други пиксели.</translation>
     </message>
     <message>
-        <source>The picture is incomplete: only %1 % of it is there. Add the files of the other parts, or merge to a .sum file.</source>
+        <source>The picture is incomplete: only %1 % of it is present. Add the files of the other parts, or merge to a .sum file.</source>
         <translation>Сликата не е целосна: има %1 % од неа. Додајте ги датотеките на другите делови или запишете .sum датотека.</translation>
     </message>
     <message>
@@ -4305,11 +4305,11 @@
         <translation>Меѓу овие записи нема фрактална трансформација.</translation>
     </message>
     <message>
-        <source>“%1” is not a system of the plane.</source>
+        <source>“%1” is not a system in the plane.</source>
         <translation>„%1“ не е систем во рамнината.</translation>
     </message>
     <message>
-        <source>The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.</source>
+        <source>The cage of “%1” is flat or bends the picture. Bake or reset it first.</source>
         <translation>Кафезот на „%1“ е рамен или ја свиткува сликата. Прво впишете го во кодот или вратете го во мирување.</translation>
     </message>
     <message>
@@ -4317,7 +4317,7 @@
         <translation>„%1“ нема активно пресликување, па нема што да се нацрта.</translation>
     </message>
     <message>
-        <source>“%1” has no attractor that could be proved, so its points have no addresses.</source>
+        <source>No attractor could be proved for “%1”, so its points have no addresses.</source>
         <translation>„%1“ нема докажлив атрактор, па неговите точки немаат адреси.</translation>
     </message>
     <message>
@@ -4325,7 +4325,7 @@
         <translation>Зачуваниот редослед не го наведува секое активно пресликување на „%1“ точно еднаш.</translation>
     </message>
     <message>
-        <source>“%1” has %2 active maps and “%3” has %4. They need equally many.</source>
+        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
         <translation>„%1“ има %2 активни пресликувања, а „%3“ има %4. Треба да имаат еднаков број.</translation>
     </message>
     <message>
@@ -4377,7 +4377,7 @@
         <translation>Врските на пресликувањето %1 не се важечки, па не се применуваат никакви врски: редот на врските има по еден број за секое пресликување, 0 или поголем.</translation>
     </message>
     <message>
-        <source>The links let every sequence of maps come to an end, so no map is active.</source>
+        <source>With these links every sequence of maps ends, so no map is active.</source>
         <translation>Со врските секоја низа пресликувања завршува, па ниедно пресликување не е активно.</translation>
     </message>
     <message>
@@ -4425,7 +4425,7 @@
         <translation>%1 страни</translation>
     </message>
     <message>
-        <source>(as far as rounding tells)</source>
+        <source>(within rounding error)</source>
         <translation>(колку што се гледа од заокружувањето)</translation>
     </message>
     <message>
@@ -4441,7 +4441,7 @@
         <translation>симетрија</translation>
     </message>
     <message>
-        <source>takes no part: after it, the chaos game comes to an end</source>
+        <source>takes no part: after it, the chaos game ends</source>
         <translation>не учествува: по него играта на хаосот завршува</translation>
     </message>
     <message>
@@ -4449,7 +4449,7 @@
         <translation>не учествува: ниедно пресликување не води до него</translation>
     </message>
     <message>
-        <source>takes no part: the chaos game leaves it and never comes back</source>
+        <source>takes no part: the chaos game leaves it and never returns</source>
         <translation>не учествува: играта на хаосот го напушта и никогаш не се враќа</translation>
     </message>
     <message>
@@ -4461,7 +4461,7 @@
         <translation>поврзани пресликувања</translation>
     </message>
     <message>
-        <source>separation, connectedness, joint spectral radius and periodic addresses are not worked out for linked maps</source>
+        <source>separation, connectedness, joint spectral radius and periodic addresses are not computed for linked maps</source>
         <translation>раздвоеноста, поврзаноста, заедничкиот спектрален радиус и периодичните адреси не се одредуваат за поврзани пресликувања</translation>
     </message>
     <message>
@@ -4564,7 +4564,7 @@
         <translation>Игра на хаос</translation>
     </message>
     <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever the dice say, the dots fill the same picture, the attractor.</source>
+        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
         <translation>Притиснете „Игра на хаос“, па „Пушти“. Една точка скока, секојпат според случајно избрано пресликување, и остава трага таму каде што ќе падне. Забрзајте ја: што и да покаже коцката, трагите ја пополнуваат истата слика, атракторот.</translation>
     </message>
     <message>
@@ -4572,7 +4572,7 @@
         <translation>Адреса</translation>
     </message>
     <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin alike are close together, and now they look alike.</source>
+        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
         <translation>Пресликувањето што го направило последниот скок до некоја точка, па она пред него, и така натаму: тие броеви се адресата на точката. Изберете „Боја според: Адреса“. Точките чии адреси почнуваат исто лежат блиску една до друга, а сега и личат една на друга.</translation>
     </message>
     <message>
@@ -4650,7 +4650,7 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files has no room for the frames: %1.</source>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
         <translation>Во папката за привремени датотеки нема место за кадрите: %1.</translation>
     </message>
     <message>
@@ -4666,11 +4666,11 @@
         <translation>Нема доволно меморија за кадар од видеото.</translation>
     </message>
     <message>
-        <source>The palette of the GIF cannot be made.</source>
+        <source>The palette of the GIF cannot be created.</source>
         <translation>Палетата на GIF-от не може да се направи.</translation>
     </message>
     <message>
-        <source>A frame of the GIF cannot be made.</source>
+        <source>A frame of the GIF cannot be created.</source>
         <translation>Кадар од GIF-от не може да се направи.</translation>
     </message>
     <message>
@@ -4686,7 +4686,7 @@
         <translation>Овој формат прикажува најмногу %1 кадри во секунда. Изберете помала брзина.</translation>
     </message>
     <message>
-        <source>This Barycage was built without FFmpeg&apos;s libraries and writes no videos. Write the frames as PNG pictures instead.</source>
+        <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Овој Barycage е изграден без библиотеките на FFmpeg и не запишува видеа. Запишете ги кадрите како PNG-слики.</translation>
     </message>
     <message>
@@ -4917,7 +4917,7 @@
         <translation>Повеќе од %1 пресликувања не можат да се поврзат.</translation>
     </message>
     <message>
-        <source>The links of “%1” let every sequence of maps come to an end, so there is nothing that plain maps could draw.</source>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
         <translation>Врските на „%1“ ја завршуваат секоја низа пресликувања, па нема ништо што обични пресликувања би можеле да го нацртаат.</translation>
     </message>
     <message>
@@ -5074,7 +5074,7 @@
         <translation>Афино инваријантен облик</translation>
     </message>
     <message>
-        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle into itself.</source>
+        <source>Row j of a matrix contains the barycentric coordinates of the image of vertex j in the triangle, so each row sums to 1. Dragging the triangle does not change the matrices. If no entry is negative, the map takes the triangle to a part of itself.</source>
         <translation>Редицата j на матрицата ги содржи барицентричните координати на сликата на темето j во однос на триаголникот, па збирот на секоја редица е 1. Матриците не се менуваат кога се влече триаголникот. Ако ниеден елемент не е негативен, пресликувањето го пресликува триаголникот во самиот себе.</translation>
     </message>
     <message>
@@ -5240,7 +5240,7 @@
         <translation>WebM: за веб-страници, со проѕирност</translation>
     </message>
     <message>
-        <source>MKV: without loss, for editing</source>
+        <source>MKV: lossless, for editing</source>
         <translation>MKV: без загуба, за обработка</translation>
     </message>
     <message>
@@ -5248,11 +5248,11 @@
         <translation>GIF: 256 бои</translation>
     </message>
     <message>
-        <source>WebP: a moving picture without loss</source>
+        <source>WebP: a lossless animated image</source>
         <translation>WebP: подвижна слика без загуба</translation>
     </message>
     <message>
-        <source>APNG: a moving picture without loss</source>
+        <source>APNG: a lossless animated image</source>
         <translation>APNG: подвижна слика без загуба</translation>
     </message>
     <message>
@@ -5260,7 +5260,7 @@
         <translation>PNG: по една слика за секој кадар</translation>
     </message>
     <message>
-        <source>A video, a moving picture for pages and messages, or one picture for each frame. All of them contain the animation, and Barycage opens them again.</source>
+        <source>A video, an animated image for web pages and messages, or one picture for each frame. All of them contain the animation, so Barycage can open them again.</source>
         <translation>Видео, подвижна слика за страници и пораки, или по една слика за секој кадар. Сите ја содржат анимацијата и Barycage повторно ги отвора.</translation>
     </message>
     <message>
@@ -5280,7 +5280,7 @@
         <translation>Целата анимација</translation>
     </message>
     <message>
-        <source>What the frames show where no key of the camera says: what the canvas shows, or everything that comes into sight, with a small margin.</source>
+        <source>What the frames show where the camera has no keys: the view on the canvas, or everything that becomes visible, with a small margin.</source>
         <translation>Што покажуваат кадрите кога ниеден клуч на камерата не го одредува тоа: она што го покажува платното, или сè што се појавува, со мала маргина.</translation>
     </message>
     <message>
@@ -5384,11 +5384,11 @@
         <translation>Мазна: без треперење</translation>
     </message>
     <message>
-        <source>Fixed: that of frame 0</source>
+        <source>Fixed: as in frame 0</source>
         <translation>Постојана: онаа на кадарот 0</translation>
     </message>
     <message>
-        <source>Each: by itself</source>
+        <source>Each: frame by frame</source>
         <translation>Секој: за себе</translation>
     </message>
     <message>
@@ -5404,7 +5404,7 @@
         <translation>Задачи на кластер</translation>
     </message>
     <message>
-        <source>How many tasks of a cluster share the frames when you choose On a Cluster.</source>
+        <source>How many cluster tasks share the frames when you choose On a Cluster.</source>
         <translation>Меѓу колку задачи на кластерот се делат кадрите кога ќе изберете „На кластер“.</translation>
     </message>
     <message>
@@ -5432,7 +5432,7 @@
         <translation>&amp;Извези…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the animation. You can go on editing meanwhile: the animation is exported as it was when this dialog opened.</source>
+        <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Прашува за име на датотека и ја запишува анимацијата. Во меѓувреме можете да продолжите со уредување: се извезува анимацијата каква што била кога се отворил прозорецов.</translation>
     </message>
     <message>
@@ -5440,7 +5440,7 @@
         <translation>На к&amp;ластер…</translation>
     </message>
     <message>
-        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits it where sbatch is found.</source>
+        <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Запишува папка со анимацијата и со скрипти што ја цртаат на кластер со Slurm, и ја поднесува ако се најде sbatch.</translation>
     </message>
     <message numerus="yes">
@@ -5508,7 +5508,7 @@
         <translation>Откажано; папката можеби е нецелосна.</translation>
     </message>
     <message>
-        <source>The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.</source>
+        <source>The job is in %1. sbatch was not found on this computer: run submit.sh in this folder on the cluster.</source>
         <translation>Задачата е во %1. Тука нема sbatch: пуштете го submit.sh од папката на кластерот.</translation>
     </message>
     <message>
@@ -5675,7 +5675,7 @@
         <translation>Уште палети…</translation>
     </message>
     <message>
-        <source>Browse hundreds of palettes, turn and shift them</source>
+        <source>Browse hundreds of palettes, change their hue and shift them</source>
         <translation>Прегледај стотици палети, врти ги и поместувај ги</translation>
     </message>
     <message>
@@ -5703,7 +5703,7 @@
         <translation>Со 1, гамата одлучува само колку силно се гледа бојата, а бојата ја задржува својата нијанса. Со 0, гамата дејствува и на црвеното, зеленото и синото, и боите се побледи. Пламените го имаат истото поставување.</translation>
     </message>
     <message>
-        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps on the way, as in flames. The Maps panel has the place of each map on the palette, and its speed.</source>
+        <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps applied, as in flames. The position of each map on the palette, and its speed, are in the Maps panel.</source>
         <translation>Што кажува бојата на една точка: колку точки паѓаат таму, кое пресликување било последно, целата адреса или мешавината на боите на сите пресликувања по патот, како кај пламените. Во панелот „Пресликувања“ се местото на секое пресликување на палетата и неговата брзина.</translation>
     </message>
     <message>
@@ -5711,11 +5711,11 @@
         <translation>Мешање на пресликувањата</translation>
     </message>
     <message>
-        <source>As in flames: each map draws colours to its place on the palette</source>
+        <source>As in flames: each map moves colours towards its position on the palette</source>
         <translation>Како кај пламените: секое пресликување ги влече боите кон своето место на палетата</translation>
     </message>
     <message>
-        <source>The colours from the thinnest parts to the densest, along the addresses, or along the places between which maps blend.</source>
+        <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Боите од најретките делови до најгустите, по адресите, или по местата меѓу кои мешаат пресликувањата.</translation>
     </message>
 </context>
@@ -5733,7 +5733,7 @@
         <translation>Дијаграм на броење кутии</translation>
     </message>
     <message>
-        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: there the size of the whole or of a cell has an effect.</source>
+        <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: at those sizes, the size of the whole or of a cell affects the count.</source>
         <translation>Колку кутии го допираат атракторот спрема нивната финост: log₂ N над k за кутии со страна L·2⁻ᵏ, L е страната на квадратот околу атракторот. Празните точки не се земени за правата: таму се гледа големината на целината или на една ќелија.</translation>
     </message>
     <message>
@@ -5832,7 +5832,7 @@
         <translation>Само тука</translation>
     </message>
     <message>
-        <source>The code does not change. Only this branch is shown elsewhere; the same change does not appear at other scales.</source>
+        <source>The code does not change. Only this branch is shown in another position; the same change does not appear at other scales.</source>
         <translation>Кодот не се менува. Само оваа гранка се прикажува на друго место; промената не се повторува во други размери.</translation>
     </message>
     <message>
@@ -5902,7 +5902,7 @@
         <translation>Сликата е претенка за таков кафез.</translation>
     </message>
     <message>
-        <source>The cage is already there.</source>
+        <source>The cage already has this shape.</source>
         <translation>Кафезот веќе е таму.</translation>
     </message>
     <message>
@@ -5969,7 +5969,7 @@
         <translation>Дефинирај…</translation>
     </message>
     <message>
-        <source>Define the triangle by three clicks on the canvas; the picture stays</source>
+        <source>Define the triangle with three clicks on the canvas; the picture stays</source>
         <translation>Дефинирај го триаголникот со три кликања на платното; сликата останува иста</translation>
     </message>
     <message>
@@ -6229,7 +6229,7 @@
         <translation>Три рабови на опфатната кутија</translation>
     </message>
     <message>
-        <source>The system has very many maps: the cage around it is being found…</source>
+        <source>The system has very many maps. Computing the cage around it…</source>
         <translation>Системот има многу пресликувања: кафезот околу него се бара…</translation>
     </message>
     <message>
@@ -6245,7 +6245,7 @@
         <translation>Октаедар</translation>
     </message>
     <message>
-        <source>Define the tetrahedron by four clicks on the canvas; the picture stays</source>
+        <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Го одредува тетраедарот со четири клика на платното; сликата останува</translation>
     </message>
     <message>
@@ -6351,7 +6351,7 @@
         <translation>Ниедно вклучено пресликување нема тежина поголема од 0, па нема што да се црта. Дајте му тежина на некое.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points spend their time.</source>
+        <source>This system has no attractor. The picture shows where its points fall most often.</source>
         <translation>Овој систем нема атрактор. Сликата покажува каде се задржуваат неговите точки.</translation>
     </message>
     <message>
@@ -6359,7 +6359,7 @@
         <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
     <message>
-        <source>So many pieces lie on each other that parts of this solid are missing. The look Cloud shows all of it.</source>
+        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
     </message>
 </context>
@@ -6474,7 +6474,7 @@
         <translation>&amp;Дефинирај триаголник</translation>
     </message>
     <message>
-        <source>Defines the triangle by three clicks; the picture stays</source>
+        <source>Defines the triangle with three clicks; the picture stays</source>
         <translation>Ја држи сликата со три точки избрани со кликање</translation>
     </message>
     <message>
@@ -6618,7 +6618,7 @@
         <translation>Овозможува повторно менување на ова пресликување</translation>
     </message>
     <message>
-        <source>Protects this map against edits</source>
+        <source>Locks this map against editing</source>
         <translation>Го заштитува ова пресликување од измени</translation>
     </message>
     <message>
@@ -6626,7 +6626,7 @@
         <translation>Поништи го &amp;вртењето</translation>
     </message>
     <message>
-        <source>Turns the view upright again</source>
+        <source>Returns the view to upright</source>
         <translation>Го исправа погледот</translation>
     </message>
 </context>
@@ -6819,7 +6819,7 @@
         <translation>Покриеност</translation>
     </message>
     <message>
-        <source>The share of the target that is covered</source>
+        <source>The part of the target that is covered</source>
         <translation>Делот од целта што е покриен</translation>
     </message>
     <message>
@@ -6859,7 +6859,7 @@
         <translation>нема: едно пресликување растегнува за %1</translation>
     </message>
     <message>
-        <source>No point of the target is farther from the attractor than this, nor the other way round. It is larger while you drag, when a coarser picture is measured</source>
+        <source>No point of the target is farther from the attractor than this, and no point of the attractor from the target. The value is larger during a drag, when a coarser picture is measured</source>
         <translation>Ниедна точка од целта не е подалеку од атракторот, ниту обратно. Поголема е додека влечете, бидејќи се мери погруба слика</translation>
     </message>
     <message>
@@ -6950,7 +6950,7 @@
         <translation>не се прикажува</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Both grey, too much red, missing blue</source>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
         <translation>Што се споредува со целта: сликите на целта под пресликувањата, или атракторот. Заедничкото е сиво, вишокот црвен, недостигот син</translation>
     </message>
     <message>
@@ -6978,7 +6978,7 @@
         <translation>Фракталот во меѓувреме се промени, па резултатот не е искористен.</translation>
     </message>
     <message>
-        <source>Nothing was found that agrees better.</source>
+        <source>No better agreement was found.</source>
         <translation>Не е најдено ништо што подобро се согласува.</translation>
     </message>
     <message>
@@ -7201,7 +7201,7 @@
         <translation>Нема соодветни команди</translation>
     </message>
     <message>
-        <source>The commands whose names have these words, then those whose descriptions do.</source>
+        <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Наредбите чии имиња ги содржат овие зборови, а потоа оние чии описи ги содржат.</translation>
     </message>
 </context>
@@ -7228,7 +7228,7 @@
         <translation>Поврзи ги погледите</translation>
     </message>
     <message>
-        <source>Move and zoom both together, at the same place and the same scale</source>
+        <source>Pan and zoom both together, at the same position and scale</source>
         <translation>Помести и зголеми ги двете заедно, на исто место и во иста размера</translation>
     </message>
     <message>
@@ -7240,7 +7240,7 @@
         <translation>Прикажи го само тековниот запис</translation>
     </message>
     <message>
-        <source>An entry of the plane and one in space have no view in common</source>
+        <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Запис од рамнината и запис од просторот немаат заеднички поглед</translation>
     </message>
 </context>
@@ -7327,7 +7327,7 @@
         <translation>Детерминистичкиот алгоритам: сите пресликувања применети n пати врз кафезот или врз друга фигура</translation>
     </message>
     <message>
-        <source>How many times all maps are applied: 0 is what the steps start from, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
+        <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
         <translation>Колку пати се применуваат сите пресликувања: 0 е почетната фигура, а со секој чекор сликата се приближува кон атракторот. Секоја копија ја има бојата на своето најнадворешно пресликување.</translation>
     </message>
     <message>
@@ -7343,7 +7343,7 @@
         <translation>Скокови во секунда</translation>
     </message>
     <message>
-        <source>How many jumps the chaos game makes per second. Up to ten per second, the die shows each map that falls.</source>
+        <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
         <translation>Колку скокови прави играта на хаос во секунда. До десет во секунда, коцката го покажува секое пресликување што паѓа.</translation>
     </message>
     <message>
@@ -7355,7 +7355,7 @@
         <translation>W%1: %2 копии</translation>
     </message>
     <message>
-        <source>The Hausdorff distance from the picture to the attractor A, and what it cannot exceed</source>
+        <source>The Hausdorff distance from the picture to the attractor A, and its upper bound</source>
         <translation>Хаусдорфовото растојание од сликата до атракторот A, и она што не може да го надмине</translation>
     </message>
     <message>
@@ -7410,7 +7410,7 @@
         <translation>Коцка</translation>
     </message>
     <message>
-        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that fell is shown in the colour of its map, and so is the point to which the map has led. At more than ten jumps per second it rolls too fast to be read.</source>
+        <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
         <translation>Коцката на играта на хаос. Има по една страна за секое пресликување, широка колку неговата веројатност. Страната што паднала се прикажува во бојата на своето пресликување, исто како и точката до која тоа довело. При повеќе од десет скокови во секунда се тркала пребрзо за да се чита.</translation>
     </message>
     <message>
@@ -7418,7 +7418,7 @@
         <translation>Секое пресликување има страна, широка колку неговата веројатност.</translation>
     </message>
     <message>
-        <source>Map %1 fell, whose probability is %2.</source>
+        <source>Map %1 was rolled; its probability is %2.</source>
         <translation>Падна пресликувањето %1, чија веројатност е %2.</translation>
     </message>
 </context>
@@ -7429,11 +7429,11 @@
         <translation>Сопствен премин</translation>
     </message>
     <message>
-        <source>Curve: time to the right, the way upwards</source>
+        <source>Curve: time to the right, progress upwards</source>
         <translation>Крива: времето надесно, патот нагоре</translation>
     </message>
     <message>
-        <source>How the way to the next key is covered in time. Drag the two handles.</source>
+        <source>How the motion to the next key progresses over time. Drag the two handles.</source>
         <translation>Како се поминува патот до следниот клуч во времето. Влечете ги двете рачки.</translation>
     </message>
     <message>
@@ -7441,7 +7441,7 @@
         <translation>Време на првата рачка</translation>
     </message>
     <message>
-        <source>Way of the first handle</source>
+        <source>Progress of the first handle</source>
         <translation>Пат на првата рачка</translation>
     </message>
     <message>
@@ -7449,7 +7449,7 @@
         <translation>Време на втората рачка</translation>
     </message>
     <message>
-        <source>Way of the second handle</source>
+        <source>Progress of the second handle</source>
         <translation>Пат на втората рачка</translation>
     </message>
     <message>
@@ -7469,7 +7469,7 @@
         <translation>Втора рачка:</translation>
     </message>
     <message>
-        <source>A share from 0 to 1. A curve that would be too steep is flattened.</source>
+        <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Дел од 0 до 1. Престрмна крива се израмнува.</translation>
     </message>
 </context>
@@ -7840,7 +7840,7 @@
         <translation>Точки, обоени (.ply)</translation>
     </message>
     <message>
-        <source>Turn &amp;y around so that the flame is the right way up</source>
+        <source>Flip &amp;y so that the flame is the right way up</source>
         <translation>П&amp;реврти ја y-оската, за пламенот да стои исправено</translation>
     </message>
     <message>
@@ -8211,7 +8211,7 @@
         <translation>SVG и PDF се составени од облици, кои остануваат остри во секоја големина; другите се составени од пиксели. Ако името на датотеката ја има наставката на друг формат, се запишува тој формат.</translation>
     </message>
     <message>
-        <source>The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
+        <source>The name “%1” does not determine the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg or .pdf.</source>
         <translation>Името „%1“ не го кажува форматот: мора да завршува на .png, .jpg, .webp, .tiff, .exr, .svg или .pdf.</translation>
     </message>
     <message>
@@ -8219,7 +8219,7 @@
         <translation>Додај во редот…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the picture in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Прашува за име на датотека и ја црта сликата кога ќе дојде на ред, по оние што чекаат во панелот „Извози“. Редот продолжува по повторно стартување.</translation>
     </message>
     <message>
@@ -8227,7 +8227,7 @@
         <translation>Погледот „%1“</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks. Saved views are listed, too.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното. Во листата се и зачуваните погледи.</translation>
     </message>
 </context>
@@ -8242,7 +8242,7 @@
         <translation>Што ќе прикаже датотеката</translation>
     </message>
     <message>
-        <source>The picture as it will be exported: its shape and the section it shows. Where it is transparent, a chequer shows through. It follows every field.</source>
+        <source>The picture as it will be exported: its proportions and the section it shows. A chequerboard marks transparent parts. The preview follows every field.</source>
         <translation>Сликата како што ќе биде извезена: нејзиниот облик и делот што го прикажува. Каде што е проѕирна, се гледа шаховска шара. Го следи секое поле.</translation>
     </message>
     <message>
@@ -8257,11 +8257,11 @@
 <context>
     <name>view::ExportQueue</name>
     <message>
-        <source>The program has ended twice while it drew this picture. Try it again alone, or export a smaller one.</source>
+        <source>Barycage ended unexpectedly twice while drawing this picture. Try it again alone, or export a smaller one.</source>
         <translation>Програмата двапати заврши додека ја црташе оваа слика. Обидете се повторно само со неа, или извезете помала.</translation>
     </message>
     <message>
-        <source>The queue of exports cannot be kept for the next start: its folder is not writable, or the disk is full.</source>
+        <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>Редот на извози не може да се зачува за следното стартување: во неговата папка не може да се пишува, или дискот е полн.</translation>
     </message>
 </context>
@@ -8316,7 +8316,7 @@
         <translation>Резолуција во точки на инч</translation>
     </message>
     <message>
-        <source>A length in the selected unit. The other side follows as long as the proportions are kept.</source>
+        <source>A length in the selected unit. The other side follows as long as the proportions are locked.</source>
         <translation>Должина во единицата избрана до неа. Другата страна се менува сразмерно додека се задржува обликот.</translation>
     </message>
     <message>
@@ -8332,7 +8332,7 @@
         <translation>Именувана големина</translation>
     </message>
     <message>
-        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; where the shape differs, more is shown around it.</source>
+        <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; if the proportions differ, the picture shows more around it.</source>
         <translation>Големината на сликата на екранот или нејзин повеќекратник, на вообичаен екран или на лист хартија. Сѐ што го покажува прозорецот останува во сликата; ако обликот е поинаков, околу неа се гледа повеќе.</translation>
     </message>
     <message>
@@ -8432,11 +8432,11 @@
         <translation>Ред на извози</translation>
     </message>
     <message>
-        <source>The exports, drawn from the top to the bottom.</source>
+        <source>The exports, drawn from top to bottom.</source>
         <translation>Извозите, цртани од горе надолу.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you go on editing.</source>
+        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
         <translation>Нема извози што чекаат. Изберете „Додај во редот“ во „Датотека › Извези слика…“ за да се цртаат слики една по друга додека уредувате.</translation>
     </message>
     <message>
@@ -8464,7 +8464,7 @@
         <translation>&amp;Обиди се повторно</translation>
     </message>
     <message>
-        <source>Draw the selected exports that failed once more.</source>
+        <source>Try again to draw the selected exports that failed.</source>
         <translation>Нацртај ги повторно избраните извози што не успеале.</translation>
     </message>
     <message>
@@ -8484,7 +8484,7 @@
         <translation>Тргни ги &amp;готовите</translation>
     </message>
     <message>
-        <source>Take all exports that are done off the list; their files stay.</source>
+        <source>Remove all finished exports from the list; their files are kept.</source>
         <translation>Тргни ги од списокот сите готови извози; нивните датотеки остануваат.</translation>
     </message>
     <message>
@@ -8492,7 +8492,7 @@
         <translation>Про&amp;должи</translation>
     </message>
     <message>
-        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you go on editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
+        <source>The exports that you have added to the queue. They are drawn one after another, from top to bottom, while you continue editing. Exports that are not finished when you quit continue the next time you start Barycage.</source>
         <translation>Извозите што ги додадовте во редот. Се цртаат еден по друг, од горе надолу, додека вие уредувате. Извозите што не се готови кога излегувате продолжуваат кога следниот пат ќе го стартувате Barycage.</translation>
     </message>
     <message>
@@ -8522,7 +8522,7 @@
         <translation>Најдобро од 2 до 8</translation>
     </message>
     <message>
-        <source>How many maps a suggestion has; in a range, each map must pay for itself</source>
+        <source>How many maps a suggestion has; in a range, a map is added only if it improves the fit enough</source>
         <translation>Колку пресликувања има еден предлог; во опсег, секое мора да се исплати</translation>
     </message>
     <message>
@@ -8550,7 +8550,7 @@
         <translation>Почетна вредност на случајните броеви</translation>
     </message>
     <message>
-        <source>Another seed searches in other places</source>
+        <source>Another seed gives another search</source>
         <translation>Друга почетна вредност бара на други места</translation>
     </message>
     <message>
@@ -8570,7 +8570,7 @@
         <translation>Без огледални слики</translation>
     </message>
     <message>
-        <source>Only maps that do not mirror</source>
+        <source>Only maps without reflection</source>
         <translation>Само пресликувања што не огледуваат</translation>
     </message>
     <message>
@@ -8594,7 +8594,7 @@
         <translation>Агли</translation>
     </message>
     <message>
-        <source>By which angles the maps may turn</source>
+        <source>The angles by which the maps may rotate</source>
         <translation>За кои агли смеат да вртат пресликувањата</translation>
     </message>
     <message>
@@ -8930,7 +8930,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Линија за име и датум</translation>
     </message>
     <message>
-        <source>Print a Hand-out</source>
+        <source>Print a Handout</source>
         <translation>Печати лист за час</translation>
     </message>
     <message>
@@ -8950,7 +8950,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Записи за печатење</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Those with a tick are printed, in this order, up to %1 of them.</source>
+        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
         <translation>Записите од датотеката што се системи во рамнината. Се печатат означените, по овој редослед, најмногу %1.</translation>
     </message>
     <message>
@@ -8970,11 +8970,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Отстрани ги сите ознаки</translation>
     </message>
     <message>
-        <source>Hand-out with pictures</source>
+        <source>Handout with pictures</source>
         <translation>Лист со слики</translation>
     </message>
     <message>
-        <source>Blank task sheet</source>
+        <source>Blank worksheet</source>
         <translation>Празен лист со задачи</translation>
     </message>
     <message>
@@ -8982,7 +8982,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Вид на листот</translation>
     </message>
     <message>
-        <source>A hand-out has the picture of each entry, with its cage, its maps and their formulas. A blank task sheet has the cage on a grid and an empty table, to be filled in by hand.</source>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
         <translation>Листот за час ја прикажува сликата на секој запис со неговиот кафез, пресликувањата и нивните формули. Празниот лист со задачи го прикажува кафезот на мрежа и празна табела што се пополнува рачно.</translation>
     </message>
     <message>
@@ -9022,7 +9022,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Прво изберете запис</translation>
     </message>
     <message>
-        <source>%1-hand-out.pdf</source>
+        <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-лист-за-час.pdf</translation>
     </message>
@@ -9127,7 +9127,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
 <context>
     <name>view::LessonPanel</name>
     <message>
-        <source>Arrange the window as the class is to see it, and press Add Step. Then write what you want to say about it.</source>
+        <source>Arrange the window as you want to show it, and press Add Step. Then write the text of the step.</source>
         <translation>Наместете го прозорецот како што треба да го види класот и притиснете „Додај чекор“. Потоа напишете што сакате да кажете.</translation>
     </message>
     <message>
@@ -9147,7 +9147,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Додај чекор</translation>
     </message>
     <message>
-        <source>Add a step with the state of the window now</source>
+        <source>Add a step with the current state of the window</source>
         <translation>Додај чекор со сегашната состојба на прозорецот</translation>
     </message>
     <message>
@@ -9155,7 +9155,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Обнови го чекорот</translation>
     </message>
     <message>
-        <source>Give the selected step the state of the window now</source>
+        <source>Replace the state of the selected step by the current state of the window</source>
         <translation>Дај му на избраниот чекор ја сегашната состојба на прозорецот</translation>
     </message>
     <message>
@@ -9163,7 +9163,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Прикажи го чекорот</translation>
     </message>
     <message>
-        <source>Bring the window into the state of the selected step</source>
+        <source>Restore the window to the state of the selected step</source>
         <translation>Доведи го прозорецот во состојбата на избраниот чекор</translation>
     </message>
     <message>
@@ -9219,7 +9219,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Чекори на лекцијата</translation>
     </message>
     <message>
-        <source>Double-click a step to bring the window into its state</source>
+        <source>Double-click a step to restore its state of the window</source>
         <translation>Двоен клик на чекор го доведува прозорецот во неговата состојба</translation>
     </message>
     <message>
@@ -9239,11 +9239,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Стои до сликата; празен ред почнува нов пасус</translation>
     </message>
     <message>
-        <source>Play the lesson on the whole screen, from the selected step</source>
+        <source>Play the lesson in full screen, from the selected step</source>
         <translation>Пушти ја лекцијата на целиот екран од избраниот чекор</translation>
     </message>
     <message>
-        <source>Save the lesson beside the file of its fractals</source>
+        <source>Save the lesson in the same folder as its fractals</source>
         <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
     </message>
     <message>
@@ -9268,7 +9268,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, what is seen of it, the tool, colours and outlines.</source>
+        <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Лекцијата е список од чекори. Секој има текст и состојба на прозорецот што му припаѓа: записот, што се гледа од него, алатката, боите и контурите.</translation>
     </message>
 </context>
@@ -9309,7 +9309,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Влечете од едно пресликување до друго за да ги поврзете; кликнете на стрелка и притиснете Delete за да ја отстраните.</translation>
     </message>
     <message>
-        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part, for the reason beside them.</source>
+        <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
         <translation>Секој круг е пресликување, а стрелка води до секое пресликување што смее да го следи во играта на хаос; подебелите стрелки имаат поголема тежина. Влечете од едно пресликување до друго за да ги поврзете, или надвор од пресликување и назад за да го поврзете со самото себе. Кликнете на стрелка и притиснете Delete за да ја отстраните, или двоен клик за да ја внесете нејзината тежина. Со тастатурата: лево и десно минуваат низ пресликувањата, горе и долу низ стрелките на едно пресликување; празно место почнува нова стрелка, лево и десно го избираат нејзиниот крај, Enter ја додава. Пресликувањата со испрекинат прстен не учествуваат, од причината што стои до нив.</translation>
     </message>
     <message>
@@ -9317,7 +9317,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Не е избрано пресликување.</translation>
     </message>
     <message>
-        <source>New arrow from map %1 to map %2. Enter adds it, Esc does not.</source>
+        <source>New arrow from map %1 to map %2. Enter adds it, Esc cancels.</source>
         <translation>Нова стрелка од пресликување %1 до пресликување %2. Enter ја додава, Esc не.</translation>
     </message>
     <message>
@@ -9336,7 +9336,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Недостигнато: ниедно пресликување не води до него</translation>
     </message>
     <message>
-        <source>Left: the chaos game never comes back</source>
+        <source>Transient: the chaos game never returns</source>
         <translation>Напуштено: играта на хаосот никогаш не се враќа</translation>
     </message>
     <message>
@@ -9364,7 +9364,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Во играта на хаосот</translation>
     </message>
     <message>
-        <source>Whether the map is applied again and again, or why not</source>
+        <source>Whether the chaos game keeps applying the map, or why not</source>
         <translation>Дали пресликувањето се применува повторно и повторно, или зошто не</translation>
     </message>
     <message>
@@ -9407,7 +9407,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Врски меѓу пресликувањата</translation>
     </message>
     <message>
-        <source>Rows are maps applied before, columns maps applied after. A number multiplies the weight of the map of the column: 1 leaves it, 0 forbids it.</source>
+        <source>Rows are the maps applied before, columns the maps applied after. A number multiplies the weight of the map in its column: 1 leaves it unchanged, 0 forbids the link.</source>
         <translation>Редовите се пресликувањата применети претходно, колоните оние потоа. Бројот ја множи тежината на пресликувањето во колоната: 1 ја остава, 0 го забранува.</translation>
     </message>
     <message>
@@ -9415,7 +9415,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Секое пресликување повторно смее да следи по секое друго</translation>
     </message>
     <message>
-        <source>Every sequence of maps comes to an end, so nothing is drawn.</source>
+        <source>Every sequence of maps ends, so nothing is drawn.</source>
         <translation>Секоја низа пресликувања завршува, па ништо не се црта.</translation>
     </message>
     <message>
@@ -9438,11 +9438,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Боја</translation>
     </message>
     <message>
-        <source>Where on the palette this map draws colours: from 0, its beginning, to 1</source>
+        <source>The position on the palette to which this map moves colours, from 0 to 1</source>
         <translation>Кон кое место на палетата ги влече боите ова пресликување: од 0, нејзиниот почеток, до 1</translation>
     </message>
     <message>
-        <source>Whenever a map is applied, the colour of a point moves towards the place of this map on the palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate.</source>
+        <source>Whenever this map is applied, the colour of the point moves towards the position of the map on the palette: 0 is the beginning of the palette, 1 its end. Flame programs call it the colour coordinate.</source>
         <translation>Секогаш кога се применува едно пресликување, бојата на точката се поместува кон местото на тоа пресликување на палетата: 0 е почетокот на палетата, 1 нејзиниот крај. Кај пламените тоа се вика координата на боја.</translation>
     </message>
     <message>
@@ -9450,11 +9450,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Брзина</translation>
     </message>
     <message>
-        <source>How far this map draws colours each time: from 0, not at all, to 1, all the way</source>
+        <source>How far this map moves colours each time, from 0 (not at all) to 1 (all the way)</source>
         <translation>Колку ги влече боите ова пресликување секој пат: од 0, воопшто не, до 1, целиот пат</translation>
     </message>
     <message>
-        <source>How much of the way to its place on the palette the map takes colours each time: with 1 its piece has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed.</source>
+        <source>How far the map moves colours towards its position on the palette each time: with 1, its piece has a single colour; with 0, all colours stay as they are. Flame programs call it the colour speed.</source>
         <translation>Колкав дел од патот до своето место на палетата пресликувањето ги носи боите секој пат: со 1 неговиот дел има една боја, со 0 сите бои ги остава како што се. Кај пламените тоа се вика брзина на боја.</translation>
     </message>
     <message>
@@ -9972,7 +9972,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Впиши</translation>
     </message>
     <message>
-        <source>Turn the effective code into the code; the cage is then at rest</source>
+        <source>Replace the code by the effective code; the cage is then at rest</source>
         <translation>Ефективниот код нека стане код; потоа кафезот е во мирување</translation>
     </message>
     <message>
@@ -10156,7 +10156,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Заклучи</translation>
     </message>
     <message>
-        <source>Protect the selected maps against edits</source>
+        <source>Lock the selected maps against editing</source>
         <translation>Заштити ги избраните пресликувања од измени</translation>
     </message>
     <message>
@@ -10265,7 +10265,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
 <context>
     <name>view::MorphDialog</name>
     <message>
-        <source>A fractal of the plane cannot become one in space.</source>
+        <source>A fractal in the plane cannot become one in space.</source>
         <translation>Фрактал во рамнината не може да стане фрактал во просторот.</translation>
     </message>
     <message>
@@ -10309,7 +10309,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Ослободи ги паровите</translation>
     </message>
     <message>
-        <source>Lets all maps go where the way is shortest.</source>
+        <source>Pairs all maps so that the total distance is shortest.</source>
         <translation>Ги пушта сите пресликувања по најкраткиот пат.</translation>
     </message>
     <message>
@@ -10328,7 +10328,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Парови пресликувања</translation>
     </message>
     <message>
-        <source>On the left the maps of this fractal, on the right those of the other one. A line shows what a map becomes, and its thickness how much of the weight goes that way. Drag from a map to one in the other column to pin the pair, and again to let it go. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del lets go of all pins of a map.</source>
+        <source>The maps of this fractal are on the left, those of the other one on the right. A line shows what a map becomes, and its thickness shows its share of the weight. Drag from a map to one in the other column to pin the pair, and again to unpin it. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del removes all pins of a map.</source>
         <translation>Лево се пресликувањата на овој фрактал, десно на другиот. Линијата покажува во што преминува пресликувањето, а нејзината дебелина колкав дел од тежината оди по тој пат. Повлечете од едно пресликување до друго во другата колона за да го прицврстите парот, и повторно за да го ослободите. Со тастатура: изберете пресликување со стрелките, притиснете празно место, појдете до другото и притиснете повторно. Del ги ослободува сите прицврстени парови на пресликувањето.</translation>
     </message>
     <message>
@@ -10391,11 +10391,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Циклуси</translation>
     </message>
     <message>
-        <source>How many times it goes round in the length of the animation. A negative number goes the other way.</source>
+        <source>How many turns it makes during the animation. A negative number turns the other way.</source>
         <translation>Колку пати обиколува во текот на анимацијата. Со негативен број оди во обратна насока.</translation>
     </message>
     <message>
-        <source>How many times it goes back and forth in the length of the animation.</source>
+        <source>How many times it moves back and forth during the animation.</source>
         <translation>Колку пати оди напред-назад во текот на анимацијата.</translation>
     </message>
 </context>
@@ -10497,7 +10497,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Колку варијантите се оддалечени од родителот</translation>
     </message>
     <message>
-        <source>On the left, the variations stay close to their parent; on the right, they differ wildly.</source>
+        <source>On the left, the variations stay close to their parent; on the right, they differ greatly.</source>
         <translation>Лево варијантите остануваат блиски до родителот, а десно многу се разликуваат.</translation>
     </message>
     <message>
@@ -10509,7 +10509,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Заврти, растегни и помести ги пресликувањата</translation>
     </message>
     <message>
-        <source>The maps are turned, stretched and moved, and now and then one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
+        <source>The maps are turned, stretched and moved, and occasionally one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
         <translation>Пресликувањата се завртуваат, растегнуваат и поместуваат; понекогаш некое се додава или отстранува. Заклучените и исклучените пресликувања остануваат какви што се.</translation>
     </message>
     <message>
@@ -10521,7 +10521,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Пробај други бои</translation>
     </message>
     <message>
-        <source>Palette, plain colour and the colours of the maps change their hue. The background stays, and so does what the colours stand for.</source>
+        <source>The hues of the palette, the plain colour and the colours of the maps change. The background and the meaning of the colours stay the same.</source>
         <translation>Палетата, едноставната боја и боите на пресликувањата го менуваат тонот. Заднината останува, како и она што го означуваат боите.</translation>
     </message>
     <message>
@@ -10533,7 +10533,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Некои пресликувања нека бидат погусти, а други побледи</translation>
     </message>
     <message>
-        <source>The weights change by chance and follow the size of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
+        <source>The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
         <translation>Тежините се менуваат случајно и ја следат големината на пресликувањата. Инаку секое пресликување ја задржува својата тежина. Тело во простор не зависи од тежините, а облак зависи.</translation>
     </message>
     <message>
@@ -10553,7 +10553,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Измешај го родителот со друг запис од оваа датотека</translation>
     </message>
     <message>
-        <source>The variations take some maps from the parent, some from the other entry, and some that are half-way between two that belong together. The boxes above say whether shape, colour and weights are mixed. Every child has an attractor.</source>
+        <source>The variations take some maps from the parent, some from the other entry, and some that are halfway between two corresponding maps. The checkboxes above determine whether shape, colour and weights are mixed. Every child has an attractor.</source>
         <translation>Варијантите земаат некои пресликувања од родителот, некои од другиот запис, а некои се меѓу две што си одговараат. Полињата погоре кажуваат дали се мешаат обликот, бојата и тежините. Секое дете има атрактор.</translation>
     </message>
     <message>
@@ -10561,7 +10561,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Вкрсти со:</translation>
     </message>
     <message>
-        <source>The number that the variations are made from. With the same parent, the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the variations are generated. With the same parent, the same settings and the same seed you get the same sheet again.</source>
         <translation>Бројот од кој настануваат варијантите. Со ист родител, исти поставки и исто семе повторно ја добивате истата страница.</translation>
     </message>
     <message>
@@ -10569,7 +10569,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Прикажува други варијанти на истиот родител, од следното семе.</translation>
     </message>
     <message>
-        <source>Variation %1, not made yet</source>
+        <source>Variation %1, not ready yet</source>
         <translation>Варијанта %1, сè уште не е готова</translation>
     </message>
     <message>
@@ -10589,11 +10589,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Кликнете на слика за да стане нов родител.</translation>
     </message>
     <message>
-        <source>Nothing may change: there are no variations. Tick at least one of the boxes.</source>
+        <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
         <translation>Ништо не смее да се менува: нема варијанти. Означете барем едно поле.</translation>
     </message>
     <message>
-        <source>All maps are locked and keep their weights: the variations differ only in colours and, now and then, in a map that is added. Many are like their parent.</source>
+        <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Сите пресликувања се заклучени и ги задржуваат тежините: варијантите се разликуваат само по боите и, понекогаш, по некое додадено пресликување. Многу од нив се исти како родителот.</translation>
     </message>
 </context>
@@ -10837,7 +10837,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Тема</translation>
     </message>
     <message>
-        <source>The colours of windows and panels. The picture keeps its own.</source>
+        <source>The colours of windows and panels. The picture keeps its own colours.</source>
         <translation>Боите на прозорците и панелите. Сликата ги задржува своите.</translation>
     </message>
     <message>
@@ -10897,7 +10897,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Вртење на телата</translation>
     </message>
     <message>
-        <source>How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely about the axes of the screen, over the poles as well; to make the view level again, look along an axis.</source>
+        <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Како влечењето врти тело. На вртлива плоча, вертикалното останува вертикално. Тракболот врти слободно околу оските на екранот, и преку половите; за повторно да го исправите погледот, погледнете по должината на некоја оска.</translation>
     </message>
     <message>
@@ -11030,7 +11030,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Создавај системи во рамнина или во простор</translation>
     </message>
     <message>
-        <source>In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In space there is no such rule: the two larger stretches of each map follow that of the plane, and the third is smaller.</source>
+        <source>In the plane, the contraction of the maps follows a rule that makes the fractal fill its view. In space there is no such rule: the two larger scale factors of each map follow that of the plane, and the third is smaller.</source>
         <translation>Во рамнина, стегањето на пресликувањата следи правило според кое фракталот го исполнува приказот. Во простор нема такво правило: двете поголеми растегнувања на секое пресликување го следат она од рамнината, а третото е помало.</translation>
     </message>
     <message>
@@ -11082,7 +11082,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Истото семе повторно ја дава истата страница</translation>
     </message>
     <message>
-        <source>The number that the systems are made from. With the same settings and the same seed you get the same sheet again.</source>
+        <source>The number from which the systems are generated. With the same settings and the same seed you get the same sheet again.</source>
         <translation>Бројот од кој настануваат системите. Со исти поставки и исто семе повторно ја добивате истата страница.</translation>
     </message>
     <message>
@@ -11188,7 +11188,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Ажурирај</translation>
     </message>
     <message>
-        <source>Replaces it by what the canvas shows now.</source>
+        <source>Replaces it by the current view of the canvas.</source>
         <translation>Го заменува со она што платното сега го покажува.</translation>
     </message>
     <message>
@@ -11602,7 +11602,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Насока на рамнината</translation>
     </message>
     <message>
-        <source>Lays the plane across an axis or the diagonal; the fields below take any normal.</source>
+        <source>Sets the plane perpendicular to an axis or the diagonal; type any other normal in the fields below.</source>
         <translation>Ја поставува рамнината напречно на оска или на дијагоналата; полињата подолу примаат која било нормала.</translation>
     </message>
     <message>
@@ -11699,7 +11699,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Запис што не можеше да се прочита нема снимки.</translation>
     </message>
     <message>
-        <source>“%1” is the same already.</source>
+        <source>“%1” is the same as the fractal.</source>
         <translation>„%1“ е веќе исто.</translation>
     </message>
     <message>
@@ -11711,7 +11711,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Враќање на „%1“</translation>
     </message>
     <message>
-        <source>“%1” was deleted. The menu of the panel brings it back.</source>
+        <source>“%1” was deleted. To bring it back, use the menu of the panel.</source>
         <translation>„%1“ е избришана. Менито на панелот ја враќа.</translation>
     </message>
     <message>
@@ -11738,7 +11738,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Врати</translation>
     </message>
     <message>
-        <source>Make the fractal as it was in this snapshot.</source>
+        <source>Restore the fractal to this snapshot.</source>
         <translation>Направи го фракталот каков што беше на оваа снимка.</translation>
     </message>
     <message>
@@ -11746,7 +11746,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Додај како запис</translation>
     </message>
     <message>
-        <source>Add the snapshot to the file as an entry of its own, behind this one.</source>
+        <source>Add the snapshot to the file as an entry of its own, after this one.</source>
         <translation>Додај ја снимката во датотеката како посебен запис, зад овој.</translation>
     </message>
     <message>
@@ -11798,7 +11798,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Кликнете на снимка за да ја вратите; враќањето го поништува тоа. Со стрелките или со десен клик се избира онаа со која се споредува. F2 ја преименува, Del ја брише.</translation>
     </message>
     <message>
-        <source>States of this fractal that you kept. Click one to restore it: one step of the history. The framed one is what the canvas shows. The one with a B is selected, and the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
+        <source>States of this fractal that you kept. Click one to restore it, as one step of the history. The frame marks the snapshot that the canvas shows. The B marks the selected snapshot, the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
         <translation>Состојби на овој фрактал што сте ги зачувале. Кликнете на една за да ја вратите: еден чекор во историјата. Врамената е онаа што ја покажува платното. Онаа што носи B е избрана и со неа се споредува: најновата, додека не изберете друга со стрелките или со десен клик. Снимките траат додека не се затвори датотеката; „Додај како запис“ зачувува една во датотеката.</translation>
     </message>
 </context>
@@ -11820,19 +11820,19 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Слика (.png)</translation>
     </message>
     <message>
-        <source>Body to print (.stl)</source>
+        <source>Mesh for 3D printing (.stl)</source>
         <translation>Тело за печатење (.stl)</translation>
     </message>
     <message>
-        <source>Body (.obj)</source>
+        <source>Mesh (.obj)</source>
         <translation>Тело (.obj)</translation>
     </message>
     <message>
-        <source>Body (.glb)</source>
+        <source>Mesh (.glb)</source>
         <translation>Тело (.glb)</translation>
     </message>
     <message>
-        <source>Body (.ply)</source>
+        <source>Mesh (.ply)</source>
         <translation>Тело (.ply)</translation>
     </message>
     <message>
@@ -11840,7 +11840,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Програма за OpenSCAD (.scad)</translation>
     </message>
     <message>
-        <source>A picture as the camera shows it, a watertight body that contains the attractor, or the maps as a program for OpenSCAD.</source>
+        <source>A picture as the camera shows it, a watertight mesh that contains the attractor, or the maps as a program for OpenSCAD.</source>
         <translation>Слика каква што ја покажува камерата, затворено тело што го содржи атракторот, или пресликувањата како програма за OpenSCAD.</translation>
     </message>
     <message>
@@ -11868,7 +11868,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Големина:</translation>
     </message>
     <message>
-        <source>Draws this many pixels along each side of a pixel, for smoother edges.</source>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
         <translation>Црта толку пиксели по секоја страна на еден: помазни рабови.</translation>
     </message>
     <message>
@@ -11884,7 +11884,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>16 бита</translation>
     </message>
     <message>
-        <source>Bits for each channel. Depths always have 16.</source>
+        <source>Bits per channel. Depths always have 16.</source>
         <translation>Битови за секој канал. Длабочините секогаш имаат 16.</translation>
     </message>
     <message>
@@ -11896,7 +11896,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Проѕирна позадина</translation>
     </message>
     <message>
-        <source>Leaves out what is around the solid.</source>
+        <source>Makes the surroundings of the solid transparent.</source>
         <translation>Го изоставува она што е околу телото.</translation>
     </message>
     <message>
@@ -11924,7 +11924,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation> mm</translation>
     </message>
     <message>
-        <source>The longest side of the body.</source>
+        <source>The longest side of the mesh.</source>
         <translation>Најдолгата страна на телото.</translation>
     </message>
     <message>
@@ -11932,7 +11932,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Најдолга ст&amp;рана:</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: finer steps, and more of them.</source>
+        <source>Voxels along the longest side: more voxels make finer steps.</source>
         <translation>Воксели по најдолгата страна: поситни скали, и повеќе од нив.</translation>
     </message>
     <message>
@@ -12004,7 +12004,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Слика во линеарна светлина (.exr)</translation>
     </message>
     <message>
-        <source>Depths are written as PNG only.</source>
+        <source>Depths can be written only as PNG.</source>
         <translation>Длабочините се запишуваат само како PNG.</translation>
     </message>
     <message>
@@ -12012,7 +12012,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Додај во редот…</translation>
     </message>
     <message>
-        <source>Asks for a file name and draws the file in its turn, after those that wait in the Exports panel. The queue goes on after a restart.</source>
+        <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Прашува за име на датотека и ја создава датотеката кога ќе дојде на ред, по оние што чекаат во панелот „Извози“. Редот продолжува по повторно стартување.</translation>
     </message>
     <message>
@@ -12028,7 +12028,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Исечок</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or a saved view.</source>
+        <source>What the picture shows: the view on the canvas, or a saved view.</source>
         <translation>Што покажува сликата: она што го покажува платното или зачуван поглед.</translation>
     </message>
     <message>
@@ -12086,7 +12086,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Изглед</translation>
     </message>
     <message>
-        <source>A lit solid, the density of its points, or numbers for other programs to work with.</source>
+        <source>A lit solid, the density of its points, or data for other programs.</source>
         <translation>Осветлено тело, густината на неговите точки, или броеви за други програми.</translation>
     </message>
     <message>
@@ -12094,7 +12094,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Камен</translation>
     </message>
     <message>
-        <source>A solid in the light of a lamp that you can move</source>
+        <source>A solid lit by a lamp that you can move</source>
         <translation>Тело на светлина од ламба што може да се движи</translation>
     </message>
     <message>
@@ -12194,7 +12194,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Боја според</translation>
     </message>
     <message>
-        <source>The direction of the light as seen from the eye; in the middle, it shines from the eye.</source>
+        <source>The direction of the light as seen by the camera; in the middle, it shines from the camera.</source>
         <translation>Каде стои ламбата гледано од окото: во средината тоа е самото око.</translation>
     </message>
     <message>
@@ -12389,7 +12389,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Разгрни ја симетријата</translation>
     </message>
     <message>
-        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change one of them alone. The picture stays the same.</source>
+        <source>Writes the copies that the symmetry makes into the list, as maps of their own, so that you can change them individually. The picture stays the same.</source>
         <translation>Ги запишува копиите што ги прави симетријата во списокот како посебни пресликувања, за да можете да смените само едно. Сликата останува иста.</translation>
     </message>
     <message>
@@ -12417,7 +12417,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Центар на симетријата, z</translation>
     </message>
     <message>
-        <source>The point that the symmetry leaves in place</source>
+        <source>The point that the symmetry leaves unchanged</source>
         <translation>Точката што симетријата ја остава на место</translation>
     </message>
     <message>
@@ -12507,7 +12507,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Избери</translation>
     </message>
     <message>
-        <source>Choose the picture that the fractal is to look like</source>
+        <source>Choose the picture that the fractal should look like</source>
         <translation>Изберете ја сликата на која фракталот треба да ѝ наликува</translation>
     </message>
     <message>
@@ -12567,7 +12567,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Автоматски праг</translation>
     </message>
     <message>
-        <source>Separate dark from light as well as one threshold can (Otsu)</source>
+        <source>Find the threshold that best separates dark from light (Otsu)</source>
         <translation>Одвој го темното од светлото најдобро што може со еден праг (Оцу)</translation>
     </message>
     <message>
@@ -12595,7 +12595,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Цела слика</translation>
     </message>
     <message>
-        <source>Use all of the picture again</source>
+        <source>Use the whole picture again</source>
         <translation>Користи ја повторно целата слика</translation>
     </message>
     <message>
@@ -12681,7 +12681,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Извези…</translation>
     </message>
     <message>
-        <source>Asks for a file name and writes the picture. You can keep working meanwhile.</source>
+        <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Прашува за име на датотека и ја запишува сликата. Во меѓувреме можете да работите.</translation>
     </message>
     <message>
@@ -12697,7 +12697,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Исечок</translation>
     </message>
     <message>
-        <source>What the picture shows: what the canvas shows, or the attractor with a small margin, wherever the canvas looks.</source>
+        <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin.</source>
         <translation>Што прикажува сликата: она што го прикажува платното, или атракторот со мала маргина, без разлика каде гледа платното.</translation>
     </message>
     <message>
@@ -13113,7 +13113,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>, клучеви во овој ред: %1</translation>
     </message>
     <message>
-        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty place to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
+        <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty area to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
         <translation>По еден ред за секој дел што може да се движи. Ромбот напред поставува клуч кај главата за пуштање или го брише. Влечете клучеви за да ги поместите: Alt ги носи и подоцнежните, Ctrl ги копира. Влечете по линијарот за да ја поместите главата, а од празно место за да изберете клучеви. Ctrl + тркалце зумира. Десен клик на клуч за неговиот премин. Тркалезните клучеви се мазни: движењето минува низ нив без агол. Кликнете двапати на движење за да ја промените неговата јачина или бројот на вртења.</translation>
     </message>
 </context>
@@ -13295,7 +13295,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Партнер</translation>
     </message>
     <message>
-        <source>The entry on which the picture lies</source>
+        <source>The entry on which the picture is placed</source>
         <translation>Записот врз кој лежи сликата</translation>
     </message>
     <message>
@@ -13399,11 +13399,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Подели зборови</translation>
     </message>
     <message>
-        <source>Choose the picture where it is now</source>
+        <source>Choose the current location of the picture</source>
         <translation>Изберете ја сликата таму каде што е сега</translation>
     </message>
     <message>
-        <source>Divide maps of both entries into words until they have equally many</source>
+        <source>Divide maps of both entries into words until both have the same number</source>
         <translation>Подели пресликувања на двата записа во зборови додека не се изедначат</translation>
     </message>
     <message>
@@ -13648,7 +13648,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Зум</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose.</source>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
         <translation>Зум во проценти: на 100 % една единица од рамнината е 100 пиксели. Внесете друга вредност или изберете.</translation>
     </message>
     <message>

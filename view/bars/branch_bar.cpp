@@ -79,8 +79,8 @@ QWidget* BranchBar::makeBranch() {
         Qt::ToolTipRole);
     m_edit->addItem(tr("Only here"));
     m_edit->setItemData(2,
-                        tr("The code does not change. Only this branch is shown elsewhere; the same change "
-                           "does not appear at other scales."),
+                        tr("The code does not change. Only this branch is shown in another position; the "
+                           "same change does not appear at other scales."),
                         Qt::ToolTipRole);
     m_edit->setAccessibleName(tr("What editing the branch changes"));
     for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})

@@ -82,8 +82,8 @@ QWidget* ConstructionBar::makeSteps() {
     auto* page = new QWidget(this);
     m_steps = new QSlider(Qt::Horizontal, page);
     m_steps->setAccessibleName(tr("n: how many times all maps are applied"));
-    m_steps->setWhatsThis(tr("How many times all maps are applied: 0 is what the steps start from, and with "
-                             "every step the picture gets closer to the attractor. Each image has the colour "
+    m_steps->setWhatsThis(tr("How many times all maps are applied: 0 is the starting shape, and with every "
+                             "step the picture gets closer to the attractor. Each image has the colour "
                              "of its outermost map."));
     m_steps->setPageStep(1);
     m_steps->setTickPosition(QSlider::TicksBelow);
@@ -110,8 +110,8 @@ QWidget* ConstructionBar::makeChaosGame() {
     m_run = flatButton(QStringLiteral("play"), tr("Play"), tr("Plot points continuously"), this);
     m_speed = new QComboBox(page);
     m_speed->setAccessibleName(tr("Jumps per second"));
-    m_speed->setWhatsThis(tr("How many jumps the chaos game makes per second. Up to ten per second, the die "
-                             "shows each map that falls."));
+    m_speed->setWhatsThis(tr("How many jumps the chaos game makes per second. At up to ten per second, the "
+                             "die shows each map that is rolled."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
         m_speed->addItem(tr("%1/s", "jumps per second").arg(groupedNumber(speed)), double(speed));
     m_speed->setCurrentIndex(m_speed->findData(m_construction->speed()));
@@ -165,7 +165,7 @@ void ConstructionBar::followSteps() {
     facts << distanceText();
     facts.removeAll(QString());
     m_facts->setText(facts.join(QStringLiteral(" · ")));
-    QString tip = tr("The Hausdorff distance from the picture to the attractor A, and what it cannot exceed");
+    QString tip = tr("The Hausdorff distance from the picture to the attractor A, and its upper bound");
     if (const auto& distance = m_construction->steps().distance(); distance && distance->distance)
         tip =
             tr("The Hausdorff distance from Wⁿ(B) to the attractor A, measured on cells of side %1. It is at "

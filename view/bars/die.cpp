@@ -45,10 +45,10 @@ Die::Die(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(tr("Die"));
     setAccessibleDescription(text());
-    setWhatsThis(tr("The die of the chaos game. It has a face for each map, as wide as the probability of "
-                    "the map. The face that fell is shown in the colour of its map, and so is the point to "
-                    "which the map has led. At more than ten jumps per second it rolls too fast to be "
-                    "read."));
+    setWhatsThis(
+        tr("The die of the chaos game. It has a face for each map, as wide as the probability of "
+           "the map. The face that was rolled is shown in the colour of its map, and so is the point that "
+           "the map leads to. At more than ten jumps per second, the die rolls too fast to be read."));
 }
 
 void Die::setFaces(const std::vector<Construction::Face>& faces) {
@@ -67,7 +67,7 @@ void Die::setFallen(std::optional<std::size_t> map) {
 
 QString Die::text() const {
     if (!m_fallen) return tr("Each map has a face, as wide as its probability.");
-    return tr("Map %1 fell, whose probability is %2.")
+    return tr("Map %1 was rolled; its probability is %2.")
         .arg(*m_fallen + 1)
         .arg(roundedNumber(m_faces[*m_fallen].share, maxDecimals));
 }

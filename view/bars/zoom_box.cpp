@@ -30,8 +30,8 @@ ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_can
     setInsertPolicy(NoInsert);
     setCompleter(nullptr);
     setAccessibleName(tr("Zoom"));
-    setToolTip(
-        tr("Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another, or choose."));
+    setToolTip(tr("Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or "
+                  "choose one."));
     addItem(tr("Fit"));
     for (const double factor : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0})
         addItem(textOf(factor), factor);

@@ -48,8 +48,8 @@ void ExportQueue::takeOver(const io::TaskFolder::TakenOver& taken) {
         QueuedExport one{id, task, task.failure.isEmpty() ? State::Waiting : State::Failed};
         if (one.state == State::Waiting && task.begun >= maxBegun) {
             one.state = State::Failed;
-            one.task.failure = tr("The program has ended twice while it drew this picture. Try it again "
-                                  "alone, or export a smaller one.");
+            one.task.failure = tr("Barycage ended unexpectedly twice while drawing this picture. Try it "
+                                  "again alone, or export a smaller one.");
         }
         left.push_back(std::move(one));
     }
@@ -98,7 +98,7 @@ void ExportQueue::keep(const QueuedExport& one) {
             this,
             [this, isKept] {
                 if (!isKept && !std::exchange(m_hasComplained, true))
-                    emit message(tr("The queue of exports cannot be kept for the next start: its folder is "
+                    emit message(tr("The export queue cannot be saved for the next session: its folder is "
                                     "not writable, or the disk is full."));
                 if (isKept) m_hasComplained = false;
             },

@@ -38,7 +38,7 @@ public:
     // Draws this in place of the document, which must be of the plane, too; nullptr: the document again.
     void showInstead(std::shared_ptr<const document::Fractal> fractal);
 
-    // nullptr before the first, and while the entry is not a system of the plane.
+    // nullptr before the first, and while the entry is not a system in the plane.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
     bool isCurrent() const; // whether the frame shows the document and the camera as they are now
 

@@ -125,7 +125,7 @@ void addMapActions(QMenu& menu, const MenuContext& context, int index) {
         }));
     const bool isLocked = document::isLocked(document.fractal(), std::size_t(index));
     add(menu, isLocked ? Menu::tr("Un&lock") : Menu::tr("&Lock"),
-        isLocked ? Menu::tr("Lets this map be edited again") : Menu::tr("Protects this map against edits"),
+        isLocked ? Menu::tr("Lets this map be edited again") : Menu::tr("Locks this map against editing"),
         [&document, index, isLocked] {
             const ifs::MapId id = document::system2(document.fractal())->maps[std::size_t(index)].id;
             document::lockMaps(document, std::span(&id, 1), !isLocked);
@@ -158,7 +158,7 @@ void addCageActions(QMenu& menu, const MenuContext& context) {
             "Fits the smallest isosceles right triangle with legs parallel to the axes around the picture"),
         attempt(context, [&document] { return fitMinimalCanonicalSimplex(document); }));
     add(menu, Menu::tr("&Define Triangle"),
-        Menu::tr("Defines the triangle by three clicks; the picture stays"),
+        Menu::tr("Defines the triangle with three clicks; the picture stays"),
         [context] { context.tools.setTool(Toolbox::Tool::DefineTriangle); });
     const std::optional<ifs::ControlCage<2>>& cage = context.scene.handles().cage();
     const bool displaced = cage && cage->current != cage->rest;
@@ -202,7 +202,7 @@ void addCanvasActions(QMenu& menu, const MenuContext& context) {
                   navigation.setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
               });
     if (navigation.rotation() != 0)
-        add(menu, Menu::tr("&Reset Rotation"), Menu::tr("Turns the view upright again"),
+        add(menu, Menu::tr("&Reset Rotation"), Menu::tr("Returns the view to upright"),
             [&navigation] { navigation.resetRotation(); });
     addToggle(menu, Menu::tr("&Only the Picture\tH"), Menu::tr("Hides the cage, the grid and the axes"),
               !options.overlaysVisible(), [&options](bool on) { options.setOverlaysVisible(!on); });

@@ -108,7 +108,7 @@ void ComparePane::createHeader() {
     m_entries->setMinimumContentsLength(fewLetters);
     m_link = flatButton(QString(), tr("Link Views"), {}, this);
     m_link->setCheckable(true);
-    m_link->setToolTip(tr("Move and zoom both together, at the same place and the same scale"));
+    m_link->setToolTip(tr("Pan and zoom both together, at the same position and scale"));
     auto* close = flatButton(QStringLiteral("close"), tr("Close"), tr("Show the current entry alone"), this);
     auto* header = new QHBoxLayout;
     header->setContentsMargins(8, 4, 8, 4);
@@ -252,9 +252,8 @@ void ComparePane::showEntry() {
     setFocusProxy(isNothing ? nullptr : wanted);
     const bool links = !isNothing && canLink();
     m_link->setEnabled(links);
-    m_link->setToolTip(links || isNothing
-                           ? tr("Move and zoom both together, at the same place and the same scale")
-                           : tr("An entry of the plane and one in space have no view in common"));
+    m_link->setToolTip(links || isNothing ? tr("Pan and zoom both together, at the same position and scale")
+                                          : tr("An entry in the plane and one in space cannot share a view"));
     linkPlanes(m_plane, m_otherPlane);
     linkSpaces(m_space, m_otherSpace);
 }

@@ -71,7 +71,7 @@ AifsDialog::AifsDialog(const document::Fractal& fractal, QWidget* parent)
     auto* explanation =
         new QLabel(tr("Row j of a matrix contains the barycentric coordinates of the image of vertex j in "
                       "the triangle, so each row sums to 1. Dragging the triangle does not change the "
-                      "matrices. If no entry is negative, the map takes the triangle into itself."),
+                      "matrices. If no entry is negative, the map takes the triangle to a part of itself."),
                    this);
     explanation->setWordWrap(true);
     auto* text = new TextEditWithWorkarounds<QPlainTextEdit>(aifsText(fractal, Digits::Few), this);

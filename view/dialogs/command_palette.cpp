@@ -166,7 +166,8 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     empty.fill(Qt::transparent);
     m_noIcon = QIcon(empty);
     m_list->setAccessibleName(tr("Matching commands"));
-    m_list->setWhatsThis(tr("The commands whose names have these words, then those whose descriptions do."));
+    m_list->setWhatsThis(
+        tr("Commands whose names contain these words come first, then those whose descriptions do."));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus);

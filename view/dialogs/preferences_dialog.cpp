@@ -36,9 +36,8 @@ void offerTurning(QComboBox* box) {
     box->addItem(PreferencesDialog::tr("Trackball"), true);
     box->setAccessibleName(PreferencesDialog::tr("Turning solids"));
     box->setWhatsThis(PreferencesDialog::tr(
-        "How a drag turns a solid. On a turntable, what is vertical stays vertical. A trackball turns freely "
-        "about "
-        "the axes of the screen, over the poles as well; to make the view level again, look along an axis."));
+        "How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely "
+        "about the axes of the screen, even over the poles; to level the view again, look along an axis."));
 }
 
 } // namespace
@@ -63,7 +62,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_theme->addItem(tr("Light"), int(Preferences::Theme::Light));
     m_theme->addItem(tr("Dark"), int(Preferences::Theme::Dark));
     m_theme->setAccessibleName(tr("Theme"));
-    m_theme->setWhatsThis(tr("The colours of windows and panels. The picture keeps its own."));
+    m_theme->setWhatsThis(tr("The colours of windows and panels. The picture keeps its own colours."));
     m_quality->addItem(tr("Draft: 50 million points"), quint64(50'000'000));
     m_quality->addItem(tr("Good: 200 million points"), quint64(200'000'000));
     m_quality->addItem(tr("Fine: 1000 million points"), quint64(1'000'000'000));

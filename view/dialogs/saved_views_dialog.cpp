@@ -91,7 +91,7 @@ SavedViewsDialog::SavedViewsDialog(document::Document* document, Canvas canvas, 
     for (QPushButton* button :
          {addButton(tr("&Go To"), tr("Shows this view on the canvas."),
                     [this](const SavedView& view) { m_canvas.lookAt(view.camera); }),
-          addButton(tr("&Update"), tr("Replaces it by what the canvas shows now."),
+          addButton(tr("&Update"), tr("Replaces it by the current view of the canvas."),
                     [this](const SavedView& view) {
                         m_document->editEntry(tr("Update the view “%1”").arg(view.name),
                                               document::withSavedView(m_document->entryFractal(),

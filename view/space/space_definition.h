@@ -12,7 +12,7 @@
 
 namespace view {
 
-// A control tetrahedron as it is defined by four clicks: three in the plane through the target that was
+// A control tetrahedron as it is defined with four clicks: three in the plane through the target that was
 // parallel to the screen at the first one, the fourth in a plane parallel to it, as far towards the eye as
 // makes the tetrahedron about regular. The view may turn in between.
 class SpaceDefinition {

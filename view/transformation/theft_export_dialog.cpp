@@ -42,7 +42,8 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
     m_progress->hide();
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_start->setWhatsThis(tr("Asks for a file name and writes the picture. You can keep working meanwhile."));
+    m_start->setWhatsThis(
+        tr("Asks for a file name and writes the picture. You can keep working in the meantime."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     m_preview = new ExportPreview(this);
     auto* top = new QHBoxLayout;
@@ -81,8 +82,8 @@ void TheftExportDialog::createOptions() {
     m_section = new QComboBox(m_options);
     m_section->addItems({tr("The view on the canvas"), tr("The whole attractor")});
     m_section->setAccessibleName(tr("Section"));
-    m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or the attractor with a small "
-                               "margin, wherever the canvas looks."));
+    m_section->setWhatsThis(
+        tr("What the picture shows: the view on the canvas, or the whole attractor with a small margin."));
     const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_job.from.camera.width * ratio))),
                                    std::max(1, int(std::lround(m_job.from.camera.height * ratio)))},

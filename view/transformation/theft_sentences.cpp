@@ -34,23 +34,21 @@ QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, c
     const QString& name = flaw.isOfSecond ? to : from;
     switch (flaw.flaw) {
     case document::CouplingFlaw::NotInPlane:
-        return Text::tr("“%1” is not a system of the plane.").arg(name);
+        return Text::tr("“%1” is not a system in the plane.").arg(name);
     case document::CouplingFlaw::BentCage:
-        return Text::tr("The cage of “%1” is flat or bends the picture. Bake it or put it at rest first.")
-            .arg(name);
+        return Text::tr("The cage of “%1” is flat or bends the picture. Bake or reset it first.").arg(name);
     case document::CouplingFlaw::NoMaps:
         return Text::tr("“%1” has no active map, so there is nothing to draw.").arg(name);
     case document::CouplingFlaw::Linked:
         return Text::tr("The maps of “%1” are linked, so not every address is one of its points.").arg(name);
     case document::CouplingFlaw::NoAttractor:
-        return Text::tr("“%1” has no attractor that could be proved, so its points have no addresses.")
-            .arg(name);
+        return Text::tr("No attractor could be proved for “%1”, so its points have no addresses.").arg(name);
     case document::CouplingFlaw::Order:
         return Text::tr("The stored order does not list every active map of “%1” once.").arg(name);
     case document::CouplingFlaw::Counts:
         break;
     }
-    return Text::tr("“%1” has %2 active maps and “%3” has %4. They need equally many.")
+    return Text::tr("“%1” has %2 active maps and “%3” has %4. Both must have the same number.")
         .arg(from)
         .arg(flaw.fromCount)
         .arg(to)

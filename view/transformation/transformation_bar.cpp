@@ -51,7 +51,7 @@ QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
 TransformationBar::TransformationBar(QWidget* parent)
     : QWidget(parent),
       m_from(new QLabel(this)),
-      m_partner(comboBox(tr("Partner"), tr("The entry on which the picture lies"), this)),
+      m_partner(comboBox(tr("Partner"), tr("The entry on which the picture is placed"), this)),
       m_mode(comboBox(tr("Mode"), tr("What the fractal transformation does with the picture"), this)),
       m_status(new ElidedLabel(this)) {
     setAccessibleName(tr("Fractal transformation"));
@@ -163,8 +163,8 @@ void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
     m_remedy->setText(text);
     m_remedy->setAccessibleName(text);
     m_remedy->setToolTip(remedy == Remedy::FindPicture
-                             ? tr("Choose the picture where it is now")
-                             : tr("Divide maps of both entries into words until they have equally many"));
+                             ? tr("Choose the current location of the picture")
+                             : tr("Divide maps of both entries into words until both have the same number"));
     showStatus();
 }
 

@@ -98,7 +98,7 @@ QString liftObstacle(const Fractal& fractal) {
     if (!shape)
         return Text::tr("“%1” is not a system in the plane, so it cannot be lifted.").arg(fractal.name);
     if (ifs::activeMaps(shape->system).isLinked())
-        return Text::tr("The maps of “%1” are linked, which maps in space cannot be.").arg(fractal.name);
+        return Text::tr("The maps of “%1” are linked, and maps in space cannot be linked.").arg(fractal.name);
     if (shape->cage && shape->cage->rest.size() != 3 && shape->cage->current != shape->cage->rest)
         return Text::tr("The cage of “%1” has more than three corners, so it cannot become a tetrahedron. "
                         "Bake or reset it first.")
@@ -146,7 +146,7 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
         if (!keepsLine(system->maps[i].map.linear, direction))
             return Text::tr(
                        "Map %1 of “%2” does not keep this direction, so the projection is not an iterated "
-                       "function system. Export a picture from that side instead.")
+                       "function system. Export a picture seen from that direction instead.")
                 .arg(i + 1)
                 .arg(fractal.name);
     return {};

@@ -83,9 +83,8 @@ QString linkExpansionObstacle(const Fractal& fractal) {
     if (!isLinked(fractal)) return {};
     const Shape<2>& shape = *plane(fractal);
     if (ifs::countActive(shape.system) == 0)
-        return Text::tr(
-                   "The links of “%1” let every sequence of maps come to an end, so there is nothing that "
-                   "plain maps could draw.")
+        return Text::tr("With the links of “%1” every sequence of maps ends, so plain maps would have "
+                        "nothing to draw.")
             .arg(fractal.name);
     const auto plain = wordsOf(shape.system);
     if (!plain)

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-// New systems by chance. docs/mathematics.md, "Systems by chance".
+// Random systems. docs/mathematics.md, "Random systems and variations".
 namespace document {
 
 constexpr int maxRandomMaps = 16;

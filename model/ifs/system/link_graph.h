@@ -14,9 +14,9 @@ namespace ifs {
 enum class LinkState {
     TakesPart, // applied again and again
     Off,       // its weight is 0
-    Ends,      // after it, the chaos game comes to an end: no map may follow for ever
+    Ends,      // after it, the chaos game ends: no map may follow for ever
     Unreached, // no map that is reached leads to it
-    Left,      // the chaos game leaves it and never comes back
+    Left,      // the chaos game leaves it and never returns
 };
 
 // Of maps that are on or not, with the matrix of their links by rows.

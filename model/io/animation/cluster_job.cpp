@@ -91,7 +91,7 @@ WrittenJob writeClusterJob(const QString& parent, const ClusterJob& job) {
         unused = name + u'-' + QString::number(number);
     if (!folder.mkdir(unused) || !folder.cd(unused))
         return {{},
-                QCoreApplication::translate("ClusterJob", "The folder %1 cannot be made.")
+                QCoreApplication::translate("ClusterJob", "The folder %1 cannot be created.")
                     .arg(folder.filePath(unused))};
     WrittenJob written{folder.path(), fill(folder, job)};
     if (written.failure) folder.removeRecursively();

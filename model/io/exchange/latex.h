@@ -10,7 +10,7 @@
 
 namespace io {
 
-// For a paper or a task sheet, not to be read again: of every system a formula per active map, and in the
+// For a paper or a worksheet, not to be read again: of every system a formula per active map, and in the
 // plane a TikZ figure of the control polygon at rest and its images, in the colours of the maps, with their
 // numbers and fixed points. Needs amsmath and tikz.
 QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fractals);

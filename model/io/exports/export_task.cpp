@@ -61,11 +61,11 @@ ReadTask taskIn(const QByteArray& bytes) {
     task.failure = header[QLatin1String("failure")].toString();
     const std::optional<ExportRecipe> recipe = recipeIn(header[QLatin1String("recipe")].toObject());
     if (!recipe || !isUsable(*recipe))
-        return {std::nullopt, Text::tr("Its settings are not ones of this version.")};
+        return {std::nullopt, Text::tr("Its settings are not supported by this version.")};
     task.recipe = *recipe;
     if (!QDir::isAbsolutePath(task.path) || task.path.contains(QChar::Null) ||
         !isNamedFor(task.recipe, task.path))
-        return {std::nullopt, Text::tr("The file that it names does not fit its format.")};
+        return {std::nullopt, Text::tr("Its file name does not match its format.")};
     return {task, std::nullopt};
 }
 

@@ -26,7 +26,7 @@ constexpr qint64 maxTask = 256LL << 20; // bytes
 ReadTask readTask(const QString& path) {
     const QFileInfo info(path);
     if (info.isSymLink() || !info.isFile()) // a pipe may never come to an end
-        return {std::nullopt, Text::tr("It is not an ordinary file.")};
+        return {std::nullopt, Text::tr("It is not a regular file.")};
     QFile file(path);
     if (info.size() > maxTask) return {std::nullopt, Text::tr("It is too large.")};
     if (!file.open(QIODevice::ReadOnly)) return {std::nullopt, Text::tr("It cannot be read.")};
@@ -92,8 +92,9 @@ void TaskFolder::claim(const QString& path, TakenOver& taken) {
     const QString aside = QDir(m_folder).filePath(id + QStringLiteral(".damaged"));
     QFile::rename(pathOf(id), aside);
     m_locks.erase(id);
-    taken.skipped << Text::tr("An export from last time was skipped. %1 Its damaged file was renamed to %2.")
-                         .arg(*read.failure, QDir::toNativeSeparators(aside));
+    taken.skipped
+        << Text::tr("An export from the last session was skipped. %1 Its damaged file was renamed to %2.")
+               .arg(*read.failure, QDir::toNativeSeparators(aside));
 }
 
 TaskFolder::TakenOver TaskFolder::takeOver() {

@@ -34,9 +34,10 @@ void yieldToOthers() {
 
 TaskJob::Outcome draw(const ExportTask& task, const Progress& progress, const std::stop_token& stop) {
     if (!task.mayReplace && QFileInfo::exists(task.path))
-        return {Text::tr("A file “%1” has appeared since you added this export. Try Again replaces it.")
-                    .arg(QDir::toNativeSeparators(task.path)),
-                false, true};
+        return {
+            Text::tr("A file “%1” was created after you added this export. Choose Try Again to replace it.")
+                .arg(QDir::toNativeSeparators(task.path)),
+            false, true};
     const document::FractalFile file = readFractint(task.entry);
     const int wanted = isInSpace(task.recipe) ? 3 : 2;
     if (file.entries.isEmpty() || document::dimension(*file.entries.first().fractal) != wanted)

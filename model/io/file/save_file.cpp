@@ -112,7 +112,7 @@ Failure obstacle(const fs::path& target) {
     const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     if (fs::is_directory(file)) return Text::tr("“%1” is a folder. Choose a file name.").arg(shown(path));
     if (fs::exists(file) && !fs::is_regular_file(file))
-        return Text::tr("“%1” is not an ordinary file and will not be replaced. Choose another name.")
+        return Text::tr("“%1” is not a regular file and will not be replaced. Choose another name.")
             .arg(shown(path));
     if (!fs::is_directory(folder, error))
         return Text::tr("The folder “%1” does not exist. Create it, or save somewhere else.")

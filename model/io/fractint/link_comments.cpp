@@ -89,7 +89,7 @@ LinkComments::Outcome LinkComments::applyTo(ifs::IteratedFunctionSystem<Dim>& sy
     unlinked.links.clear();
     if (ifs::countActive(system) == 0 && ifs::countActive(unlinked) > 0)
         return {QCoreApplication::translate(
-                    "Text", "The links let every sequence of maps come to an end, so no map is active."),
+                    "Text", "With these links every sequence of maps ends, so no map is active."),
                 false};
     return {};
 }

@@ -110,7 +110,7 @@ EmbeddedSystem readPngSystem(const QByteArray& bytes) {
     const bool isRead = info && readChunks(png, info, &source);
     if (memory.isExceeded)
         result.failure = QCoreApplication::translate(
-            "PngSystem", "The picture carries too much text: the limit is 40 MB in all.");
+            "PngSystem", "The picture contains too much text: the limit is 40 MB in total.");
     else if (!isRead)
         result.failure =
             QCoreApplication::translate("PngSystem", "The file is not a PNG picture, or it is damaged.");

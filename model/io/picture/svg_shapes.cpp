@@ -120,7 +120,7 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
     if (!levels)
         return {{},
                 Text::tr("No outline of an attractor could be certified for this system, so there is nothing "
-                         "to make copies of.")};
+                         "to copy.")};
     return {std::move(levels), {}};
 }
 

@@ -181,7 +181,7 @@ private:
 
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
     // By the name that files have always given to it.
-    static QString projectionId(std::size_t i) { return QStringLiteral("shadow-%1").arg(i + 1); }
+    static QString projectionId(std::size_t i) { return QStringLiteral("projection-%1").arg(i + 1); }
 
     void writeDefinitions(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged, int depth) {
         startElement("defs");

@@ -126,7 +126,7 @@ Failure WebPWriter::finish() {
     if (!picture.isEmpty() && !m_format.systemText.isEmpty())
         picture = withPacket(picture, xmpPacket(m_format.systemText));
     if (picture.isEmpty())
-        fail(QCoreApplication::translate("PictureWriter", "the WebP encoder has not enough memory."));
+        fail(QCoreApplication::translate("PictureWriter", "the WebP encoder does not have enough memory."));
     else if (m_device.write(picture) != picture.size())
         fail(m_device.errorString());
     return m_failure;

@@ -295,7 +295,7 @@ QString connectednessText(ifs::Connectedness connectedness) {
     case ifs::Connectedness::Connected:
         return Text::tr("connected");
     case ifs::Connectedness::ConnectedToRounding:
-        return Text::tr("connected, as far as rounding tells");
+        return Text::tr("connected, within rounding error");
     case ifs::Connectedness::Disconnected:
         return Text::tr("not connected");
     case ifs::Connectedness::Unknown:
@@ -306,7 +306,7 @@ QString connectednessText(ifs::Connectedness connectedness) {
 
 void addTile(Lines& lines, const std::optional<ifs::Tile>& tile) {
     if (!tile) return;
-    const QString note = tile->isExact ? QString() : u' ' + Text::tr("(as far as rounding tells)");
+    const QString note = tile->isExact ? QString() : u' ' + Text::tr("(within rounding error)");
     if (tile->area) lines.add(Text::tr("area of the tile"), digits(*tile->area) + note);
     if (tile->boundaryDimension)
         lines.add(Text::tr("dimension of boundary"), digits(*tile->boundaryDimension) + note);
@@ -390,11 +390,11 @@ QString titleOf(const document::Fractal& fractal) {
 QString stateText(ifs::LinkState state) {
     switch (state) {
     case ifs::LinkState::Ends:
-        return Text::tr("takes no part: after it, the chaos game comes to an end");
+        return Text::tr("takes no part: after it, the chaos game ends");
     case ifs::LinkState::Unreached:
         return Text::tr("takes no part: no map leads to it");
     case ifs::LinkState::Left:
-        return Text::tr("takes no part: the chaos game leaves it and never comes back");
+        return Text::tr("takes no part: the chaos game leaves it and never returns");
     case ifs::LinkState::TakesPart:
     case ifs::LinkState::Off:
         break;
@@ -416,9 +416,8 @@ template <int Dim> void addLinks(Lines& lines, const ifs::IteratedFunctionSystem
                   row.join(u' ') + (state.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(state)));
     }
     if (ifs::activeMaps(system).isLinked())
-        lines.add(Text::tr("linked maps"),
-                  Text::tr("separation, connectedness, joint spectral radius and periodic addresses are not "
-                           "worked out for linked maps"));
+        lines.add(Text::tr("linked maps"), Text::tr("separation, connectedness, joint spectral radius and "
+                                                    "periodic addresses are not computed for linked maps"));
 }
 
 template <int Dim>

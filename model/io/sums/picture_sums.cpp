@@ -320,8 +320,8 @@ Failure incompleteness(const PictureSums& sums) {
         there += double(units) * (share.endRow - share.firstRow);
     }
     if (there >= all) return {};
-    return Text::tr("The picture is incomplete: only %1 % of it is there. Add the files of the other parts, "
-                    "or merge to a .sum file.")
+    return Text::tr("The picture is incomplete: only %1 % of it is present. Add the files of the other "
+                    "parts, or merge to a .sum file.")
         .arg(std::min(99.9, std::floor(1000 * there / all) / 10));
 }
 

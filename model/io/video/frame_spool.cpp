@@ -28,7 +28,8 @@ Failure FrameSpool::add(const QImage& picture) {
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0)
             return QCoreApplication::translate(
-                       "VideoWriter", "The folder for temporary files has no room for the frames: %1.")
+                       "VideoWriter",
+                       "The folder for temporary files does not have enough space for the frames: %1.")
                 .arg(QString::fromLocal8Bit(std::strerror(errno)));
         done += count;
     }

@@ -127,11 +127,11 @@ libav::Frame VideoWriter::State::paletteOfAll(const Course& course) {
         const QImage image = spool->read(index);
         const libav::Frame picture = image.isNull() ? nullptr : pictureOf(image, settings);
         if (picture && maker.add(picture)) continue;
-        failure = VideoTexts::tr("The palette of the GIF cannot be made.");
+        failure = VideoTexts::tr("The palette of the GIF cannot be created.");
         return {};
     }
     libav::Frame palette = maker.finish();
-    if (!palette) failure = VideoTexts::tr("The palette of the GIF cannot be made.");
+    if (!palette) failure = VideoTexts::tr("The palette of the GIF cannot be created.");
     return palette;
 }
 
@@ -147,7 +147,7 @@ void VideoWriter::State::addAllInOnePalette(const Course& course) {
         if (mapped)
             encoder->add(*mapped);
         else
-            failure = VideoTexts::tr("A frame of the GIF cannot be made.");
+            failure = VideoTexts::tr("A frame of the GIF cannot be created.");
         takeFailure();
     }
 }
@@ -207,9 +207,9 @@ struct VideoWriter::State {
 };
 
 Failure videoObstacle(const VideoSettings&) {
-    return VideoTexts::tr(
-        "This Barycage was built without FFmpeg's libraries and writes no videos. Write the frames as "
-        "PNG pictures instead.");
+    return VideoTexts::tr("This build of Barycage does not include FFmpeg's libraries and cannot write "
+                          "videos. Write the frames as "
+                          "PNG pictures instead.");
 }
 
 VideoWriter::VideoWriter(const QString&, const VideoSettings& settings)

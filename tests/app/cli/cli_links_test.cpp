@@ -67,7 +67,7 @@ void CliLinksTest::infoShowsWhatTakesNoPart() {
     QCOMPARE(entry["maps"_L1].toArray().at(1).toObject()["weight"_L1].toDouble(), 0.0);
     QCOMPARE(entry["maps"_L1].toArray().at(1).toObject()["weight_in_file"_L1].toDouble(), 1.0);
     const QByteArray text = run("info ends.ifs").out;
-    QVERIFY(text.contains("comes to an end") && text.contains("no map leads to it"));
+    QVERIFY(text.contains("the chaos game ends") && text.contains("no map leads to it"));
 }
 
 void CliLinksTest::drawsThem() {
@@ -152,7 +152,7 @@ void CliLinksTest::refusesWhatIsNot() {
                       " .3 0 0 .3 0 0 1\n .3 0 0 .3 .3 0 1\n}\n");
     const auto result = run("convert --expand void.ifs plain.ifs");
     QCOMPARE(result.status, 1);
-    QVERIFY2(result.err.contains("come to an end"), result.err);
+    QVERIFY2(result.err.contains("every sequence of maps ends"), result.err);
 }
 
 void CliLinksTest::expandsSymmetryAndLinks() {

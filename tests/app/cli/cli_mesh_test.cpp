@@ -153,7 +153,7 @@ void CliMeshTest::optionsThatMakeNoSenseAreRefused_data() {
     row("flatten", "tetra.ifs a.ifs --flatten 0,0", 2, "direction");
     row("flatten nothing", "tetra.ifs a.ifs --flatten 0,0,0", 2, "direction");
     row("flatten plane", "systems.ifs a.ifs --entry fern --flatten 0,0,1", 1, "not a system in space");
-    row("there and back", "tetra.ifs a.ifs --lift 1 --flatten 0,0,1", 2, "other way");
+    row("there and back", "tetra.ifs a.ifs --lift 1 --flatten 0,0,1", 2, "the opposite");
 }
 
 void CliMeshTest::optionsThatMakeNoSenseAreRefused() {

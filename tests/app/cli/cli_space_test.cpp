@@ -267,7 +267,7 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::newRow("odd stereo") << QByteArray("cube.ifs -o a.png --size 81x60 --stereo side-by-side")
                                 << QByteArray("even width");
     QTest::newRow("stereo depth") << QByteArray("cube.ifs -o a.png --look depth --stereo anaglyph")
-                                  << QByteArray("numbers");
+                                  << QByteArray("in stereo");
     QTest::newRow("x-ray colour") << QByteArray("cube.ifs -o a.png --look x-ray --colour map")
                                   << QByteArray("--colour");
     QTest::newRow("plane slice") << QByteArray("systems.ifs -o a.png --slice 0,0,1,1")

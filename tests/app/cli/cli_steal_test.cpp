@@ -402,7 +402,7 @@ void CliStealTest::refuses_data() {
     row("tops.ifs --from halves", 2, "Give one of --picture");
     row("tops.ifs --from halves --map 0,0 --tear .1", 2, "Give one of --picture");
     row("tops.ifs --from halves --picture board.png", 2, "-o OUT.png is missing");
-    row("tops.ifs --from halves --picture board.png -o x.jpg", 2, "The picture is written as .png");
+    row("tops.ifs --from halves --picture board.png -o x.jpg", 2, "The output must be a .png file");
     row("tops.ifs --from halves --picture board.png -o x.png --json", 2, "--json cannot be used here");
     row("tops.ifs --from halves --picture board.png -o x.png --exact --points 9", 2,
         "--points cannot be used");

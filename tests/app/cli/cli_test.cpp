@@ -351,7 +351,7 @@ void CliTest::onlyOrdinaryFilesAreReplaced() {
     QCOMPARE(::lstat(pipe.constData(), &status), 0);
     QVERIFY(S_ISFIFO(status.st_mode));
     QCOMPARE(result.status, 3);
-    QVERIFY2(result.err.contains("not an ordinary file"), result.err.constData());
+    QVERIFY2(result.err.contains("not a regular file"), result.err.constData());
 }
 
 void CliTest::interruptLeavesNothing() {

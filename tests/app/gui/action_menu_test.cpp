@@ -108,7 +108,7 @@ void ActionMenuTest::buttonsAreFoundAsCommands() {
     QVERIFY(!command("Appearance › Reset to Default")->isEnabled());
 
     // Where the button is, is shown.
-    const auto* bar = window->findChild<QToolBar*>(QStringLiteral("arising"));
+    const auto* bar = window->findChild<QToolBar*>(QStringLiteral("construction"));
     QVERIFY(bar->isHidden() && !command("How It Is Built › Play"));
     view::CommandPalette palette(view::actionsOf(*window));
     palette.show();

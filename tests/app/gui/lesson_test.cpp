@@ -158,7 +158,7 @@ void LessonTest::playingChangesNothing() {
     canvas()->navigation().zoomBy(1.25); // or the view may still be about to be fitted
     const attractor::Camera camera = canvas()->camera();
     auto* maps = m_window->findChild<QDockWidget*>(u"maps"_s);
-    auto* bar = m_window->findChild<QToolBar*>(u"arising"_s);
+    auto* bar = m_window->findChild<QToolBar*>(u"construction"_s);
 
     action(u"Play Lesson"_s)->trigger();
     QTRY_VERIFY(m_window->isFullScreen() && card() && card()->isVisible());

@@ -202,14 +202,14 @@ void RealCanvasTest::theAddressUnderThePointerIsRead() {
 }
 
 void RealCanvasTest::theStepsOfTheAlgorithmAreShown() {
-    const auto* arising = window().findChild<view::Construction*>();
+    const auto* construction = window().findChild<view::Construction*>();
     hand().key("w");
     click(named<QToolButton>(window(), QStringLiteral("Steps Wⁿ")));
-    QTRY_COMPARE(arising->mode(), view::Construction::Mode::Steps);
+    QTRY_COMPARE(construction->mode(), view::Construction::Mode::Steps);
     auto* slider = window().findChild<view::ConstructionBar*>()->steps();
     click(slider);
     hand().key("Home");
-    QTRY_COMPARE(arising->step(), 0);
+    QTRY_COMPARE(construction->step(), 0);
     const Vector<2> a = vertices()[1] - vertices()[0];
     const Vector<2> b = vertices()[2] - vertices()[0];
     const double triangle = std::abs(a.x() * b.y() - a.y() * b.x()) / 2 * pixelsPerUnit() * pixelsPerUnit();
@@ -221,36 +221,36 @@ void RealCanvasTest::theStepsOfTheAlgorithmAreShown() {
         return slider->mapToGlobal(QPoint(qRound(8 + share * (slider->width() - 16)), slider->height() / 2));
     };
     hand().drag(onSlider(0), {onSlider(0.4), onSlider(1.1)});
-    QTRY_COMPARE(arising->step(), arising->deepest());
+    QTRY_COMPARE(construction->step(), construction->deepest());
     QTRY_VERIFY(shareFilled() < 0.6 * expected);
     hand().key("Left");
-    QTRY_COMPARE(arising->step(), arising->deepest() - 1);
+    QTRY_COMPARE(construction->step(), construction->deepest() - 1);
 
     hand().clickAt(onCanvas({10, 200}));
     hand().key("w"); // put away, and the picture is its measure again
-    QTRY_COMPARE(arising->mode(), view::Construction::Mode::Density);
+    QTRY_COMPARE(construction->mode(), view::Construction::Mode::Density);
     QCOMPARE(steps(), 0);
 }
 
 void RealCanvasTest::theChaosGameIsWatched() {
-    const auto* arising = window().findChild<view::Construction*>();
+    const auto* construction = window().findChild<view::Construction*>();
     hand().key("w");
     click(named<QToolButton>(window(), QStringLiteral("Chaos Game")));
     const auto* one = named<QToolButton>(window(), QStringLiteral("One Jump"));
     for (int i = 0; i < 17; ++i)
         click(one);
-    QTRY_COMPARE(arising->points(), std::uint64_t{3}); // without the first 14 jumps
-    QCOMPARE(arising->trail().size(), std::size_t{17});
+    QTRY_COMPARE(construction->points(), std::uint64_t{3}); // without the first 14 jumps
+    QCOMPARE(construction->trail().size(), std::size_t{17});
     QTRY_VERIFY(shareFilled() > 0);
     const double three = shareFilled();
 
     click(window().findChild<view::ConstructionBar*>()->run());
-    QTRY_VERIFY(arising->points() > 12);
+    QTRY_VERIFY(construction->points() > 12);
     click(window().findChild<view::ConstructionBar*>()->run());
-    QTRY_VERIFY(!arising->isRunning());
+    QTRY_VERIFY(!construction->isRunning());
     QTRY_VERIFY(shareFilled() > 2 * three);
     click(named<QToolButton>(window(), QStringLiteral("Restart")));
-    QTRY_COMPARE(arising->points(), std::uint64_t{0});
+    QTRY_COMPARE(construction->points(), std::uint64_t{0});
 }
 
 int main(int argc, char** argv) {

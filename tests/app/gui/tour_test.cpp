@@ -43,7 +43,7 @@ void TourTest::sixStepsPointAtWhatTheySpeakOf() {
     for (auto* toggle : m_window->findChild<view::MapsPanel*>()->findChildren<QToolButton*>())
         if (toggle->accessibleName().endsWith(QStringLiteral("Properties"))) toggle->click(); // it hides them
     Tour::start(m_window.get());
-    const char* targets[] = {"maps", "maps", "arising", "appearance", "", "analysis"};
+    const char* targets[] = {"maps", "maps", "construction", "appearance", "", "analysis"};
     QSet<QString> texts;
     QPoint nextCorner;
     for (int step = 0; step < 6; ++step) {
@@ -94,7 +94,7 @@ void TourTest::sixStepsPointAtWhatTheySpeakOf() {
 }
 
 void TourTest::theBarIsPutAway() {
-    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("arising"));
+    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("construction"));
     QVERIFY(bar->isHidden());
     Tour::start(m_window.get());
     for (int step = 0; step < 2; ++step)

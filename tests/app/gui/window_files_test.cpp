@@ -473,8 +473,8 @@ void WindowFilesTest::aPipeIsNotOpened() {
     QVERIFY(!window->openPath(pipe));
     const auto boxes = window->findChildren<QMessageBox*>();
     QCOMPARE(boxes.size(), 1);
-    QVERIFY(boxes.front()->informativeText().contains(QLatin1String("not an ordinary file")) ||
-            boxes.front()->text().contains(QLatin1String("not an ordinary file")));
+    QVERIFY(boxes.front()->informativeText().contains(QLatin1String("not a regular file")) ||
+            boxes.front()->text().contains(QLatin1String("not a regular file")));
     boxes.front()->close();
 }
 

@@ -36,6 +36,7 @@ private slots:
     void aNarrowWindowIsHalfPicture_data();
     void aNarrowWindowIsHalfPicture();
     void panelsAreWhereTheyWereLeft();
+    void aBarIsFoundUnderItsFormerName();
     void theWholeScreenAndBack();
     void aPresentationPutsAwayWhatIsNotCanvas();
     void aPresentationIsNotRemembered();
@@ -109,6 +110,25 @@ void WindowLayoutTest::panelsAreWhereTheyWereLeft() {
     support::forgetSettings();
 }
 
+void WindowLayoutTest::aBarIsFoundUnderItsFormerName() {
+    support::forgetSettings();
+    MainWindow* first = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(first));
+    auto* bar = first->findChild<QToolBar*>(QStringLiteral("construction"));
+    bar->show();
+    QTRY_VERIFY(bar->isVisible());
+    bar->setObjectName(QStringLiteral("arising")); // as earlier versions stored it
+    first->close();
+    QTRY_VERIFY(windows().isEmpty());
+
+    MainWindow* second = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(second));
+    bar = second->findChild<QToolBar*>(QStringLiteral("construction"));
+    QVERIFY(bar);
+    QTRY_VERIFY(bar->isVisible());
+    support::forgetSettings();
+}
+
 void WindowLayoutTest::theWholeScreenAndBack() {
     support::forgetSettings();
     MainWindow* window = shown({});
@@ -159,12 +179,12 @@ void WindowLayoutTest::aPresentationPutsAwayWhatIsNotCanvas() {
     QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier); // commands are in force all the same
     QCOMPARE(window->document().fractal().name, QStringLiteral("maple"));
     QTest::keyClick(canvas, Qt::Key_W);
-    auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
-    QTRY_VERIFY(arising->isVisible()); // what is shown by it belongs to the picture
+    auto* construction = window->findChild<QToolBar*>(QStringLiteral("construction"));
+    QTRY_VERIFY(construction->isVisible()); // what is shown by it belongs to the picture
     QTest::keyClick(canvas, Qt::Key_Escape);
     QTRY_VERIFY(!window->isFullScreen());
     QTRY_COMPARE(window->size(), QSize(1000, 700));
-    QVERIFY(window->menuBar()->isVisible() && window->statusBar()->isVisible() && arising->isVisible());
+    QVERIFY(window->menuBar()->isVisible() && window->statusBar()->isVisible() && construction->isVisible());
     QTRY_VERIFY(!analysis->visibleRegion().isEmpty());
     QTest::keyClick(canvas, Qt::Key_W);
     QTRY_COMPARE(canvas->size(), before);
@@ -232,12 +252,12 @@ void WindowLayoutTest::barsFitASmallWindow() {
         document::plane(fractal)->moved.push_back({{first, first}, ifs::affineMap(1, 0, 0, 1, 0.1, 0)});
         window->document().edit(QStringLiteral("move"), fractal);
         window->findChild<view::CanvasView*>()->setTool(view::CanvasView::Tool::Branch);
-        auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
+        auto* construction = window->findChild<QToolBar*>(QStringLiteral("construction"));
         auto* branches = window->findChild<QToolBar*>(QStringLiteral("tool-options"));
-        arising->show();
-        QTRY_VERIFY(branches->isVisible() && branches->y() != arising->y());
+        construction->show();
+        QTRY_VERIFY(branches->isVisible() && branches->y() != construction->y());
         QCOMPARE(window->width(), 800);
-        for (const QToolBar* bar : {arising, branches})
+        for (const QToolBar* bar : {construction, branches})
             QVERIFY2(bar->minimumSizeHint().width() < 700, // letters are larger elsewhere
                      qPrintable(bar->objectName() + u' ' + QString::number(bar->minimumSizeHint().width())));
         window->removeToolBarBreak(branches);
@@ -254,12 +274,12 @@ void WindowLayoutTest::aBarThatGoesLeavesTheFocusToTheCanvas() {
     window->openFirstPicture();
     QVERIFY(QTest::qWaitForWindowActive(window));
     auto* canvas = window->findChild<view::CanvasView*>();
-    auto* arising = window->findChild<QToolBar*>(QStringLiteral("arising"));
-    arising->toggleViewAction()->trigger();
-    for (auto* button : arising->findChildren<QAbstractButton*>())
+    auto* construction = window->findChild<QToolBar*>(QStringLiteral("construction"));
+    construction->toggleViewAction()->trigger();
+    for (auto* button : construction->findChildren<QAbstractButton*>())
         if (button->isCheckable() && button->isVisible()) button->setFocus();
-    QTRY_VERIFY(arising->isAncestorOf(QApplication::focusWidget()));
-    arising->toggleViewAction()->trigger();
+    QTRY_VERIFY(construction->isAncestorOf(QApplication::focusWidget()));
+    construction->toggleViewAction()->trigger();
     QVERIFY(canvas->hasFocus());
 
     using Tool = view::CanvasView::Tool;

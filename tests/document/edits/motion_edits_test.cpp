@@ -4,6 +4,7 @@
 #include "attractor/render/renderer.h"
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "ifs/canonical_systems.h"
 
 #include <QtTest>
 
@@ -19,16 +20,9 @@ using namespace document;
 
 namespace {
 
-// Of the paper.
 Fractal maple() {
     Fractal fractal;
-    Shape<2> shape;
-    for (const auto& [map, weight] : {std::pair{ifs::affineMap(-0.04, 0, -0.23, -0.65, -0.08, 0.26), 0.25},
-                                      {ifs::affineMap(0.61, 0, 0, 0.31, 0.07, 2.5), 0.25},
-                                      {ifs::affineMap(0.65, 0.29, -0.3, 0.48, 0.74, 0.39), 0.25},
-                                      {ifs::affineMap(0.64, -0.3, 0.16, 0.56, -0.56, 0.4), 0.25}})
-        ifs::append(shape.system, map, weight);
-    fractal.shape = std::move(shape);
+    fractal.shape = Shape<2>{canonical::system<2>(canonical::maple(), {0.25, 0.25, 0.25, 0.25})};
     return fractal;
 }
 

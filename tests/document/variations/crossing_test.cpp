@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "document/variations/random_systems.h"
 #include "document/variations/variations.h"
+#include "ifs/canonical_systems.h"
 
 #include <QTest>
 
@@ -33,14 +34,9 @@ FractalPointer pointer(Fractal fractal) {
 }
 
 FractalPointer fern() {
-    document::System2 system;
-    ifs::append(system, ifs::affineMap(0, 0, 0, 0.16, 0, 0), 0.01);
-    ifs::append(system, ifs::affineMap(0.85, 0.04, -0.04, 0.85, 0, 1.6), 0.85);
-    ifs::append(system, ifs::affineMap(0.2, -0.26, 0.23, 0.22, 0, 1.6), 0.07);
-    ifs::append(system, ifs::affineMap(-0.15, 0.28, 0.26, 0.24, 0, 0.44), 0.07);
     Fractal fractal;
     fractal.name = QStringLiteral("fern");
-    fractal.shape = document::Shape<2>{system};
+    fractal.shape = document::Shape<2>{canonical::system<2>(canonical::fern(), canonical::FernWeights)};
     return pointer(fractal);
 }
 

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/common_eigendirections.h"
 #include "ifs/dimension/dimension.h"
+#include "support/near.h"
 
 #include <QtTest>
 
@@ -10,12 +11,10 @@
 
 using namespace ifs;
 using namespace canonical;
+using support::near;
 
 namespace {
 
-bool near(const std::optional<double>& a, double b, double tolerance) {
-    return a && std::abs(*a - b) <= tolerance;
-}
 double moran(std::vector<double> ratios) {
     return moranDimension(ratios).value_or(-1);
 }

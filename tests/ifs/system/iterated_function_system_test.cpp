@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/system/iterated_function_system.h"
+#include "support/near.h"
 
 #include <QtTest>
 
@@ -10,12 +11,10 @@
 
 using namespace ifs;
 using namespace canonical;
+using support::near;
 
 namespace {
 
-bool near(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
-    return std::ranges::equal(a, b, [=](double x, double y) { return std::abs(x - y) <= tolerance; });
-}
 double sum(const std::vector<double>& p) {
     return std::accumulate(p.begin(), p.end(), 0.0);
 }

@@ -3,6 +3,7 @@
 
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/support_function.h"
+#include "support/near.h"
 
 #include <QtTest>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 
 using namespace ifs;
+using support::near;
 
 namespace {
 
@@ -19,10 +21,6 @@ using Maps = std::vector<AffineMap<2>>;
 std::optional<Tile> tileOf(const Maps& maps) {
     const auto support = SupportFunction<2>::of(maps);
     return support ? tile(maps, boundingBox(*support)) : std::nullopt;
-}
-
-bool near(const std::optional<double>& value, double expected, double off = 1e-9) {
-    return value && std::abs(*value - expected) <= off;
 }
 
 Maps squares(int side) {

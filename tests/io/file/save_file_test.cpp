@@ -408,7 +408,7 @@ private slots:
 
     void devicesAreNotReplaced() {
         const io::Failure failure = io::saveFile(QStringLiteral("/dev/null"), "x");
-        QVERIFY(failure && failure->contains(QStringLiteral("not an ordinary file")));
+        QVERIFY(failure && failure->contains(QStringLiteral("not a regular file")));
     }
 
     // As /dev/stdout leads to one.
@@ -420,7 +420,7 @@ private slots:
         const io::Failure failure = io::saveFile(link, "x");
         ::close(ends[0]);
         ::close(ends[1]);
-        QVERIFY(failure && failure->contains(QStringLiteral("not an ordinary file")));
+        QVERIFY(failure && failure->contains(QStringLiteral("not a regular file")));
         QVERIFY2(failure->contains(link), qPrintable(*failure));
     }
 #endif

@@ -15,7 +15,7 @@ using namespace io;
 
 namespace {
 
-bool near(const Rgba& a, const Rgba& b, int levels = 1) {
+bool similar(const Rgba& a, const Rgba& b, int levels = 1) {
     return std::abs(a.red - b.red) <= levels && std::abs(a.green - b.green) <= levels &&
            std::abs(a.blue - b.blue) <= levels && a.alpha == b.alpha;
 }
@@ -66,7 +66,7 @@ void PaletteReaderTest::aColourMapKeepsItsColours() {
     QVERIFY(file.problems.isEmpty());
     QCOMPARE(file.palettes[0].name, std::string("volcano"));
     for (int i = 0; i < 256; ++i)
-        QVERIFY(near(attractor::colourAt(file.palettes[0], i / 255.0), colours[std::size_t(i)]));
+        QVERIFY(similar(attractor::colourAt(file.palettes[0], i / 255.0), colours[std::size_t(i)]));
     QVERIFY2(file.palettes[0].stops.size() < 64, "a smooth palette needs few stops");
     const PaletteFile hard = readPalettes("0 0 0\n255 255 255\n0 0 0\n255 255 255\n", {});
     QCOMPARE(hard.palettes[0].stops.size(), std::size_t{4});
@@ -100,21 +100,21 @@ void PaletteReaderTest::anUltraFractalFileHasManyGradients() {
     QCOMPARE(attractor::colourAt(file.palettes[0], 0), (Rgba{0x0d, 0x13, 0x2f, 255})); // 0x2f130d
     QCOMPARE(attractor::colourAt(file.palettes[0], 1), (Rgba{144, 0, 0, 255}));
     QCOMPARE(file.palettes[1].name, std::string("two words"));
-    QVERIFY(near(attractor::colourAt(file.palettes[1], 200 / 399.0), {0, 255, 0, 255}));
+    QVERIFY(similar(attractor::colourAt(file.palettes[1], 200 / 399.0), {0, 255, 0, 255}));
 }
 
 void PaletteReaderTest::ultraFractalGradientsGoRoundACircle() {
     const QByteArray text = "g { gradient: smooth=no %1 index=100 color=0 index=300 color=200 }";
     const Palette plain = readPalettes(QByteArray(text).replace("%1", ""), {}).palettes[0];
-    QVERIFY(near(attractor::colourAt(plain, 200 / 399.0), {100, 0, 0, 255}));
-    QVERIFY(near(attractor::colourAt(plain, 0), {100, 0, 0, 255})); // between 300 and 100 + 400
-    QVERIFY(near(attractor::colourAt(plain, 350 / 399.0), {150, 0, 0, 255}));
+    QVERIFY(similar(attractor::colourAt(plain, 200 / 399.0), {100, 0, 0, 255}));
+    QVERIFY(similar(attractor::colourAt(plain, 0), {100, 0, 0, 255})); // between 300 and 100 + 400
+    QVERIFY(similar(attractor::colourAt(plain, 350 / 399.0), {150, 0, 0, 255}));
     const Palette turned = readPalettes(QByteArray(text).replace("%1", "rotation=-300"), {}).palettes[0];
-    QVERIFY(near(attractor::colourAt(turned, 0), {200, 0, 0, 255}));
+    QVERIFY(similar(attractor::colourAt(turned, 0), {200, 0, 0, 255}));
     const Palette wrapped =
         readPalettes("g { gradient: index=-100 color=200 index=900 color=90 }", {}).palettes[0];
-    QVERIFY(near(attractor::colourAt(wrapped, 300 / 399.0), {200, 0, 0, 255}));
-    QVERIFY(near(attractor::colourAt(wrapped, 100 / 399.0), {90, 0, 0, 255}));
+    QVERIFY(similar(attractor::colourAt(wrapped, 300 / 399.0), {200, 0, 0, 255}));
+    QVERIFY(similar(attractor::colourAt(wrapped, 100 / 399.0), {90, 0, 0, 255}));
 }
 
 void PaletteReaderTest::smoothGradientsStayBetweenTheirKnots() {
@@ -129,7 +129,8 @@ void PaletteReaderTest::smoothGradientsStayBetweenTheirKnots() {
         if (place >= 40 && place <= 80) QVERIFY(colour.red >= 249);
         if (place >= 120) QVERIFY(colour.red <= 11);
     }
-    QVERIFY(near(attractor::colourAt(palette, 20 / 399.0), {130, 0, 0, 255}, 2)); // the middle, by symmetry
+    QVERIFY(
+        similar(attractor::colourAt(palette, 20 / 399.0), {130, 0, 0, 255}, 2)); // the middle, by symmetry
     QVERIFY(attractor::colourAt(palette, 5 / 399.0).red < 25); // flat at its ends, unlike a straight line
 
     // Rises of 0.6, 1.8, −1.2 and −1.2 a place: their harmonic means 0, 0.9, 0 and −1.2 are the slopes of the
@@ -138,10 +139,10 @@ void PaletteReaderTest::smoothGradientsStayBetweenTheirKnots() {
                                         "index=200 color=240 index=300 color=120 }",
                                         {})
                                .palettes[0];
-    QVERIFY(near(attractor::colourAt(uneven, 50 / 399.0), {19, 0, 0, 255}, 1));
-    QVERIFY(near(attractor::colourAt(uneven, 150 / 399.0), {161, 0, 0, 255}, 1));
-    QVERIFY(near(attractor::colourAt(uneven, 250 / 399.0), {195, 0, 0, 255}, 1));
-    QVERIFY(near(attractor::colourAt(uneven, 350 / 399.0), {45, 0, 0, 255}, 1));
+    QVERIFY(similar(attractor::colourAt(uneven, 50 / 399.0), {19, 0, 0, 255}, 1));
+    QVERIFY(similar(attractor::colourAt(uneven, 150 / 399.0), {161, 0, 0, 255}, 1));
+    QVERIFY(similar(attractor::colourAt(uneven, 250 / 399.0), {195, 0, 0, 255}, 1));
+    QVERIFY(similar(attractor::colourAt(uneven, 350 / 399.0), {45, 0, 0, 255}, 1));
 }
 
 void PaletteReaderTest::badLinesAreNamedAndLeftOut() {
@@ -189,7 +190,7 @@ void PaletteReaderTest::gimpGradientsBlendInEveryWay() {
     QVERIFY(file.problems.isEmpty());
     QCOMPARE(file.palettes.size(), std::size_t{1});
     QCOMPARE(file.palettes[0].name, std::string("A gradient"));
-    QVERIFY(near(attractor::colourAt(file.palettes[0], position), expected, 2));
+    QVERIFY(similar(attractor::colourAt(file.palettes[0], position), expected, 2));
 }
 
 void PaletteReaderTest::otherFilesAreRefused_data() {
@@ -262,7 +263,7 @@ void PaletteReaderTest::whatIsWrittenComesBackExactly() {
     text.replace("# barycage: stop", "# nothing");
     const Palette back = readPalettes(text, {}).palettes[0];
     for (double t = 0; t <= 1; t += 0.01)
-        QVERIFY(near(attractor::colourAt(back, t), attractor::colourAt(maple, t), 3));
+        QVERIFY(similar(attractor::colourAt(back, t), attractor::colourAt(maple, t), 3));
 }
 
 void PaletteReaderTest::aPaletteTravelsWithItsEntry() {

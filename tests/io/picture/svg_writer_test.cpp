@@ -109,7 +109,7 @@ std::uint64_t expand(const Parsed& file, const QString& group, const ifs::Affine
     for (const Copy& copy : file.groups.at(group)) {
         const ifs::AffineMap<2> inside = map * copy.map;
         references += 1;
-        if (copy.of == u"level-0" || copy.of.startsWith(u"shadow-"))
+        if (copy.of == u"level-0" || copy.of.startsWith(u"projection-"))
             leaf(inside);
         else if (!file.paths.contains(copy.of))
             references += expand(file, copy.of, inside, leaf);
@@ -249,7 +249,7 @@ void SvgWriterTest::copiesComposeLikeTheMaps() {
         ifs::AffineMap<2> drawn = file.transforms.at(QStringLiteral("attractor"));
         ifs::AffineMap<2> expected = worldToPixel(camera);
         QString group = QStringLiteral("attractor");
-        while (group != u"level-0" && !group.startsWith(u"shadow-")) {
+        while (group != u"level-0" && !group.startsWith(u"projection-")) {
             const auto& copies = file.groups.at(group);
             QCOMPARE(copies.size(), levels->index().size());
             const std::size_t i = random() % copies.size();

@@ -145,14 +145,13 @@ QString noteInSpace(attractor::RenderNote note, bool isCoarse) {
     switch (note) {
     case attractor::RenderNote::None:
     case attractor::RenderNote::FewerIterations:
-        return isCoarse ? Notes::tr("So many pieces lie on each other that parts of this solid are missing. "
+        return isCoarse ? Notes::tr("So many pieces overlap that parts of this solid are missing. "
                                     "The look Cloud shows all of it.")
                         : QString();
     case attractor::RenderNote::NoMaps:
         return Notes::tr("No map is active, so there is nothing to draw. Add a map or switch one on.");
     case attractor::RenderNote::NoAttractor:
-        return Notes::tr(
-            "This system has no attractor. The picture shows where its points spend their time.");
+        return Notes::tr("This system has no attractor. The picture shows where its points fall most often.");
     case attractor::RenderNote::Undecided:
         return Notes::tr("Whether this system has an attractor is undecided.");
     case attractor::RenderNote::TooDeep:

@@ -31,7 +31,7 @@ public:
 
     void follow(const document::Change& change);
 
-    // The cage in force; nullopt when the entry is not a system of the plane.
+    // The cage in force; nullopt when the entry is not a system in the plane.
     const std::optional<ifs::ControlCage<2>>& cage() const { return m_cage; }
     std::size_t vertexCount() const { return m_cage ? m_cage->current.size() : 0; }
 

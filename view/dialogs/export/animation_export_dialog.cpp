@@ -110,15 +110,15 @@ AnimationExportDialog::~AnimationExportDialog() = default;
 void AnimationExportDialog::createFormat() {
     m_format = comboBox(tr("Format"),
                         {tr("MP4: plays everywhere"), tr("WebM: for web pages, with transparency"),
-                         tr("MKV: without loss, for editing"), tr("GIF: 256 colours"),
-                         tr("WebP: a moving picture without loss"), tr("APNG: a moving picture without loss"),
+                         tr("MKV: lossless, for editing"), tr("GIF: 256 colours"),
+                         tr("WebP: a lossless animated image"), tr("APNG: a lossless animated image"),
                          tr("PNG: one picture for each frame")},
-                        tr("A video, a moving picture for pages and messages, or one picture for each frame. "
-                           "All of them contain the animation, and Barycage opens them again."));
+                        tr("A video, an animated image for web pages and messages, or one picture for each "
+                           "frame. All of them contain the animation, so Barycage can open them again."));
     m_form->addRow(tr("&Format:"), m_format);
     m_section = comboBox(tr("Section"), {tr("The view on the canvas"), tr("The whole animation")},
-                         tr("What the frames show where no key of the camera says: what the canvas shows, or "
-                            "everything that comes into sight, with a small margin."));
+                         tr("What the frames show where the camera has no keys: the view on the canvas, or "
+                            "everything that becomes visible, with a small margin."));
     for (const document::SavedView& view : m_views)
         m_section->addItem(tr("The view “%1”").arg(view.name));
     m_form->addRow(tr("S&ection:"), m_section);
@@ -164,13 +164,13 @@ void AnimationExportDialog::createFrames() {
     m_shutter->setSingleStep(45);
     m_form->addRow(tr("S&hutter:"), m_shutter);
     m_exposure = comboBox(tr("Exposure"),
-                          {tr("Smooth: no flicker"), tr("Fixed: that of frame 0"), tr("Each: by itself")},
+                          {tr("Smooth: no flicker"), tr("Fixed: as in frame 0"), tr("Each: frame by frame")},
                           tr("How bright the frames are: following the whole animation without flicker, all "
                              "like frame 0, or each as bright as it is on the canvas."));
     m_form->addRow(tr("E&xposure:"), m_exposure);
     m_form->setRowVisible(m_exposure, !isSolid);
     m_tasks = spinBox(tr("Tasks on a cluster"), 1, 10'000, 8,
-                      tr("How many tasks of a cluster share the frames when you choose On a Cluster."));
+                      tr("How many cluster tasks share the frames when you choose On a Cluster."));
     m_form->addRow(tr("&Tasks on a cluster:"), m_tasks);
 }
 
@@ -207,11 +207,11 @@ QWidget* AnimationExportDialog::createResult() {
 void AnimationExportDialog::createButtons() {
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_start->setWhatsThis(tr("Asks for a file name and writes the animation. You can go on editing "
-                             "meanwhile: the animation is exported as it was when this dialog opened."));
+    m_start->setWhatsThis(tr("Asks for a file name and writes the animation. You can continue editing in the "
+                             "meantime: the animation is exported as it was when this dialog opened."));
     m_cluster = buttons->addButton(tr("On a &Cluster…"), QDialogButtonBox::ActionRole);
     m_cluster->setWhatsThis(tr("Writes a folder with the animation and with scripts that draw it on a Slurm "
-                               "cluster, and submits it where sbatch is found."));
+                               "cluster, and submits the job if sbatch is found."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     layout()->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &AnimationExportDialog::chooseFile);
@@ -362,7 +362,8 @@ void AnimationExportDialog::prepareCluster(const QString& folder) {
     const io::WrittenJob written = work.result();
     if (written.failure) return say(*written.failure);
     if (!ClusterQueue::isAvailable()) {
-        say(tr("The job is in %1. Here is no sbatch: run submit.sh in this folder on the cluster.")
+        say(tr("The job is in %1. sbatch was not found on this computer: run submit.sh in this folder on the "
+               "cluster.")
                 .arg(written.folder));
     } else {
         m_cluster->setEnabled(false);

@@ -22,7 +22,7 @@ Enqueued enqueue(ExportQueue& queue, const document::Fractal& fractal, const io:
     const QString name = QFileInfo(path).fileName();
     if (!io::isNamedFor(recipe, path))
         return {false,
-                Text::tr("The name “%1” does not fit the chosen format. Choose another name.").arg(name)};
+                Text::tr("The name “%1” does not match the chosen format. Choose another name.").arg(name)};
     if (queue.isTarget(path))
         return {false, Text::tr("Another export in the queue writes “%1”. Choose another name.").arg(name)};
     io::ExportTask task;

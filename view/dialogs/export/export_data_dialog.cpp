@@ -100,7 +100,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_points->setValue(100'000);
     m_points->setSingleStep(100'000);
     m_points->setGroupSeparatorShown(true);
-    m_turnY = new QCheckBox(tr("Turn &y around so that the flame is the right way up"), this);
+    m_turnY = new QCheckBox(tr("Flip &y so that the flame is the right way up"), this);
     m_turnY->setWhatsThis(tr("In flame programs, y points down. With this option, the flame looks as it does "
                              "here; without it, the numbers stay the same."));
     m_turnY->setChecked(true);

@@ -91,9 +91,8 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     m_start->setWhatsThis(
         tr("Asks for a file name and writes the file. You can keep working in the meantime."));
     m_enqueue = buttons->addButton(tr("Add to Queue…"), QDialogButtonBox::ActionRole);
-    m_enqueue->setWhatsThis(
-        tr("Asks for a file name and draws the picture in its turn, after those that wait "
-           "in the Exports panel. The queue goes on after a restart."));
+    m_enqueue->setWhatsThis(tr("Asks for a file name and adds the picture to the queue in the Exports panel. "
+                               "The queue continues after a restart."));
     m_enqueue->hide();
     m_close = buttons->addButton(QDialogButtonBox::Close);
     layout->addWidget(buttons);
@@ -139,8 +138,8 @@ void ExportDialog::createFormat() {
     for (const document::SavedView& view : m_views)
         m_section->addItem(tr("The view “%1”").arg(view.name));
     m_section->setAccessibleName(tr("Section"));
-    m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or the attractor with a small "
-                               "margin, wherever the canvas looks. Saved views are listed, too."));
+    m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or the whole attractor with "
+                               "a small margin. Saved views are listed, too."));
     m_form->addRow(tr("&Format:"), m_format);
     m_form->addRow(tr("S&ection:"), m_section);
     m_form->addRow(tr("Size:"), m_size);
@@ -452,7 +451,8 @@ bool ExportDialog::takeFormat(const QString& path) {
     if (kind)
         m_format->setCurrentIndex(*kind);
     else
-        say(tr("The name “%1” does not say the format: it must end with .png, .jpg, .webp, .tiff, .exr, .svg "
+        say(tr("The name “%1” does not determine the format: it must end with .png, .jpg, .webp, .tiff, "
+               ".exr, .svg "
                "or .pdf.")
                 .arg(QFileInfo(path).fileName()));
     return kind.has_value();

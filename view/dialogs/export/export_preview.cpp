@@ -43,8 +43,8 @@ ExportPreview::ExportPreview(QWidget* parent)
       }) {
     setAccessibleName(tr("Preview"));
     setToolTip(tr("What the file will show"));
-    setWhatsThis(tr("The picture as it will be exported: its shape and the section it shows. Where it is "
-                    "transparent, a chequer shows through. It follows every field."));
+    setWhatsThis(tr("The picture as it will be exported: its proportions and the section it shows. A "
+                    "chequerboard marks transparent parts. The preview follows every field."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMinimumSize(160, 120);
     m_delay.setSingleShot(true);

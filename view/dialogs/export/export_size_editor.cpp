@@ -30,7 +30,7 @@ QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
     field->setKeyboardTracking(false);
     field->setAccessibleName(name);
     field->setWhatsThis(ExportSizeEditor::tr(
-        "A length in the selected unit. The other side follows as long as the proportions are kept."));
+        "A length in the selected unit. The other side follows as long as the proportions are locked."));
     return field;
 }
 
@@ -58,7 +58,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     m_named->setAccessibleName(tr("Named size"));
     m_named->setWhatsThis(tr("The size of the picture on the screen or a multiple of it, of a common screen, "
                              "or of a sheet of paper. Everything that the window shows stays in the picture; "
-                             "where the shape differs, more is shown around it."));
+                             "if the proportions differ, the picture shows more around it."));
     m_lock->setText(tr("Lock proportions"));
     m_lock->setCheckable(true);
     m_lock->setChecked(true);

@@ -43,7 +43,7 @@ HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent
       m_maps(new QCheckBox(tr("&Cage and maps"), this)),
       m_formulas(new QCheckBox(tr("&Formulas"), this)),
       m_nameLine(new QCheckBox(tr("&Line for name and date"), this)) {
-    setWindowTitle(tr("Print a Hand-out"));
+    setWindowTitle(tr("Print a Handout"));
     auto* layout = new QVBoxLayout(this);
     createEntries(*document);
     createOptions();
@@ -62,8 +62,8 @@ void HandoutDialog::createEntries(const document::Document& document) {
     auto* label = new QLabel(tr("&Entries:"), this);
     label->setBuddy(m_entries);
     m_entries->setAccessibleName(tr("Entries to print"));
-    m_entries->setWhatsThis(tr("The entries of the file that are systems in the plane. Those with a tick are "
-                               "printed, in this order, up to %1 of them.")
+    m_entries->setWhatsThis(tr("The entries of the file that are systems in the plane. Ticked entries are "
+                               "printed in this order, up to %1 of them.")
                                 .arg(maxEntries));
     for (const document::Entry& entry : document.file().entries) {
         if (m_entries->count() == maxListed) break;
@@ -98,11 +98,11 @@ void HandoutDialog::createEntries(const document::Document& document) {
 }
 
 void HandoutDialog::createOptions() {
-    m_kind->addItem(tr("Hand-out with pictures"));
-    m_kind->addItem(tr("Blank task sheet"));
+    m_kind->addItem(tr("Handout with pictures"));
+    m_kind->addItem(tr("Blank worksheet"));
     m_kind->setAccessibleName(tr("Kind of sheet"));
-    m_kind->setWhatsThis(tr("A hand-out has the picture of each entry, with its cage, its maps and their "
-                            "formulas. A blank task sheet has the cage on a grid and an empty table, to be "
+    m_kind->setWhatsThis(tr("A handout has the picture of each entry, with its cage, its maps and their "
+                            "formulas. A blank worksheet has the cage on a grid and an empty table, to be "
                             "filled in by hand."));
     for (const int count : {1, 2, 4, 6})
         m_perPage->addItem(QString::number(count), count);
@@ -191,7 +191,7 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
 
 // Print dialogs take it for the name of the file that they write.
 QString HandoutDialog::printedName() const {
-    return tr("%1-hand-out.pdf", "name of a file").arg(QString(m_name).replace(u'/', u'-'));
+    return tr("%1-handout.pdf", "name of a file").arg(QString(m_name).replace(u'/', u'-'));
 }
 
 void HandoutDialog::showPreview() {

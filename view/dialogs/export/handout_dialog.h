@@ -48,7 +48,7 @@ private:
     QPushButton* m_preview = nullptr;
 };
 
-// The picture of a hand-out: the displayed attractor on paper, with the cage and its numbered images where
+// The picture of a handout: the displayed attractor on paper, with the cage and its numbered images where
 // the options want them.
 io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options);
 

@@ -22,14 +22,14 @@ struct HandoutOptions {
     };
     Kind kind = Kind::Handout;
     int perPage = 2;          // 1, 2, 4 or 6
-    bool showsMaps = true;    // of the picture of a hand-out: the cage and its images, numbered
-    bool hasFormulas = true;  // of a hand-out
+    bool showsMaps = true;    // of the picture of a handout: the cage and its images, numbered
+    bool hasFormulas = true;  // of a handout
     bool hasNameLine = false; // for pupils to write their names on
 };
 
 struct HandoutItem {
     std::shared_ptr<const document::Fractal> fractal; // a system of the plane
-    QImage picture;                                   // of a hand-out
+    QImage picture;                                   // of a handout
 };
 
 // The entries from the top of `page` down, as many on each page as the options say: `newPage` begins another

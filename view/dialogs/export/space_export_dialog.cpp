@@ -42,11 +42,10 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_format = new QComboBox(this);
     m_format->addItems({tr("Picture (.png)"), tr("Picture (.jpg)"), tr("Picture (.webp)"),
                         tr("Picture (.tiff)"), tr("Picture in linear light (.exr)"),
-                        tr("Body to print (.stl)"), tr("Body (.obj)"), tr("Body (.glb)"), tr("Body (.ply)"),
-                        tr("OpenSCAD program (.scad)")});
-    m_format->setWhatsThis(
-        tr("A picture as the camera shows it, a watertight body that contains the attractor, or "
-           "the maps as a program for OpenSCAD."));
+                        tr("Mesh for 3D printing (.stl)"), tr("Mesh (.obj)"), tr("Mesh (.glb)"),
+                        tr("Mesh (.ply)"), tr("OpenSCAD program (.scad)")});
+    m_format->setWhatsThis(tr("A picture as the camera shows it, a watertight mesh that contains the "
+                              "attractor, or the maps as a program for OpenSCAD."));
     m_form->addRow(tr("&Format:"), m_format);
     createPicture();
     createBody();
@@ -63,9 +62,8 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_start->setWhatsThis(tr("Asks for a file name and writes the file."));
     m_enqueue = buttons->addButton(tr("Add to Queue…"), QDialogButtonBox::ActionRole);
-    m_enqueue->setWhatsThis(
-        tr("Asks for a file name and draws the file in its turn, after those that wait in "
-           "the Exports panel. The queue goes on after a restart."));
+    m_enqueue->setWhatsThis(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
+                               "The queue continues after a restart."));
     m_enqueue->hide();
     m_close = buttons->addButton(QDialogButtonBox::Close);
     m_preview = new ExportPreview(this);
@@ -96,7 +94,7 @@ void SpaceExportDialog::createPicture() {
     for (const document::SavedView& view : m_views)
         m_section->addItem(tr("The view “%1”").arg(view.name));
     m_section->setAccessibleName(tr("Section"));
-    m_section->setWhatsThis(tr("What the picture shows: what the canvas shows, or a saved view."));
+    m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or a saved view."));
     m_form->addRow(tr("Sect&ion:"), m_section);
     connect(m_section, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::showPreview);
     m_size = new ExportSizeEditor({m_camera.size.width, m_camera.size.height}, this);
@@ -104,14 +102,15 @@ void SpaceExportDialog::createPicture() {
     m_supersample = new WholeNumberBox(this);
     m_supersample->setRange(1, 4);
     m_supersample->setValue(2);
-    m_supersample->setWhatsThis(tr("Draws this many pixels along each side of a pixel, for smoother edges."));
+    m_supersample->setWhatsThis(
+        tr("Computes this many cells along each side of a pixel, for smoother edges."));
     m_form->addRow(tr("S&upersampling:"), m_supersample);
     m_depth = new QComboBox(this);
     m_depth->addItems({tr("8 bits"), tr("16 bits")});
-    m_depth->setWhatsThis(tr("Bits for each channel. Depths always have 16."));
+    m_depth->setWhatsThis(tr("Bits per channel. Depths always have 16."));
     m_form->addRow(tr("&Colours:"), m_depth);
     m_transparent = new QCheckBox(tr("&Transparent background"), this);
-    m_transparent->setWhatsThis(tr("Leaves out what is around the solid."));
+    m_transparent->setWhatsThis(tr("Makes the surroundings of the solid transparent."));
     m_form->addRow(QString(), m_transparent);
     m_stereo = new QComboBox(this);
     m_stereo->addItems({tr("One picture"), tr("Both eyes, side by side"), tr("Red and cyan glasses")});
@@ -129,13 +128,13 @@ void SpaceExportDialog::createBody() {
         field->setWhatsThis(explanation);
         return field;
     };
-    m_longest = millimetres(80, 100'000, tr("The longest side of the body."));
+    m_longest = millimetres(80, 100'000, tr("The longest side of the mesh."));
     m_longest->setMinimum(1);
     m_form->addRow(tr("&Longest side:"), m_longest);
     m_resolution = new WholeNumberBox(this);
     m_resolution->setRange(8, io::SolidOptions::maxResolution);
     m_resolution->setValue(128);
-    m_resolution->setWhatsThis(tr("Voxels along the longest side: finer steps, and more of them."));
+    m_resolution->setWhatsThis(tr("Voxels along the longest side: more voxels make finer steps."));
     m_form->addRow(tr("&Resolution:"), m_resolution);
     m_wall = millimetres(0, 1000, tr("Thinner parts are thickened to this, so that they can be printed."));
     m_form->addRow(tr("Smallest &wall:"), m_wall);
@@ -252,7 +251,7 @@ void SpaceExportDialog::update() {
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
     m_message->setText(
-        isDepth && isPicture && file != io::PictureFile::Png ? tr("Depths are written as PNG only.")
+        isDepth && isPicture && file != io::PictureFile::Png ? tr("Depths can be written only as PNG.")
         : isPicture                                          ? QString()
         : isBody() ? tr("A closed surface around the attractor, without its slice, for a printer.")
                    : tr("One multmatrix for each map; open it in OpenSCAD to render it."));

@@ -122,7 +122,7 @@ QLayout* MutateDialog::createControls() {
     m_strength->setAccessibleName(tr("How strongly the variations differ"));
     m_strength->setToolTip(tr("How far the variations are from their parent"));
     m_strength->setWhatsThis(
-        tr("On the left, the variations stay close to their parent; on the right, they differ wildly."));
+        tr("On the left, the variations stay close to their parent; on the right, they differ greatly."));
     connect(m_strength, &QSlider::valueChanged, this, &MutateDialog::makeSheet);
     form->addRow(tr("S&trength:"), m_strength);
     addPartners(form);
@@ -149,17 +149,16 @@ void MutateDialog::addChanges(QFormLayout* form) {
     };
     m_shape =
         add(tr("Sha&pe"), tr("Turn, stretch and move the maps"),
-            tr("The maps are turned, stretched and moved, and now and then one is added or removed. Locked "
+            tr("The maps are turned, stretched and moved, and occasionally one is added or removed. Locked "
                "maps, and maps that are off, stay as they are."),
             true);
-    m_colours =
-        add(tr("C&olour"), tr("Try other colours"),
-            tr("Palette, plain colour and the colours of the maps change their hue. The background stays, "
-               "and so does what the colours stand for."),
-            false);
+    m_colours = add(tr("C&olour"), tr("Try other colours"),
+                    tr("The hues of the palette, the plain colour and the colours of the maps change. The "
+                       "background and the meaning of the colours stay the same."),
+                    false);
     m_weights =
         add(tr("&Weights"), tr("Make some maps denser and others fainter"),
-            tr("The weights change by chance and follow the size of the maps. Otherwise, each map keeps its "
+            tr("The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its "
                "weight. A solid in space does not depend on weights; a cloud does."),
             true);
     auto* boxes = new QVBoxLayout;
@@ -183,9 +182,9 @@ void MutateDialog::addPartners(QFormLayout* form) {
     m_partner->setToolTip(m_partners.empty() ? tr("This file has no other fractal of this dimension.")
                                              : tr("Mix the parent with another entry of this file"));
     m_partner->setWhatsThis(
-        tr("The variations take some maps from the parent, some from the other entry, and some "
-           "that are half-way between two that belong together. The boxes above say whether "
-           "shape, colour and weights are mixed. Every child has an attractor."));
+        tr("The variations take some maps from the parent, some from the other entry, and some that are "
+           "halfway between two corresponding maps. The checkboxes above determine whether shape, colour and "
+           "weights are mixed. Every child has an attractor."));
     m_partnerPicture = new QLabel(this);
     m_partnerPicture->setFixedSize(smallSide, smallSide);
     m_partnerPicture->hide();
@@ -207,7 +206,7 @@ void MutateDialog::addSeed(QFormLayout* form) {
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));
     m_seed->setWhatsThis(
-        tr("The number that the variations are made from. With the same parent, the same settings "
+        tr("The number from which the variations are generated. With the same parent, the same settings "
            "and the same seed you get the same sheet again."));
     auto* other = new QPushButton(tr("&New Set"), this);
     other->setToolTip(tr("Show another sheet, from the next seed"));
@@ -236,7 +235,7 @@ void MutateDialog::makeSheet() {
     m_line[std::size_t(m_generation)].seed = m_seed->value();
     m_sheet->clear();
     for (int child = 0; child < count; ++child)
-        m_ring->showChild(child, {}, tr("Variation %1, not made yet").arg(child + 1));
+        m_ring->showChild(child, {}, tr("Variation %1, not ready yet").arg(child + 1));
     if (mutation().may.anything()) {
         const auto prepare = [parent = middle(), mutation = mutation()]() -> SheetMaker::Make {
             const auto variations = std::make_shared<const document::Variations>(parent, mutation);
@@ -340,11 +339,11 @@ void MutateDialog::follow() {
     m_use->setEnabled(m_generation > 0);
     const document::Mutation wanted = mutation();
     if (!wanted.may.anything())
-        m_hint->setText(tr("Nothing may change: there are no variations. Tick at least one of the boxes."));
-    else if (areAllLocked(*middle()) && !wanted.partner)
         m_hint->setText(
-            tr("All maps are locked and keep their weights: the variations differ only in colours "
-               "and, now and then, in a map that is added. Many are like their parent."));
+            tr("Nothing may change, so there are no variations. Tick at least one of the checkboxes."));
+    else if (areAllLocked(*middle()) && !wanted.partner)
+        m_hint->setText(tr("All maps are locked and keep their weights: the variations differ only in "
+                           "colours and, occasionally, in an added map. Many look like their parent."));
     else
         m_hint->setText(tr("Click a picture to make it the new parent."));
 }

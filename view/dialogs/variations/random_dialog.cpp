@@ -126,10 +126,10 @@ void RandomDialog::createControls(QGridLayout* layout) {
     m_dimension->addItem(tr("In space"), 3);
     m_dimension->setAccessibleName(tr("Plane or space"));
     m_dimension->setToolTip(tr("Make systems in the plane or in space"));
-    m_dimension->setWhatsThis(tr(
-        "In the plane, how strongly the maps contract follows a rule by which the fractal fills its view. In "
-        "space there is no such rule: the two larger stretches of each map follow that of the plane, and the "
-        "third is smaller."));
+    m_dimension->setWhatsThis(
+        tr("In the plane, the contraction of the maps follows a rule that makes the fractal fill its view. "
+           "In space there is no such rule: the two larger scale factors of each map follow that of the "
+           "plane, and the third is smaller."));
     m_maps->setToolTip(tr("How many maps the systems have"));
     m_maps->setWhatsThis(
         tr("How many maps each system lists. With a symmetry, each of them also acts rotated or "
@@ -163,7 +163,7 @@ void RandomDialog::addSeed(QGridLayout* layout) {
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));
     m_seed->setWhatsThis(
-        tr("The number that the systems are made from. With the same settings and the same seed you "
+        tr("The number from which the systems are generated. With the same settings and the same seed you "
            "get the same sheet again."));
     auto* other = new QPushButton(tr("&New Set"), this);
     other->setToolTip(tr("Show another sheet, from the next seed"));

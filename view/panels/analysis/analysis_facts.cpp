@@ -179,7 +179,7 @@ template <int Dim> void Facts::addMaps() {
     const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
     const QString verdict = existenceSentence(facts.existence, facts.active.index);
     add(tr("Attractor"),
-        tr("A compact set to which every compact starting set leads, step by step. A system has one exactly "
+        tr("A compact set to which the iterates of every compact set converge. A system has one exactly "
            "if its maps contract in some norm."),
         true, [verdict](const Analysis&, Format) { return verdict; });
     add(tr("Contraction"), tr("‖A‖ of each active map: the largest factor by which it stretches distances."),
@@ -258,7 +258,7 @@ template <int Dim> void Facts::addContacts() {
             case ifs::Connectedness::Connected:
                 return tr("connected");
             case ifs::Connectedness::ConnectedToRounding:
-                return tr("connected, as far as rounding tells");
+                return tr("connected, within rounding error");
             case ifs::Connectedness::Disconnected:
                 return tr("not connected");
             case ifs::Connectedness::Unknown:
@@ -283,7 +283,7 @@ void Facts::addTile() {
     const auto& tile = m_analysis->facts.invariants.tile;
     const auto withNote = [](const QString& figure, const Analysis& analysis) {
         return analysis.facts.invariants.tile->isExact ? figure
-                                                       : figure + u' ' + tr("(as far as rounding tells)");
+                                                       : figure + u' ' + tr("(within rounding error)");
     };
     add(tr("Tile area"),
         tr("Area of the attractor, if all maps have one linear part and translated copies of the attractor "
@@ -315,7 +315,7 @@ template <int Dim> void Facts::addInvariants() {
                                                      QString::number(std::ceil(most * 1e4) / 1e4));
             return QStringLiteral("%1 … %2").arg(number(least), number(most));
         });
-    add(tr("Entropy"), tr("−Σ pᵢ ln pᵢ: how much a step of the chaos game leaves open, in nats."),
+    add(tr("Entropy"), tr("−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats."),
         invariants.entropy.has_value(), [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).invariants.entropy);
         });
@@ -328,9 +328,9 @@ template <int Dim> void Facts::addInvariants() {
     add(tr("Dimension of the measure"),
         Dim == 2
             ? tr("Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant "
-                 "measure under the open set condition, and an upper bound of it otherwise.")
+                 "measure under the open set condition, and an upper bound for it otherwise.")
             : tr("Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant "
-                 "measure under the open set condition, and an upper bound of it otherwise."),
+                 "measure under the open set condition, and an upper bound for it otherwise."),
         invariants.measureDimension.has_value(), [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).invariants.measureDimension) + caveat<Dim>(analysis);
         });
@@ -341,7 +341,7 @@ template <int Dim> void Facts::addDimensions() {
     add(tr("Similarity dimension"),
         tr("The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities "
            "in some coordinates. It is the dimension of the attractor under the open set condition, and an "
-           "upper bound of it otherwise."),
+           "upper bound for it otherwise."),
         facts.similarityDimension.has_value(), [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).similarityDimension) + caveat<Dim>(analysis);
         });
@@ -351,7 +351,7 @@ template <int Dim> void Facts::addDimensions() {
                             ? ifs::similarityRatios<Dim>(facts.active.maps)
                             : std::nullopt;
     add(tr("Moran equation"),
-        tr("Σ sᵢᴰ = 1 with the ratios of these maps, equal ones taken together. Its solution is the "
+        tr("Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the "
            "similarity dimension."),
         ratios.has_value(),
         [ratios](const Analysis&, Format number) { return moranEquation(*ratios, number); });
@@ -368,8 +368,8 @@ template <int Dim> void Facts::addDimensions() {
     m_lines.last().isPending = !m_analysis->isComplete;
     add(tr("Box-counting dimension"),
         tr("Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε "
-           "that meet the attractor, over the sizes where it is steadiest. This is an estimate: the "
-           "uncertainty is how much parts of that range differ, and proves nothing."),
+           "that meet the attractor, over the sizes where it is most stable. This is an estimate: the "
+           "uncertainty is the difference between parts of that range, not a proven bound."),
         m_analysis->boxCounting.has_value(), [](const Analysis& analysis, Format number) {
             const auto& counting = *analysis.boxCounting;
             return QStringLiteral("%1 ± %2").arg(number(counting.fit.slope), bound(counting.uncertainty));
@@ -390,8 +390,7 @@ template <int Dim> void Facts::addMoments() {
         });
     add(tr("Covariance"),
         Dim == 2 ? tr("Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the "
-                      "picture spreads. An even mass that fills the ellipse has the same mean and "
-                      "covariance.")
+                      "picture spreads. A uniform mass on the ellipse has the same mean and covariance.")
                  : tr("Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: "
                       "how far the picture spreads."),
         isKnown, [](const Analysis& analysis, Format number) {
@@ -415,7 +414,7 @@ template <int Dim> void Facts::addExtents() {
     const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
     add(Dim == 2 ? tr("Box") : tr("Box", "in space"),
         Dim == 2 ? tr("The smallest box with sides parallel to the axes that contains the attractor; "
-                      "certified. Its sides are off by the error at most.")
+                      "certified. Each side is off by at most the error.")
                  : tr("The smallest box with edges parallel to the axes that contains the attractor, to the "
                       "error bound."),
         facts.box.has_value(), [](const Analysis& analysis, Format number) {
@@ -440,10 +439,10 @@ template <int Dim> void Facts::addExtents() {
             });
     add(tr("Canonical simplex"),
         Dim == 2 ? tr("The smallest isosceles right triangle with legs parallel to the axes that contains "
-                      "the attractor; certified. The signs give the directions of its legs. Of a single "
+                      "the attractor; certified. The signs give the directions of its legs. For a single "
                       "point, the leg is 1.")
                  : tr("The smallest tetrahedron with three equal legs parallel to the axes that contains the "
-                      "attractor; certified. The signs give the directions of its legs. Of a single point, "
+                      "attractor; certified. The signs give the directions of its legs. For a single point, "
                       "the leg is 1."),
         facts.simplex.has_value(), [](const Analysis& analysis, Format number) {
             const auto& simplex = *factsIn<Dim>(analysis).simplex;

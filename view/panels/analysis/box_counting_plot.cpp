@@ -20,7 +20,7 @@ BoxCountingPlot::BoxCountingPlot(QWidget* parent) : QWidget(parent) {
     setToolTip(
         tr("The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of "
            "side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used "
-           "for the line: there the size of the whole or of a cell has an effect."));
+           "for the line: at those sizes, the size of the whole or of a cell affects the count."));
     setWhatsThis(toolTip());
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }

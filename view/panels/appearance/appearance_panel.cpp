@@ -93,10 +93,10 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
 void AppearancePanel::makeColourRows(QFormLayout* form) {
     m_colourBy = new QComboBox(this);
     m_colourBy->setAccessibleName(tr("Colour by"));
-    m_colourBy->setWhatsThis(tr("What the colour of a point shows: how many points fall there, which map "
-                                "came last, the whole address, or the blend of the colours of all maps on "
-                                "the way, as in flames. The Maps panel has the place of each map on the "
-                                "palette, and its speed."));
+    m_colourBy->setWhatsThis(
+        tr("What the colour of a point shows: how many points fall there, which map "
+           "came last, the whole address, or the blend of the colours of all maps applied, as in flames. The "
+           "position of each map on the palette, and its speed, are in the Maps panel."));
     const auto add = [this](const QString& name, const QString& tip, ColourBy value) {
         m_colourBy->addItem(name, static_cast<int>(value));
         m_colourBy->setItemData(m_colourBy->count() - 1, tip, Qt::ToolTipRole);
@@ -104,7 +104,7 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
     add(tr("Density"), tr("Colour by the density of points"), ColourBy::Density);
     add(tr("Map"), tr("Colour by the last map applied"), ColourBy::Map);
     add(tr("Address"), tr("Colour by the address of each point"), ColourBy::Address);
-    add(tr("Blend of maps"), tr("As in flames: each map draws colours to its place on the palette"),
+    add(tr("Blend of maps"), tr("As in flames: each map moves colours towards its position on the palette"),
         ColourBy::Blend);
     add(tr("Plain"), tr("One colour, with the density as its opacity"), ColourBy::Plain);
     connect(m_colourBy, &QComboBox::activated, this, [this] {
@@ -124,15 +124,14 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
 void AppearancePanel::makeGradientRows(QFormLayout* form) {
     m_gradient = new GradientChooser(this);
     m_gradient->setAccessibleName(tr("Palette"));
-    m_gradient->setWhatsThis(
-        tr("The colours from the thinnest parts to the densest, along the addresses, or along the places "
-           "between which maps blend."));
+    m_gradient->setWhatsThis(tr("The colours from the thinnest parts to the densest, along the addresses, or "
+                                "along the positions between which maps blend."));
     m_gradientLabel = new QLabel(tr("Palette"), this);
     connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
         edit(tr("Palette: %1").arg(m_gradient->currentText()), [&](Appearance& a) { a.palette = palette; });
     });
     m_browsePalettes = flatButton(QStringLiteral("palette"), tr("More Palettes…"),
-                                  tr("Browse hundreds of palettes, turn and shift them"), this);
+                                  tr("Browse hundreds of palettes, change their hue and shift them"), this);
     connect(m_browsePalettes, &QToolButton::clicked, this, &AppearancePanel::choosePalette);
     m_editGradient = flatButton(QStringLiteral("edit"), tr("Edit Palette"),
                                 tr("Edit the palette, or load one from a file"), this);

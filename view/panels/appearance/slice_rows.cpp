@@ -90,8 +90,8 @@ void SliceRows::makeRows(QFormLayout* form, QWidget* parent) {
 void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
     m_direction = new QComboBox(parent);
     m_direction->setAccessibleName(tr("Direction of the plane"));
-    m_direction->setWhatsThis(
-        tr("Lays the plane across an axis or the diagonal; the fields below take any normal."));
+    m_direction->setWhatsThis(tr("Sets the plane perpendicular to an axis or the diagonal; type any other "
+                                 "normal in the fields below."));
     const QString names[] = {tr("Across X"), tr("Across Y"), tr("Across Z"), tr("Across the diagonal")};
     for (const QString& name : names)
         m_direction->addItem(name);

@@ -39,10 +39,8 @@ SpaceRows::SpaceRows(QFormLayout* form, document::Document* document, QWidget* p
 void SpaceRows::makeLook(QWidget* parent) {
     m_look = new QComboBox(parent);
     m_look->setAccessibleName(tr("Look"));
-    m_look->setWhatsThis(
-        tr("A lit solid, the density of its points, or numbers for other programs to work with."));
-    addChoice(m_look, tr("Stone"), tr("A solid in the light of a lamp that you can move"),
-              LookInSpace::Stone);
+    m_look->setWhatsThis(tr("A lit solid, the density of its points, or data for other programs."));
+    addChoice(m_look, tr("Stone"), tr("A solid lit by a lamp that you can move"), LookInSpace::Stone);
     addChoice(m_look, tr("Ink"), tr("A solid with dark creases on paper, for print"), LookInSpace::Ink);
     addChoice(m_look, tr("Cloud"), tr("The density of points, as in the plane"), LookInSpace::Cloud);
     addChoice(m_look, tr("X-ray"), tr("The density of points, coloured by their mean depth"),
@@ -77,7 +75,7 @@ void SpaceRows::makeColours(QWidget* parent) {
 void SpaceRows::makeLight(QWidget* parent) {
     m_light = new LightBall(parent);
     m_light->setWhatsThis(
-        tr("The direction of the light as seen from the eye; in the middle, it shines from the eye."));
+        tr("The direction of the light as seen by the camera; in the middle, it shines from the camera."));
     connect(m_light, &LightBall::tried, this, [this](double azimuth, double elevation) {
         preview(tr("Light: %1°, %2°").arg(shortNumber(azimuth), shortNumber(elevation)),
                 [=](SpaceAppearance& a) {

@@ -49,7 +49,7 @@ void CageFitter::fitTo(std::optional<document::Fractal> fitted, const QString& o
     if (!fitted)
         emit message(obstacle);
     else if (isCageAlike(m_document->fractal(), *fitted))
-        emit message(tr("The cage is already there."));
+        emit message(tr("The cage already has this shape."));
     else
         m_document->edit(tr("Fit the cage"), *std::move(fitted));
 }

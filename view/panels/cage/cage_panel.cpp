@@ -518,7 +518,7 @@ template <int Dim> void CagePanel::showVertices(const ifs::ControlCage<Dim>& cag
 QString CagePanel::status() const {
     const document::Fractal& fractal = m_document->fractal();
     if (document::dimension(fractal) == 0) return tr("This entry could not be read, so it has no cage.");
-    if (!isCageKnown()) return tr("The system has very many maps: the cage around it is being found…");
+    if (!isCageKnown()) return tr("The system has very many maps. Computing the cage around it…");
     return std::visit([&](const auto& cage) { return cageStatus(fractal, cage); }, m_cage);
 }
 
@@ -551,8 +551,8 @@ void CagePanel::updateActions() {
     const bool isSpace = document::dimension(fractal) == 3;
     m_define->setEnabled(document::dimension(fractal) != 0);
     m_define->setToolTip(isSpace
-                             ? tr("Define the tetrahedron by four clicks on the canvas; the picture stays")
-                             : tr("Define the triangle by three clicks on the canvas; the picture stays"));
+                             ? tr("Define the tetrahedron with four clicks on the canvas; the picture stays")
+                             : tr("Define the triangle with three clicks on the canvas; the picture stays"));
     m_fit->setEnabled(document::dimension(fractal) != 0 && isCageKnown());
     m_fit->setToolTip(tr("Replace the cage by one fitted to the picture; the picture stays"));
     const QString nothingToReset = resetObstacle(fractal);

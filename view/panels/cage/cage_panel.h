@@ -59,7 +59,7 @@ public:
     NumberField* pointField(int axis) const { return m_point.at(static_cast<std::size_t>(axis)); }
 
 signals:
-    void defineRequested(); // by three clicks on the canvas
+    void defineRequested(); // with three clicks on the canvas
     void message(const QString& text);
 
 protected:

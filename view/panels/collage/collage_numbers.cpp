@@ -61,7 +61,7 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
     grid->setHorizontalSpacing(16);
     grid->setColumnStretch(1, 1);
     const std::pair<QString, QString> rows[] = {
-        {tr("Coverage"), tr("The share of the target that is covered")},
+        {tr("Coverage"), tr("The part of the target that is covered")},
         {tr("Excess"), tr("The area covered outside the target, relative to the area of the target")},
         {tr("Overlap (IoU)"), tr("The area that both cover, relative to the area that either covers")},
         {tr("Overlap ratio"),
@@ -71,8 +71,9 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
          tr("From each point to the nearest point of the other shape, in pixels of the picture")},
         {tr("95 % within"), tr("95 % of all points are within this distance of the other shape")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
-        {tr("Guarantee"), tr("No point of the target is farther from the attractor than this, nor the other "
-                             "way round. It is larger while you drag, when a coarser picture is measured")},
+        {tr("Guarantee"),
+         tr("No point of the target is farther from the attractor than this, and no point of the attractor "
+            "from the target. The value is larger during a drag, when a coarser picture is measured")},
     };
     for (const auto& [name, tip] : rows) {
         const int row = int(m_labels.size());

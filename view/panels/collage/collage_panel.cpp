@@ -85,7 +85,7 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     m_compared->setAccessibleName(tr("Agreement"));
     m_compared->setToolTip(
         tr("What is compared with the target: the images of the target under the maps, or the "
-           "attractor. Both grey, too much red, missing blue"));
+           "attractor. Agreement is grey, excess red, and what is missing blue"));
     row->addWidget(m_compared, 1);
     layout->addLayout(row);
     layout->addWidget(m_numbers);
@@ -265,7 +265,7 @@ void CollagePanel::finish(std::optional<Result> result) {
         !document::isCageAlike(*done.before, m_document->fractal()) ||
         document::lockedMaps(*done.before) != document::lockedMaps(m_document->fractal()))
         return emit message(tr("The fractal has changed meanwhile, so the result was not used."));
-    if (!result->fractal) return emit message(tr("Nothing was found that agrees better."));
+    if (!result->fractal) return emit message(tr("No better agreement was found."));
     document::Fractal after = m_document->fractal();
     after.shape = result->fractal->shape;
     m_document->edit(done.text, std::move(after));

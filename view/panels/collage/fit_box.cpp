@@ -58,7 +58,8 @@ QWidget* FitBox::makeSearch() {
     m_maps->addItem(tr("Best of 2 to 8"), 0);
     for (int maps = minMaps; maps <= maxMaps; ++maps)
         m_maps->addItem(QString::number(maps), maps);
-    m_maps->setToolTip(tr("How many maps a suggestion has; in a range, each map must pay for itself"));
+    m_maps->setToolTip(
+        tr("How many maps a suggestion has; in a range, a map is added only if it improves the fit enough"));
     m_maps->setAccessibleName(tr("Number of maps"));
     addRow(grid, tr("Maps:"), m_maps);
     m_seconds = new NumberBox(box);
@@ -71,7 +72,7 @@ QWidget* FitBox::makeSearch() {
     m_seed = new WholeNumberBox(box);
     m_seed->setRange(1, 999'999);
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
-    m_seed->setToolTip(tr("Another seed searches in other places"));
+    m_seed->setToolTip(tr("Another seed gives another search"));
     addRow(grid, tr("Seed:"), m_seed);
     return box;
 }
@@ -86,7 +87,7 @@ QWidget* FitBox::makeConstraints() {
         return made;
     };
     m_similarities = check(tr("Similarities only"), tr("Only maps that keep all angles"));
-    m_noMirrors = check(tr("No mirror images"), tr("Only maps that do not mirror"));
+    m_noMirrors = check(tr("No mirror images"), tr("Only maps without reflection"));
     m_stem = check(tr("First map a stem"),
                    tr("The first map flattens the shape to a line, like the stem of a fern"));
     m_angles = new QComboBox(box);
@@ -94,7 +95,7 @@ QWidget* FitBox::makeConstraints() {
     for (const int degrees : {60, 90})
         m_angles->addItem(tr("Multiples of %1°").arg(degrees), degrees);
     m_angles->setAccessibleName(tr("Angles"));
-    m_angles->setToolTip(tr("By which angles the maps may turn"));
+    m_angles->setToolTip(tr("The angles by which the maps may rotate"));
     addRow(grid, tr("Angles:"), m_angles);
     return box;
 }

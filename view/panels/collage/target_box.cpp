@@ -108,7 +108,7 @@ void TargetBox::createSources() {
     auto* row = new QHBoxLayout;
     auto* choose = new MenuButton(this);
     choose->setText(tr("Choose"));
-    choose->setToolTip(tr("Choose the picture that the fractal is to look like"));
+    choose->setToolTip(tr("Choose the picture that the fractal should look like"));
     choose->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(choose);
     menu->addAction(tr("Picture…"), this, &TargetBox::choose);
@@ -133,7 +133,7 @@ void TargetBox::createControls() {
     createShape(*grid);
     auto* crops = new QHBoxLayout;
     m_toShape = button(tr("Crop to Shape"), tr("Use only the part around the shape"), m_controls);
-    m_whole = button(tr("Whole Picture"), tr("Use all of the picture again"), m_controls);
+    m_whole = button(tr("Whole Picture"), tr("Use the whole picture again"), m_controls);
     crops->addWidget(m_toShape);
     crops->addWidget(m_whole);
     crops->addStretch();
@@ -166,7 +166,7 @@ void TargetBox::createShape(QGridLayout& grid) {
     add(1, tr("Threshold:"), m_threshold);
     m_automatic = new QCheckBox(tr("Automatic"), m_controls);
     m_automatic->setAccessibleName(tr("Automatic threshold"));
-    m_automatic->setToolTip(tr("Separate dark from light as well as one threshold can (Otsu)"));
+    m_automatic->setToolTip(tr("Find the threshold that best separates dark from light (Otsu)"));
     grid.addWidget(m_automatic, 1, 2);
     m_opacity = new QSlider(Qt::Horizontal, m_controls);
     m_opacity->setRange(0, 100);

@@ -39,12 +39,13 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_list->setAccessibleName(tr("Queue of exports"));
-    m_list->setStatusTip(tr("The exports, drawn from the top to the bottom."));
-    m_list->setWhatsThis(tr("The exports that you have added to the queue. They are drawn one after another, "
-                            "from top to bottom, while you go on editing. Exports that are not finished when "
-                            "you quit continue the next time you start Barycage."));
+    m_list->setStatusTip(tr("The exports, drawn from top to bottom."));
+    m_list->setWhatsThis(
+        tr("The exports that you have added to the queue. They are drawn one after another, from top to "
+           "bottom, while you continue editing. Exports that are not finished when "
+           "you quit continue the next time you start Barycage."));
     m_empty->setText(tr("No exports are waiting. Choose Add to Queue in File › Export Picture… to draw "
-                        "pictures one after another while you go on editing."));
+                        "pictures one after another while you continue editing."));
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setMargin(16);
@@ -89,7 +90,7 @@ void ExportsPanel::createActions() {
     m_down->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Down));
     connect(m_down, &QAction::triggered, this, [this] { moveSelected(1); });
     m_retry = addAction(QStringLiteral("restart"), tr("&Try Again"),
-                        tr("Draw the selected exports that failed once more."));
+                        tr("Try again to draw the selected exports that failed."));
     connect(m_retry, &QAction::triggered, this, [this] {
         for (const QString& id : selectedIds())
             m_queue->retry(id);
@@ -106,7 +107,7 @@ void ExportsPanel::createActions() {
             m_queue->cancel(id);
     });
     m_forget = addAction(QStringLiteral("close"), tr("Clear &Finished"),
-                         tr("Take all exports that are done off the list; their files stay."));
+                         tr("Remove all finished exports from the list; their files are kept."));
     connect(m_forget, &QAction::triggered, m_queue, &ExportQueue::forgetDone);
 }
 

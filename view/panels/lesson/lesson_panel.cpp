@@ -27,10 +27,9 @@ LessonPanel::LessonPanel(LessonNotebook* notebook, QWidget* parent)
       m_notebook(notebook),
       m_title(new QLineEdit(this)),
       m_steps(new QListWidget(this)),
-      m_hint(
-          new QLabel(tr("Arrange the window as the class is to see it, and press Add Step. Then write what "
-                        "you want to say about it."),
-                     this)),
+      m_hint(new QLabel(tr("Arrange the window as you want to show it, and press Add Step. Then write the "
+                           "text of the step."),
+                        this)),
       m_fields(new QWidget(this)),
       m_stepTitle(new QLineEdit(m_fields)),
       m_text(new TextEditWithWorkarounds<QPlainTextEdit>(m_fields)),
@@ -53,17 +52,17 @@ void LessonPanel::createActions() {
         action->setStatusTip(tip);
         action->setWhatsThis(
             tr("%1. A lesson is a list of steps. Each has a text, and the state of the window "
-               "that belongs to it: the entry, what is seen of it, the tool, colours and "
-               "outlines.")
+               "that belongs to it: the entry, the view, the tool, colours and outlines.")
                 .arg(tip));
         connect(action, &QAction::triggered, this, operation);
         return action;
     };
-    m_add = make("add", tr("Add Step"), tr("Add a step with the state of the window now"),
+    m_add = make("add", tr("Add Step"), tr("Add a step with the current state of the window"),
                  [this] { emit addRequested(); });
-    m_update = make("reset", tr("Update Step"), tr("Give the selected step the state of the window now"),
+    m_update = make("reset", tr("Update Step"),
+                    tr("Replace the state of the selected step by the current state of the window"),
                     [this] { emit updateRequested(); });
-    m_show = make("fit", tr("Show Step"), tr("Bring the window into the state of the selected step"),
+    m_show = make("fit", tr("Show Step"), tr("Restore the window to the state of the selected step"),
                   [this] { emit showRequested(); });
     m_remove = make("remove", tr("Remove Step"), tr("Remove the selected step"),
                     [this] { m_notebook->removeStep(); });
@@ -83,7 +82,7 @@ void LessonPanel::createFields() {
     m_title->setToolTip(tr("Shown above every step while the lesson is played"));
     m_title->setMaxLength(document::maxLessonTitle);
     m_steps->setAccessibleName(tr("Steps of the lesson"));
-    m_steps->setToolTip(tr("Double-click a step to bring the window into its state"));
+    m_steps->setToolTip(tr("Double-click a step to restore its state of the window"));
     m_steps->setTextElideMode(Qt::ElideRight);
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -98,8 +97,8 @@ void LessonPanel::createFields() {
     m_text->setAccessibleName(m_text->placeholderText());
     m_text->setToolTip(tr("Shown beside the picture; leave a line empty to begin a paragraph"));
     m_text->setTabChangesFocus(true);
-    m_play->setToolTip(tr("Play the lesson on the whole screen, from the selected step"));
-    m_save->setToolTip(tr("Save the lesson beside the file of its fractals"));
+    m_play->setToolTip(tr("Play the lesson in full screen, from the selected step"));
+    m_save->setToolTip(tr("Save the lesson in the same folder as its fractals"));
     connect(m_title, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setTitle);
     connect(m_stepTitle, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setStepTitle);
     connect(m_text, &QPlainTextEdit::textChanged, this, &LessonPanel::takeText);

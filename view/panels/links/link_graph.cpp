@@ -44,7 +44,7 @@ LinkGraph::LinkGraph(LinksModel* model, QWidget* parent) : QWidget(parent), m_mo
            "and back to link it to itself. Click an arrow and press Delete to remove it, or double-click "
            "it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down "
            "through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter "
-           "adds it. Maps with a dashed ring take no part, for the reason beside them."));
+           "adds it. Maps with a dashed ring take no part; the reason is shown beside them."));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     connect(model, &QAbstractItemModel::modelReset, this, [this] {
@@ -96,7 +96,7 @@ void LinkGraph::choose(int from, int to) {
 void LinkGraph::describe() {
     QString text = tr("No map is selected.");
     if (m_keyTarget >= 0)
-        text = tr("New arrow from map %1 to map %2. Enter adds it, Esc does not.")
+        text = tr("New arrow from map %1 to map %2. Enter adds it, Esc cancels.")
                    .arg(m_map + 1)
                    .arg(m_keyTarget + 1);
     else if (m_to >= 0)

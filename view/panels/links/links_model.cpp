@@ -21,7 +21,7 @@ QString stateText(ifs::LinkState state) {
     case ifs::LinkState::Unreached:
         return LinksModel::tr("Unreached: no map leads to it");
     case ifs::LinkState::Left:
-        return LinksModel::tr("Left: the chaos game never comes back");
+        return LinksModel::tr("Transient: the chaos game never returns");
     case ifs::LinkState::TakesPart:
         break;
     }
@@ -151,7 +151,7 @@ QVariant LinksModel::headerData(int section, Qt::Orientation orientation, int ro
     const bool isLast = orientation == Qt::Horizontal && isState(section);
     if (role == Qt::DisplayRole) return isLast ? tr("In the chaos game") : QString::number(section + 1);
     if (role != Qt::ToolTipRole) return {};
-    if (isLast) return tr("Whether the map is applied again and again, or why not");
+    if (isLast) return tr("Whether the chaos game keeps applying the map, or why not");
     return orientation == Qt::Horizontal ? tr("To map %1").arg(section + 1)
                                          : tr("From map %1").arg(section + 1);
 }

@@ -47,8 +47,8 @@ LinksPanel::LinksPanel(document::Document* document, QWidget* parent)
     m_table->setModel(m_model);
     m_table->setAccessibleName(tr("Links between maps"));
     m_table->setToolTip(
-        tr("Rows are maps applied before, columns maps applied after. A number multiplies the "
-           "weight of the map of the column: 1 leaves it, 0 forbids it."));
+        tr("Rows are the maps applied before, columns the maps applied after. A number multiplies the weight "
+           "of the map in its column: 1 leaves it unchanged, 0 forbids the link."));
     m_table->setTabKeyNavigation(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setResizeContentsPrecision(32);
@@ -92,7 +92,7 @@ void LinksPanel::showState() {
     if (obstacle.isEmpty() && !isLinked)
         notice = tr("Any map may follow any other. Click an arrow and press Delete to forbid it.");
     if (isLinked && ifs::countActive(*system) == 0)
-        notice = tr("Every sequence of maps comes to an end, so nothing is drawn.");
+        notice = tr("Every sequence of maps ends, so nothing is drawn.");
     else if (isLinked && !leavesAChoice(*system))
         notice = tr("No map has a choice of what follows it, so only single points are drawn.");
     m_notice->setText(notice);

@@ -48,17 +48,18 @@ MapBlendRow::MapBlendRow(document::Document* document, QWidget* parent)
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(2);
     m_coordinate = makeField(grid, tr("Colour"),
-                             tr("Where on the palette this map draws colours: from 0, its beginning, to 1"),
+                             tr("The position on the palette to which this map moves colours, from 0 to 1"),
                              &attractor::MapBlend::coordinate);
-    m_coordinate->setWhatsThis(
-        tr("Whenever a map is applied, the colour of a point moves towards the place of this map on the "
-           "palette: 0 is the beginning of the palette, 1 its end. Flames call it the colour coordinate."));
-    m_speed = makeField(grid, tr("Speed"),
-                        tr("How far this map draws colours each time: from 0, not at all, to 1, all the way"),
-                        &attractor::MapBlend::speed);
+    m_coordinate->setWhatsThis(tr("Whenever this map is applied, the colour of the point moves towards the "
+                                  "position of the map on the palette: 0 is the beginning of the palette, 1 "
+                                  "its end. Flame programs call it the colour coordinate."));
+    m_speed =
+        makeField(grid, tr("Speed"),
+                  tr("How far this map moves colours each time, from 0 (not at all) to 1 (all the way)"),
+                  &attractor::MapBlend::speed);
     m_speed->setWhatsThis(tr(
-        "How much of the way to its place on the palette the map takes colours each time: with 1 its piece "
-        "has one colour, with 0 it leaves all colours as they are. Flames call it the colour speed."));
+        "How far the map moves colours towards its position on the palette each time: with 1, its piece has "
+        "a single colour; with 0, all colours stay as they are. Flame programs call it the colour speed."));
     m_swatch->setMinimumWidth(1);
     m_swatch->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     grid->addWidget(m_swatch, 1, 2);

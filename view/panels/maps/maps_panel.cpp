@@ -127,14 +127,14 @@ void MapsPanel::makeActions() {
     m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"), {},
                      &MapsPanel::pasteMaps);
     m_bake = action(tr("Bake"), QStringLiteral("bake"), {},
-                    tr("Turn the effective code into the code; the cage is then at rest"), &MapsPanel::bake);
+                    tr("Replace the code by the effective code; the cage is then at rest"), &MapsPanel::bake);
 }
 
 void MapsPanel::makeLayerActions() {
     m_rename = action(tr("Rename"), QStringLiteral("edit"), QStringLiteral("Shift+F2"),
                       tr("Give the current map a name"), &MapsPanel::renameMap);
     m_lock = action(tr("Lock"), QStringLiteral("lock"), QStringLiteral("Ctrl+L"),
-                    tr("Protect the selected maps against edits"), &MapsPanel::toggleLock);
+                    tr("Lock the selected maps against editing"), &MapsPanel::toggleLock);
     m_alone = action(tr("Solo"), QStringLiteral("solo"), QStringLiteral("Ctrl+Shift+L"),
                      tr("Show the current map alone; the file does not change"), &MapsPanel::toggleSolo);
     for (QAction* each : {m_lock, m_alone})

@@ -81,9 +81,8 @@ QWidget* SymmetryRow::makeChoice() {
     m_expand->setText(tr("Expand"));
     m_expand->setAccessibleName(tr("Expand the symmetry"));
     m_expand->setAutoRaise(true);
-    m_expand->setWhatsThis(
-        tr("Writes the copies that the symmetry makes into the list, as maps of their own, so that "
-           "you can change one of them alone. The picture stays the same."));
+    m_expand->setWhatsThis(tr("Writes the copies that the symmetry makes into the list, as maps of their "
+                              "own, so that you can change them individually. The picture stays the same."));
     layout->addWidget(label);
     layout->addWidget(m_groups, 1);
     layout->addWidget(m_order);
@@ -122,7 +121,7 @@ QWidget* SymmetryRow::makePlace() {
     const std::array accessible{tr("Centre of the symmetry, x"), tr("Centre of the symmetry, y"),
                                 tr("Centre of the symmetry, z")};
     for (std::size_t i = 0; i < m_centre.size(); ++i) {
-        m_centre[i] = makeField(accessible[i], tr("The point that the symmetry leaves in place"));
+        m_centre[i] = makeField(accessible[i], tr("The point that the symmetry leaves unchanged"));
         m_centreLabels[i] = add(names[i], m_centre[i]);
         connect(m_centre[i], &NumberField::edited, this, [this, i](double value) {
             m_edit.preview(tr("Move the centre of the symmetry"), [&](document::Fractal& fractal) {

@@ -63,7 +63,7 @@ void Snapshots::take() {
     if (same != list().end()) {
         const QString name = same->name;
         mark(same->key);
-        return emit message(tr("“%1” is the same already.").arg(name));
+        return emit message(tr("“%1” is the same as the fractal.").arg(name));
     }
     Strip& strip = this->strip();
     const auto& now = m_document->currentEntry().fractal;
@@ -106,7 +106,7 @@ void Snapshots::remove(quint64 key) {
         strip.marked = strip.list.empty() ? 0 : strip.list.back().key;
     updatePresent();
     emit changed();
-    emit message(tr("“%1” was deleted. The menu of the panel brings it back.").arg(removed()));
+    emit message(tr("“%1” was deleted. To bring it back, use the menu of the panel.").arg(removed()));
 }
 
 QString Snapshots::removed() const {

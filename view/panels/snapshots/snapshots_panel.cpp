@@ -48,11 +48,11 @@ void SnapshotsPanel::createList() {
     m_list->setToolTip(tr("Click a snapshot to restore it; undo goes back. The arrow keys or a right click "
                           "select the one to compare with. F2 renames it, Del deletes it."));
     m_list->setStatusTip(m_list->toolTip());
-    m_list->setWhatsThis(
-        tr("States of this fractal that you kept. Click one to restore it: one step of the history. The "
-           "framed one is what the canvas shows. The one with a B is selected, and the one to compare with: "
-           "the newest, until you select another one with the arrow keys or a right click. Snapshots last "
-           "until the file is closed; Add as Entry keeps one in the file."));
+    m_list->setWhatsThis(tr("States of this fractal that you kept. Click one to restore it, as one step of "
+                            "the history. The frame marks the snapshot that the canvas shows. The B marks "
+                            "the selected snapshot, the one to compare with: the newest, until you select "
+                            "another one with the arrow keys or a right click. Snapshots last "
+                            "until the file is closed; Add as Entry keeps one in the file."));
     m_list->setViewMode(QListView::IconMode);
     m_list->setMovement(QListView::Static);
     m_list->setResizeMode(QListView::Adjust);
@@ -81,10 +81,10 @@ void SnapshotsPanel::createList() {
 
 void SnapshotsPanel::createActions() {
     m_restore =
-        createAction(tr("&Restore"), tr("Make the fractal as it was in this snapshot."), nullptr,
+        createAction(tr("&Restore"), tr("Restore the fractal to this snapshot."), nullptr,
                      {Qt::Key_Return, Qt::Key_Enter}, [this](quint64 key) { m_snapshots->restore(key); });
     m_add = createAction(tr("&Add as Entry"),
-                         tr("Add the snapshot to the file as an entry of its own, behind this one."), "add",
+                         tr("Add the snapshot to the file as an entry of its own, after this one."), "add",
                          {}, [this](quint64 key) { m_snapshots->addAsEntry(key); });
     m_rename = createAction(tr("Re&name"), tr("Give the snapshot another name."), "edit", {Qt::Key_F2},
                             [this](quint64) { m_list->editItem(m_list->currentItem()); });

@@ -119,10 +119,10 @@ EaseDialog::EaseDialog(const animation::Ease& ease, QWidget* parent)
     : QDialog(parent), m_curve(new EaseCurve(this)) {
     setWindowTitle(tr("Custom Ease"));
     m_curve->setEase(asCurve(ease));
-    m_curve->setAccessibleName(tr("Curve: time to the right, the way upwards"));
-    m_curve->setWhatsThis(tr("How the way to the next key is covered in time. Drag the two handles."));
-    const QString names[] = {tr("Time of the first handle"), tr("Way of the first handle"),
-                             tr("Time of the second handle"), tr("Way of the second handle")};
+    m_curve->setAccessibleName(tr("Curve: time to the right, progress upwards"));
+    m_curve->setWhatsThis(tr("How the motion to the next key progresses over time. Drag the two handles."));
+    const QString names[] = {tr("Time of the first handle"), tr("Progress of the first handle"),
+                             tr("Time of the second handle"), tr("Progress of the second handle")};
     auto* grid = new QGridLayout;
     grid->addWidget(new QLabel(tr("Time")), 0, 1);
     grid->addWidget(new QLabel(tr("Way")), 0, 2);
@@ -135,7 +135,7 @@ EaseDialog::EaseDialog(const animation::Ease& ease, QWidget* parent)
         m_numbers[i]->setSingleStep(0.05);
         m_numbers[i]->setKeyboardTracking(false);
         m_numbers[i]->setAccessibleName(names[i]);
-        m_numbers[i]->setWhatsThis(tr("A share from 0 to 1. A curve that would be too steep is flattened."));
+        m_numbers[i]->setWhatsThis(tr("A number from 0 to 1. A curve that would be too steep is flattened."));
         grid->addWidget(m_numbers[i], 1 + i / 2, 1 + i % 2);
         connect(m_numbers[i], &QDoubleSpinBox::valueChanged, this, &EaseDialog::takeNumbers);
     }

@@ -45,7 +45,7 @@ std::vector<QColor> mapColours(const document::Fractal& fractal) {
 QString morphObstacle(document::MorphFlaw flaw) {
     switch (flaw) {
     case document::MorphFlaw::Dimensions:
-        return MorphDialog::tr("A fractal of the plane cannot become one in space.");
+        return MorphDialog::tr("A fractal in the plane cannot become one in space.");
     case document::MorphFlaw::TooMany:
         return MorphDialog::tr("One of the two fractals has more than 256 maps.");
     case document::MorphFlaw::Linked:
@@ -115,7 +115,7 @@ void MorphDialog::createControls() {
     m_add->setWhatsThis(
         tr("Adds the morph to the file as an entry of its own, in one step that you can undo."));
     m_clear = buttons->addButton(tr("&Remove Pins"), QDialogButtonBox::ResetRole);
-    m_clear->setWhatsThis(tr("Lets all maps go where the way is shortest."));
+    m_clear->setWhatsThis(tr("Pairs all maps so that the total distance is shortest."));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_clear, &QPushButton::clicked, m_lines, &MorphLines::clearPins);

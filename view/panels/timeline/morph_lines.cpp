@@ -27,11 +27,11 @@ constexpr double pinRadius = 4;
 MorphLines::MorphLines(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Pairs of maps"));
-    setWhatsThis(tr("On the left the maps of this fractal, on the right those of the other one. A line shows "
-                    "what a map becomes, and its thickness how much of the weight goes that way. Drag from a "
-                    "map to one in the other column to pin the pair, and again to let it go. With the "
+    setWhatsThis(tr("The maps of this fractal are on the left, those of the other one on the right. A line "
+                    "shows what a map becomes, and its thickness shows its share of the weight. Drag from a "
+                    "map to one in the other column to pin the pair, and again to unpin it. With the "
                     "keyboard: choose a map with the arrow keys, press Space, go to the other map and press "
-                    "Space again. Del lets go of all pins of a map."));
+                    "Space again. Del removes all pins of a map."));
 }
 
 void MorphLines::setColumns(std::vector<QColor> from, std::vector<QColor> to) {

@@ -96,9 +96,9 @@ QWidget* MotionDialog::field(std::size_t index, int ordinal) {
     box->setAccessibleName(isTurns   ? tr("Turns")
                            : all > 1 ? tr("Cycles of wave %1").arg(ordinal)
                                      : tr("Cycles"));
-    box->setWhatsThis(isTurns ? tr("How many times it goes round in the length of the animation. A negative "
-                                   "number goes the other way.")
-                              : tr("How many times it goes back and forth in the length of the animation."));
+    box->setWhatsThis(
+        isTurns ? tr("How many turns it makes during the animation. A negative number turns the other way.")
+                : tr("How many times it moves back and forth during the animation."));
     connect(box, &QSpinBox::valueChanged, this, [this, index](int value) { take(index, value); });
     return box;
 }

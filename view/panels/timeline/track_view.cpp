@@ -42,7 +42,7 @@ TrackView::TrackView(Timeline* timeline, QWidget* parent)
     setWhatsThis(tr(
         "One row for each part that can move. The diamond on the left sets a key at the "
         "playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl "
-        "copies. Drag in the ruler to move the playhead, or from an empty place to select keys. "
+        "copies. Drag in the ruler to move the playhead, or from an empty area to select keys. "
         "Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs "
         "through them without a corner. Double-click a motion to change its strength or number of turns."));
     viewport()->setMouseTracking(false);

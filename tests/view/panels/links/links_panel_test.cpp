@@ -160,7 +160,7 @@ void LinksPanelTest::marksWhatTakesNoPart() {
     QVERIFY(text(panel, 2, 3).startsWith(u"Unreached"_s));
     ifs::setLinks(system, std::vector<double>(9, 0));
     show(document, system);
-    QVERIFY(panel.findChild<QLabel*>()->text().contains(u"comes to an end"_s));
+    QVERIFY(panel.findChild<QLabel*>()->text().contains(u"sequence of maps ends"_s));
 }
 
 void LinksPanelTest::followsTheMaps() {

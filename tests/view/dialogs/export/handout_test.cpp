@@ -135,9 +135,9 @@ private slots:
         kind->setCurrentIndex(1);
         QVERIFY(dialog.options().kind == HandoutOptions::Kind::TaskSheet);
         QVERIFY(dialog.options().hasNameLine);
-        QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-hand-out.pdf"));
+        QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-handout.pdf"));
         dialog.setName(QStringLiteral("ferns 1.2"));
-        QCOMPARE(dialog.printedName(), QStringLiteral("ferns 1.2-hand-out.pdf"));
+        QCOMPARE(dialog.printedName(), QStringLiteral("ferns 1.2-handout.pdf"));
     }
 
     void thePictureShowsAllOfTheCage() {
