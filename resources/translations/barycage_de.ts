@@ -4531,6 +4531,38 @@
         <source>Date:</source>
         <translation>Datum:</translation>
     </message>
+    <message>
+        <source>A homeomorphism, as is proved</source>
+        <translation>Bewiesen ein Homöomorphismus</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism</source>
+        <translation>Kein Homöomorphismus</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
+        <translation>Kein Homöomorphismus: zurück um %1 zerrissen, am schlechtesten bei %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better</source>
+        <translation>Homöomorphismus bis auf %1 oder besser</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1</source>
+        <translation>Homöomorphismus bis auf %1</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
+        <translation>Homöomorphismus bis auf %1 oder besser, zurück am schlechtesten bei %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1, worst on the way back at %2</source>
+        <translation>Homöomorphismus bis auf %1, zurück am schlechtesten bei %2</translation>
+    </message>
+    <message>
+        <source>part of map %1</source>
+        <translation>Teil der Abbildung %1</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5502,6 +5534,10 @@
         <source>The view “%1”</source>
         <translation>Die Ansicht „%1“</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Bild ohne Attraktor</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -5711,6 +5747,17 @@
     <message>
         <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Ziehen Sie oder benutzen Sie die Pfeiltasten. Die Zahl daneben ist derselbe Wert.</translation>
+    </message>
+</context>
+<context>
+    <name>view::AttractorWatch</name>
+    <message>
+        <source>At frame %1, it could not be decided whether there is an attractor.</source>
+        <translation>Bei Bild %1 ließ sich nicht entscheiden, ob es einen Attraktor gibt.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
+        <translation>Bei Bild %1 gibt es keinen Attraktor. Schwächen Sie die Bewegungen ab, oder setzen Sie dort einen Schlüssel.</translation>
     </message>
 </context>
 <context>
@@ -6681,6 +6728,10 @@
     <message>
         <source>Square handle</source>
         <translation>Quadratischer Griff</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Abbildung, die nicht teilnimmt</translation>
     </message>
 </context>
 <context>
@@ -10194,6 +10245,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::MapsTable</name>
+    <message>
+        <source>Drag the name of a number left or right to change it in the current map: a tenth as fast with Shift, ten times as fast with Ctrl. The wheel does the same while the pointer is over the current cell. Drag the edge of a name to change the width of its column.</source>
+        <translation>Ziehen Sie den Namen einer Zahl nach links oder rechts, um sie in der aktuellen Abbildung zu ändern: mit Umschalt ein Zehntel so schnell, mit Strg zehnmal so schnell. Das Mausrad tut dasselbe, solange der Zeiger über der aktuellen Zelle ist. Ziehen Sie den Rand eines Namens, um die Breite seiner Spalte zu ändern.</translation>
+    </message>
+</context>
+<context>
     <name>view::MapsTool</name>
     <message>
         <source>Move corner %1 of map %2</source>
@@ -12051,6 +12109,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Move corner %1 of map %2</source>
         <translation>Ecke %1 der Abbildung %2 bewegen</translation>
     </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mittelpunkt der Symmetrie verschieben</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -13024,6 +13086,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Pairing the maps…</source>
         <translation>Die Abbildungen werden gepaart…</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Bild ohne Attraktor</translation>
+    </message>
 </context>
 <context>
     <name>view::ToolOptionsBar</name>
@@ -13400,6 +13466,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>There is no stolen picture yet</source>
         <translation>Es gibt noch kein gestohlenes Bild</translation>
     </message>
+    <message>
+        <source>Stack</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Show the two fractals one above the other instead of side by side</source>
+        <translation>Die beiden Fraktale übereinander statt nebeneinander zeigen</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13566,6 +13640,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Stop at this frame</source>
         <translation>Bei diesem Bild anhalten</translation>
+    </message>
+    <message>
+        <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
+        <translation>Wie viele Bilder in einer Sekunde abgespielt werden: eine Zahl oder ein Bruch wie 24, 12.5 oder 30000/1001. 29.97 steht für den letzten, die Bildrate des Fernsehens.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
+        <translation>„%1“ ist keine Bildrate. Geben Sie Bilder pro Sekunde ein, über 0 und höchstens %2, zum Beispiel 24, 29.97 oder 30000/1001.</translation>
     </message>
 </context>
 <context>

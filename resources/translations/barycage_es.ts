@@ -4531,6 +4531,38 @@
         <source>Date:</source>
         <translation>Fecha:</translation>
     </message>
+    <message>
+        <source>A homeomorphism, as is proved</source>
+        <translation>Homeomorfismo, demostrado</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism</source>
+        <translation>No es un homeomorfismo</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
+        <translation>No es un homeomorfismo: a la vuelta se rasga %1, lo peor en %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better</source>
+        <translation>Homeomorfismo salvo %1 o mejor</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1</source>
+        <translation>Homeomorfismo salvo %1</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
+        <translation>Homeomorfismo salvo %1 o mejor, a la vuelta lo peor en %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1, worst on the way back at %2</source>
+        <translation>Homeomorfismo salvo %1, a la vuelta lo peor en %2</translation>
+    </message>
+    <message>
+        <source>part of map %1</source>
+        <translation>parte de la aplicación %1</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5502,6 +5534,10 @@
         <source>The view “%1”</source>
         <translation>La vista «%1»</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Fotograma sin atractor</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -5711,6 +5747,17 @@
     <message>
         <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Arrastre o use las teclas de flecha. El número de al lado es el mismo valor.</translation>
+    </message>
+</context>
+<context>
+    <name>view::AttractorWatch</name>
+    <message>
+        <source>At frame %1, it could not be decided whether there is an attractor.</source>
+        <translation>En el fotograma %1 no se pudo decidir si existe un atractor.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
+        <translation>En el fotograma %1 no hay atractor. Atenúe los movimientos o ponga una clave allí.</translation>
     </message>
 </context>
 <context>
@@ -6681,6 +6728,10 @@
     <message>
         <source>Square handle</source>
         <translation>Tirador cuadrado</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Aplicación que no interviene</translation>
     </message>
 </context>
 <context>
@@ -10194,6 +10245,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::MapsTable</name>
+    <message>
+        <source>Drag the name of a number left or right to change it in the current map: a tenth as fast with Shift, ten times as fast with Ctrl. The wheel does the same while the pointer is over the current cell. Drag the edge of a name to change the width of its column.</source>
+        <translation>Arrastre el nombre de un número a la izquierda o a la derecha para cambiarlo en la aplicación actual: diez veces más lento con Mayús, diez veces más rápido con Ctrl. La rueda hace lo mismo mientras el puntero está sobre la celda actual. Arrastre el borde de un nombre para cambiar la anchura de su columna.</translation>
+    </message>
+</context>
+<context>
     <name>view::MapsTool</name>
     <message>
         <source>Move corner %1 of map %2</source>
@@ -12051,6 +12109,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Move corner %1 of map %2</source>
         <translation>Mover la esquina %1 de la aplicación %2</translation>
     </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Mover el centro de la simetría</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -13024,6 +13086,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Pairing the maps…</source>
         <translation>Emparejando las aplicaciones…</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Fotograma sin atractor</translation>
+    </message>
 </context>
 <context>
     <name>view::ToolOptionsBar</name>
@@ -13400,6 +13466,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>There is no stolen picture yet</source>
         <translation>Aún no hay ninguna imagen robada</translation>
     </message>
+    <message>
+        <source>Stack</source>
+        <translation>Apilar</translation>
+    </message>
+    <message>
+        <source>Show the two fractals one above the other instead of side by side</source>
+        <translation>Mostrar los dos fractales uno encima del otro en vez de uno al lado del otro</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13566,6 +13640,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Stop at this frame</source>
         <translation>Detener en este fotograma</translation>
+    </message>
+    <message>
+        <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
+        <translation>Cuántos fotogramas se reproducen por segundo: un número o una fracción, como 24, 12.5 o 30000/1001. 29.97 equivale a esta última, la frecuencia de la televisión.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
+        <translation>«%1» no es una frecuencia de fotogramas. Escriba fotogramas por segundo, más de 0 y como máximo %2, por ejemplo 24, 29.97 o 30000/1001.</translation>
     </message>
 </context>
 <context>

@@ -4531,6 +4531,38 @@
         <source>Date:</source>
         <translation>Date :</translation>
     </message>
+    <message>
+        <source>A homeomorphism, as is proved</source>
+        <translation>Homéomorphisme, c’est démontré</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism</source>
+        <translation>Ce n’est pas un homéomorphisme</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
+        <translation>Ce n’est pas un homéomorphisme : au retour, déchirure de %1, au pire en %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better</source>
+        <translation>Homéomorphisme à %1 près ou mieux</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1</source>
+        <translation>Homéomorphisme à %1 près</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
+        <translation>Homéomorphisme à %1 près ou mieux, au retour au pire en %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1, worst on the way back at %2</source>
+        <translation>Homéomorphisme à %1 près, au retour au pire en %2</translation>
+    </message>
+    <message>
+        <source>part of map %1</source>
+        <translation>partie de l’application %1</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5502,6 +5534,10 @@
         <source>The view “%1”</source>
         <translation>La vue « %1 »</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Image sans attracteur</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -5711,6 +5747,17 @@
     <message>
         <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Faites glisser, ou utilisez les touches fléchées. Le nombre à côté est la même valeur.</translation>
+    </message>
+</context>
+<context>
+    <name>view::AttractorWatch</name>
+    <message>
+        <source>At frame %1, it could not be decided whether there is an attractor.</source>
+        <translation>À l’image %1, il n’a pas été possible de décider s’il existe un attracteur.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
+        <translation>À l’image %1, il n’y a pas d’attracteur. Affaiblissez les mouvements ou posez-y une clé.</translation>
     </message>
 </context>
 <context>
@@ -6681,6 +6728,10 @@
     <message>
         <source>Square handle</source>
         <translation>Poignée carrée</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Application qui ne participe pas</translation>
     </message>
 </context>
 <context>
@@ -10194,6 +10245,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::MapsTable</name>
+    <message>
+        <source>Drag the name of a number left or right to change it in the current map: a tenth as fast with Shift, ten times as fast with Ctrl. The wheel does the same while the pointer is over the current cell. Drag the edge of a name to change the width of its column.</source>
+        <translation>Faites glisser le nom d’un nombre vers la gauche ou la droite pour le modifier dans l’application courante : dix fois moins vite avec Maj, dix fois plus vite avec Ctrl. La molette fait de même tant que le pointeur est sur la cellule courante. Faites glisser le bord d’un nom pour changer la largeur de sa colonne.</translation>
+    </message>
+</context>
+<context>
     <name>view::MapsTool</name>
     <message>
         <source>Move corner %1 of map %2</source>
@@ -12051,6 +12109,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Move corner %1 of map %2</source>
         <translation>Déplacer le coin %1 de l’application %2</translation>
     </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Déplacer le centre de la symétrie</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -13024,6 +13086,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Pairing the maps…</source>
         <translation>Appariement des applications…</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Image sans attracteur</translation>
+    </message>
 </context>
 <context>
     <name>view::ToolOptionsBar</name>
@@ -13400,6 +13466,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>There is no stolen picture yet</source>
         <translation>Il n’y a pas encore d’image volée</translation>
     </message>
+    <message>
+        <source>Stack</source>
+        <translation>Empiler</translation>
+    </message>
+    <message>
+        <source>Show the two fractals one above the other instead of side by side</source>
+        <translation>Afficher les deux fractales l’une au-dessus de l’autre plutôt que côte à côte</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13566,6 +13640,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Stop at this frame</source>
         <translation>S’arrêter à cette image</translation>
+    </message>
+    <message>
+        <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
+        <translation>Nombre d’images lues par seconde : un nombre ou une fraction, par exemple 24, 12.5 ou 30000/1001. 29.97 désigne cette dernière, la cadence de la télévision.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
+        <translation>« %1 » n’est pas une cadence d’images. Saisissez des images par seconde, plus de 0 et au plus %2, par exemple 24, 29.97 ou 30000/1001.</translation>
     </message>
 </context>
 <context>

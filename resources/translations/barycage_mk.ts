@@ -4540,6 +4540,38 @@
         <source>Date:</source>
         <translation>Датум:</translation>
     </message>
+    <message>
+        <source>A homeomorphism, as is proved</source>
+        <translation>Хомеоморфизам, докажано</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism</source>
+        <translation>Не е хомеоморфизам</translation>
+    </message>
+    <message>
+        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
+        <translation>Не е хомеоморфизам: назад се кине за %1, најлошо во %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better</source>
+        <translation>Хомеоморфизам до %1 или подобро</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1</source>
+        <translation>Хомеоморфизам до %1</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
+        <translation>Хомеоморфизам до %1 или подобро, назад најлошо во %2</translation>
+    </message>
+    <message>
+        <source>Homeomorphism to %1, worst on the way back at %2</source>
+        <translation>Хомеоморфизам до %1, назад најлошо во %2</translation>
+    </message>
+    <message>
+        <source>part of map %1</source>
+        <translation>дел од пресликувањето %1</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5515,6 +5547,10 @@
         <source>The view “%1”</source>
         <translation>Погледот „%1“</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Слика без атрактор</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -5724,6 +5760,17 @@
     <message>
         <source>Drag, or use the arrow keys. The field next to it shows the same value.</source>
         <translation>Влечете или користете ги стрелките. Бројот до лизгачот ја покажува истата вредност.</translation>
+    </message>
+</context>
+<context>
+    <name>view::AttractorWatch</name>
+    <message>
+        <source>At frame %1, it could not be decided whether there is an attractor.</source>
+        <translation>Кај слика %1 не можеше да се утврди дали постои атрактор.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
+        <translation>Кај слика %1 нема атрактор. Ослабете ги движењата или поставете клуч таму.</translation>
     </message>
 </context>
 <context>
@@ -6695,6 +6742,10 @@
     <message>
         <source>Square handle</source>
         <translation>Квадратна рачка</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Пресликување што не учествува</translation>
     </message>
 </context>
 <context>
@@ -10220,6 +10271,13 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::MapsTable</name>
+    <message>
+        <source>Drag the name of a number left or right to change it in the current map: a tenth as fast with Shift, ten times as fast with Ctrl. The wheel does the same while the pointer is over the current cell. Drag the edge of a name to change the width of its column.</source>
+        <translation>Повлечете го името на бројот налево или надесно за да го смените во тековното пресликување: десет пати побавно со Shift, десет пати побрзо со Ctrl. Тркалцето го прави истото додека покажувачот е над тековната ќелија. Повлечете го работ на името за да ја смените ширината на неговата колона.</translation>
+    </message>
+</context>
+<context>
     <name>view::MapsTool</name>
     <message>
         <source>Move corner %1 of map %2</source>
@@ -12078,6 +12136,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Move corner %1 of map %2</source>
         <translation>Помести го аголот %1 на пресликувањето %2</translation>
     </message>
+    <message>
+        <source>Move the centre of the symmetry</source>
+        <translation>Помести го центарот на симетријата</translation>
+    </message>
 </context>
 <context>
     <name>view::SpaceRows</name>
@@ -13054,6 +13116,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Pairing the maps…</source>
         <translation>Се спаруваат пресликувањата…</translation>
     </message>
+    <message>
+        <source>Frame without an attractor</source>
+        <translation>Слика без атрактор</translation>
+    </message>
 </context>
 <context>
     <name>view::ToolOptionsBar</name>
@@ -13430,6 +13496,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>There is no stolen picture yet</source>
         <translation>Сѐ уште нема украдена слика</translation>
     </message>
+    <message>
+        <source>Stack</source>
+        <translation>Еден над друг</translation>
+    </message>
+    <message>
+        <source>Show the two fractals one above the other instead of side by side</source>
+        <translation>Прикажи ги двата фрактали еден над друг наместо еден до друг</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13596,6 +13670,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Stop at this frame</source>
         <translation>Запри на оваа слика</translation>
+    </message>
+    <message>
+        <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
+        <translation>Колку слики се пуштаат во секунда: број или дропка, на пример 24, 12.5 или 30000/1001. 29.97 ја означува последната, брзината на телевизијата.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
+        <translation>„%1“ не е брзина на слики. Внесете слики во секунда, над 0 и најмногу %2, на пример 24, 29.97 или 30000/1001.</translation>
     </message>
 </context>
 <context>

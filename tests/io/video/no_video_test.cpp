@@ -19,7 +19,7 @@ private slots:
 
 namespace {
 
-const QString words = QStringLiteral("without FFmpeg's libraries");
+const QString words = QStringLiteral("does not include FFmpeg's libraries");
 
 io::AnimationExport moving() {
     io::AnimationExport what;
