@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -77,6 +78,35 @@ private slots:
         QVERIFY(read({3, 3}).address.empty());
         m_canvas->setTool(CanvasView::Tool::Cage); // whatever the tool
         QVERIFY(!read(pointOf(word)).address.empty());
+    }
+
+    // The image under the word that is read contains the point, and is as small as a pixel. Followed by hand,
+    // with more digits. The pieces are apart, so that the point has no other address.
+    void addressesReachAsDeepAsTheView() {
+        Word word;
+        for (int n = 0; n < 60; ++n)
+            word.push_back((n * n + n / 3) % 3);
+        const Vector<2> point = *ifs::addressPoint<2>(ifs::mapsOf(system()), word, {0});
+        for (const double zoom : {1e6, 1e9, 1e12}) {
+            attractor::Camera camera = m_canvas->camera();
+            camera.centre = document::placement(m_document->fractal())(point);
+            camera.pixelsPerUnit = 100 * zoom; // 100 % is a hundred pixels for a unit
+            m_canvas->navigation().setCamera(camera);
+            QCOMPARE(m_canvas->camera().pixelsPerUnit, 100 * zoom);
+            hover({3, 3});
+            const Word address = read(pixel(point)).address;
+            const double size = std::pow(0.4, double(address.size())), width = 1 / (100 * zoom);
+            QVERIFY2(size < 3 * width && size > width / 10, qPrintable(QString::number(address.size())));
+            QVERIFY(std::equal(address.begin(), address.end() - 2, word.begin()));
+            long double x = 0.4L, y = 0.25L; // in the middle of the attractor
+            for (auto symbol = address.rbegin(); symbol != address.rend(); ++symbol) {
+                const ifs::AffineMap<2>& map = system().maps[std::size_t(*symbol)].map;
+                const long double before = x;
+                x = map.linear(0, 0) * before + map.linear(0, 1) * y + map.translation.x();
+                y = map.linear(1, 0) * before + map.linear(1, 1) * y + map.translation.y();
+            }
+            QVERIFY(std::hypot(double(x - point.x()), double(y - point.y())) < width);
+        }
     }
 
     void aClickSelectsTheBranchToItsDepth() {
