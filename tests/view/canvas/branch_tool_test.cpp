@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
+#include "canvas/marks/address_walk.h"
 #include "document/fractal_geometry.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/existence/attractor_existence.h"
@@ -129,6 +130,32 @@ private slots:
         QTest::keyClick(m_canvas.get(), Qt::Key_PageDown);
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
         QCOMPARE(steps(), 0);
+    }
+
+    // The images under the beginnings of its address are outlined, the last one is filled.
+    void theWalkToABranchIsPainted() {
+        auto* walk = new view::AddressWalk; // owned by the scene
+        m_canvas->scene()->addItem(walk);
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        const auto images = view::addressWalk(m_document->fractal(), {1, 2});
+        QCOMPARE(images.size(), std::size_t{2});
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        // No event comes between the two: the picture is the same.
+        const QImage with = m_canvas->viewport()->grab().toImage();
+        walk->setVisible(false);
+        const QImage without = m_canvas->viewport()->grab().toImage();
+        const auto differs = [&](const QPointF& p) {
+            return with.pixel(p.toPoint()) != without.pixel(p.toPoint());
+        };
+        const QPolygonF outer = view::pixelsOf(m_canvas->camera(), images[0]);
+        const QPolygonF last = view::pixelsOf(m_canvas->camera(), images[1]);
+        QVERIFY(differs((last[0] + last[1] + last[2]) / 3));
+        bool isOutlined = false; // if only by an edge that no other line covers
+        for (int i = 0; i < 3; ++i)
+            isOutlined = isOutlined || differs((outer[i] + outer[(i + 1) % 3]) / 2);
+        QVERIFY(isOutlined);
+        QVERIFY(!differs({3, 3}));
     }
 
     // As a map of its own, only this branch moves. The rest of the attractor is made by maps that are words.
