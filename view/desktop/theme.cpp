@@ -193,17 +193,21 @@ private:
                !button.features.testFlag(QStyleOptionToolButton::MenuButtonPopup);
     }
 
-    // A button that is on: Fusion makes it a shade darker, which is not seen beside one that is off.
+    // A button that is on: Fusion makes it a shade darker, which is not seen beside one that is off. A thick
+    // frame has the focus that the keys have brought.
     static void paintOn(const QStyleOption& option, QPainter& painter) {
         const QColor button = option.palette.color(QPalette::Button);
         const QColor highlight = option.palette.color(QPalette::Highlight);
         const bool pointedAt = option.state & State_MouseOver && option.state & State_Enabled;
-        const QColor frame = mixed(highlight, option.palette.color(QPalette::ButtonText), 0.5);
+        const bool hasFocus = option.state & State_HasFocus && option.state & State_KeyboardFocusChange;
+        const QColor text = option.palette.color(QPalette::ButtonText);
+        const double width = hasFocus ? 2 : 1;
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(frame);
+        painter.setPen(QPen(hasFocus ? text : mixed(highlight, text, 0.5), width));
         painter.setBrush(mixed(button, highlight, pointedAt ? 0.45 : 0.35));
-        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        const double inset = width / 2;
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(inset, inset, -inset, -inset), 2, 2);
         painter.restore();
     }
 
