@@ -80,7 +80,7 @@ void CopyDistance::mark(const std::vector<AffineMap<2>>& maps, const std::vector
 void CopyDistance::improve(int column, int row, int dx, int dy) {
     if (column + dx < 0 || column + dx >= m_columns || row + dy < 0 || row + dy >= m_rows) return;
     const Offset& there = m_nearest[index(column + dx, row + dy)];
-    if (there.x == Offset::far) return;
+    if (there.x == Offset::unknown) return;
     const Offset candidate{std::int16_t(there.x + dx), std::int16_t(there.y + dy)};
     Offset& here = m_nearest[index(column, row)];
     if (candidate.square() < here.square()) here = candidate;
@@ -106,7 +106,7 @@ void CopyDistance::spread() {
 double CopyDistance::distanceAt(int column, int row) const {
     const int x = std::clamp(column, 0, m_columns - 1), y = std::clamp(row, 0, m_rows - 1);
     const Offset& nearest = m_nearest[index(x, y)];
-    if (nearest.x == Offset::far) return HUGE_VAL;
+    if (nearest.x == Offset::unknown) return HUGE_VAL;
     return m_cell * (std::hypot(nearest.x + x - column, nearest.y + y - row) + std::numbers::sqrt2);
 }
 

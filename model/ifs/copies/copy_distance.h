@@ -25,10 +25,10 @@ public:
 
 private:
     struct Offset { // to the cell of a point
-        std::int16_t x = far;
-        std::int16_t y = far;
+        std::int16_t x = unknown;
+        std::int16_t y = unknown;
 
-        static constexpr std::int16_t far = 16'000;
+        static constexpr std::int16_t unknown = 16'000;
         int square() const { return int(x) * x + int(y) * y; }
     };
 

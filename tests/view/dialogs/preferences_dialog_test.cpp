@@ -349,7 +349,7 @@ void PreferencesDialogTest::theFocusIsSeen() {
             int different = 0;
             for (int y = 0; y < with.height(); ++y)
                 for (int x = 0; x < with.width(); ++x)
-                    different += support::contrast(with.pixel(x, y), without.pixel(x, y)) > 1.1;
+                    different += support::contrast(with.pixel(x, y), without.pixel(x, y)) > 1.5;
             QVERIFY2(different >= 10, qPrintable(QStringLiteral("%1 in theme %2: %3 pixels")
                                                      .arg(QLatin1String(control->metaObject()->className()))
                                                      .arg(int(theme))
