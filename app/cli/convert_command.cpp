@@ -18,6 +18,7 @@
 #include "io/fractint/fractint_strict.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/picture/pdf_writer.h"
+#include "io/picture/svg_shapes.h"
 #include "io/solid/openscad.h"
 
 #include <QCoreApplication>
@@ -358,7 +359,7 @@ private:
             const auto box = document::displayedBox(*fractal);
             if (box) camera = attractor::fitted(camera, box->min, box->max);
             io::PdfPage page{*fractal, camera, {}};
-            const auto failure = io::svgPlan(page.fractal, page.camera, page.format).failure;
+            const auto failure = io::shapeLevels(page.fractal, page.camera).failure;
             if (failure)
                 reportWarning(inputName, tr("“%1” was omitted: %2").arg(fractal->name, *failure));
             else

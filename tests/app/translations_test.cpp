@@ -129,6 +129,7 @@ private slots:
     void qtSpeaksTheOtherLanguages_data();
     void qtSpeaksTheOtherLanguages();
     void oneIsSingular();
+    void spellingIsBritish();
 
 private:
     static QStringList textsFoundNowhere(const QSet<QString>& keys);
@@ -287,6 +288,24 @@ void TranslationsTest::oneIsSingular() {
     QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 1), QStringLiteral("%n entry"));
     QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 2), QStringLiteral("%n entries"));
     QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 0), QStringLiteral("%n entries"));
+}
+
+// As in the manual: colour, centre, grey, neighbour, analyse, fibre.
+void TranslationsTest::spellingIsBritish() {
+    const QRegularExpression american(
+        QStringLiteral("\\b(\\w*(color|behavior|neighbor|favorite|honor|labor)\\w*|(re)?center(s|ed|ing)?|"
+                       "gr[a]y(s|ed|scale)?|analyz\\w+|fibers?|catalogs?|modeling|labeled|canceled|"
+                       "(?!(re)?siz|priz|seiz)\\w+iz(e|es|ed|ing|ation))\\b"),
+        QRegularExpression::CaseInsensitiveOption);
+    QVERIFY(american.match(QStringLiteral("Choose a Color")).hasMatch());
+    QVERIFY(american.match(QStringLiteral("normalized")).hasMatch());
+    QVERIFY(!american.match(QStringLiteral("Resize the colour by size")).hasMatch());
+    QStringList found;
+    const QList<Message> messages = messagesOf(catalogue(QStringLiteral("de")));
+    QVERIFY(messages.size() > 1000);
+    for (const Message& message : messages)
+        if (american.match(QString(message.source).remove(u'&')).hasMatch()) found << message.source;
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
 QTEST_GUILESS_MAIN(TranslationsTest)

@@ -8,7 +8,8 @@ namespace ifs {
 
 CopyStep inside(const CopyStep& outer, const CopyStep& inner) {
     return {outer.linear * inner.linear, inner.level, inner.isProjection,
-            outer.shift + spectralNorm<2>(outer.linear) * inner.shift};
+            outer.shift + spectralNorm<2>(outer.linear) * inner.shift,
+            outer.missing + spectralNorm<2>(outer.linear) * inner.missing};
 }
 
 CopyDeviation deviation(const CopyExpansion& expansion, std::uint64_t maxCopies) {
@@ -16,11 +17,13 @@ CopyDeviation deviation(const CopyExpansion& expansion, std::uint64_t maxCopies)
     std::vector<CopyStep> open = expansion.picture;
     for (std::uint64_t copies = 0; !open.empty(); ++copies) {
         if (copies > maxCopies) {
-            result.largest = result.error = HUGE_VAL;
+            result.largest = result.error = result.missing = HUGE_VAL;
             return result;
         }
         const CopyStep copy = open.back();
         open.pop_back();
+        const bool isLeaf = copy.isProjection || copy.level == 0;
+        if (isLeaf) result.missing = std::max(result.missing, copy.missing);
         if (copy.isProjection) { // shows all that there is, however deep the picture
             result.error = std::max(result.error, copy.shift);
         } else if (copy.level == 0) {
@@ -29,7 +32,9 @@ CopyDeviation deviation(const CopyExpansion& expansion, std::uint64_t maxCopies)
             result.area += std::abs(determinant<2>(copy.linear)) * expansion.area;
             result.length += size;
             const double longer = (copy.linear * expansion.fibre).norm();
-            result.error = std::max(result.error, size + longer + copy.shift);
+            const double beyond =
+                spectralNorm<2>(copy.linear) * std::min(expansion.diameter, expansion.excess);
+            result.error = std::max(result.error, beyond + longer + copy.shift);
         } else {
             for (const CopyStep& inner : expansion.copies[std::size_t(copy.level)])
                 open.push_back(inside(copy, inner));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_hierarchy.h"
 
+#include "ifs/copies/copy_distance.h"
 #include "ifs/dimension/common_eigendirections.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ constexpr double widening = 0.4;    // of the smallest copies on every side, in 
 constexpr double maxWidening = 0.6; // as a share of their size
 constexpr double faint = 0.15;      // mean thickness of copies, in pixels
 constexpr double maxFaint = 3;      // size of copies that are kept larger so as not to fade, in pixels
+constexpr double rough = 1;         // error from which on it is worth while to look closer, in pixels
 
 struct Descent {
     std::vector<int> steps; // of each map
@@ -229,15 +231,22 @@ int CopyHierarchy::deepest() const {
 }
 
 CopyStep CopyHierarchy::step(const Copy& copy, const AffineMap<2>& map) const {
-    const double shift = copy.projection ? maxShift(m_frame, *m_projections[*copy.projection], copy.map, map)
-                                         : maxShift(m_frame, copy.map, map);
-    return {copy.map.linear, copy.level, copy.projection.has_value(), shift};
+    if (!copy.projection) {
+        const double shift = maxShift(m_frame, copy.map, map);
+        return {copy.map.linear, copy.level, false, shift, shift};
+    }
+    const CopyProjection& projection = *m_projections[*copy.projection];
+    return {copy.map.linear, copy.level, true, maxShift(m_frame, projection, copy.map, map),
+            maxMissing(m_frame, projection, copy.map, map)};
 }
 
-CopyDeviation CopyHierarchy::deviation(int depth) const {
-    CopyExpansion expansion{
-        {}, {}, diameter(pushedOut(m_frame.hull, margin(depth))), area(outline(depth)), fibre(depth)};
-    const CopyStep whole{m_display.linear, depth, false, m_displayShift};
+CopyDeviation CopyHierarchy::deviation(int depth, double excess) const {
+    CopyExpansion expansion;
+    expansion.diameter = diameter(pushedOut(m_frame.hull, margin(depth)));
+    expansion.excess = excess;
+    expansion.area = area(outline(depth));
+    expansion.fibre = fibre(depth);
+    const CopyStep whole{m_display.linear, depth, false, m_displayShift, m_displayShift};
     if (depth >= m_faintLevel) {
         for (const CopyWords::Word& word : m_words)
             expansion.picture.push_back(inside(whole, step(word.copy, word.map)));
@@ -259,8 +268,57 @@ CopyDeviation CopyHierarchy::deviation(int depth) const {
     return ifs::deviation(expansion, 2 * maxReferences);
 }
 
+double CopyHierarchy::excess(int depth) const {
+    constexpr double side = 128; // of the picture on which it is found, in pixels
+    if (m_frame.diameter < m_frame.pixel) return HUGE_VAL;
+    const double scale = side / m_frame.diameter;
+    const AffineMap<2> display{scale * Matrix<2>::Identity(), Vector<2>::Zero()};
+    Polygon level = pushedOut(m_frame.hull, margin(depth));
+    for (auto& corner : level)
+        corner = display(corner);
+    return CopyDistance(m_maps, {display}, m_frame.hull).farthest(level) / scale;
+}
+
+double CopyHierarchy::farthest(int depth) const {
+    std::vector<AffineMap<2>> shown = pieceMaps<2>(ifs::pieces<2>(m_moved, m_maps.size()), m_maps);
+    for (auto& map : shown)
+        map = m_display * map;
+    const CopyDistance distance(m_maps, shown, m_frame.hull);
+    const Polygon leaf = outline(depth);
+    std::vector<std::vector<Copy>> levels;
+    for (int level = 0; level <= depth && depth < m_faintLevel; ++level)
+        levels.push_back(level == 0 ? std::vector<Copy>() : copies(level, depth));
+    double result = 0;
+    const auto draw = [&](Polygon polygon, const AffineMap<2>& map) {
+        for (auto& corner : polygon)
+            corner = map(corner);
+        result = std::max(result, distance.farthest(polygon));
+    };
+    std::vector<Copy> open = picture(depth);
+    for (auto& copy : open)
+        copy.map = m_display * copy.map;
+    while (!open.empty()) {
+        const Copy copy = open.back();
+        open.pop_back();
+        if (copy.projection) {
+            for (const Polygon& bar : m_projections[*copy.projection]->bars)
+                draw(bar, copy.map);
+        } else if (copy.level == 0) {
+            draw(leaf, copy.map);
+        } else {
+            for (Copy inner : levels[std::size_t(copy.level)]) {
+                inner.map = copy.map * inner.map;
+                open.push_back(inner);
+            }
+        }
+    }
+    return result;
+}
+
 double CopyHierarchy::error(int depth) const {
-    return deviation(depth).error;
+    const CopyDeviation found = deviation(depth, excess(depth));
+    if (!std::isfinite(found.error) || found.error <= rough) return found.error;
+    return std::min(found.error, std::max(farthest(depth) + m_displayShift, found.missing));
 }
 
 int CopyHierarchy::levelFor(double wanted) const {

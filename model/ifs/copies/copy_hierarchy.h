@@ -69,8 +69,11 @@ private:
     AffineMap<2> map(std::size_t i, int level, int depth) const; // by which it makes that copy
     std::vector<MovedBranch<2>> pieces() const;                  // over the active maps; none is singular
     double margin(int depth) const;                              // between the hull and the outline
-    Vector<2> fibre(int depth) const;         // by which the outline is longer at both ends
-    CopyDeviation deviation(int depth) const; // `error` and `largest` infinite for too many copies to count
+    Vector<2> fibre(int depth) const; // by which the outline is longer at both ends
+    // `error`, `largest` and `missing` infinite for too many copies to count.
+    CopyDeviation deviation(int depth, double excess = HUGE_VAL) const;
+    double excess(int depth) const;   // of level 0 over the attractor at most, in the code's units
+    double farthest(int depth) const; // from the attractor a copy reaches at most, in pixels
     CopyStep step(const Copy& copy, const AffineMap<2>& map) const; // of a copy that stands for `map`
 
     CopyFrame m_frame;

@@ -99,4 +99,14 @@ double maxShift(const CopyFrame& frame, const CopyProjection& projection, const 
            (map.linear * across).norm() * frame.diameter;
 }
 
+// The bars hold all that the line keeps of the attractor.
+double maxMissing(const CopyFrame& frame, const CopyProjection& projection, const AffineMap<2>& drawn,
+                  const AffineMap<2>& map) {
+    const Vector<2> across = (projection.bars.front()[3] - projection.bars.front()[0]).normalized();
+    const Vector<2> along(across.y(), -across.x());
+    const Vector<2> middle = drawn(frame.centre) - map(frame.centre);
+    return middle.norm() + ((drawn.linear - map.linear) * along).norm() * frame.diameter +
+           (map.linear * across).norm() * frame.diameter;
+}
+
 } // namespace ifs

@@ -27,5 +27,8 @@ Vector<2> longestDirection(const Matrix<2>& linear);
 // Bound of the distance between the bars under `drawn` and the attractor under `map`, both ways.
 double maxShift(const CopyFrame& frame, const CopyProjection& projection, const AffineMap<2>& drawn,
                 const AffineMap<2>& map);
+// Only from the attractor to the bars.
+double maxMissing(const CopyFrame& frame, const CopyProjection& projection, const AffineMap<2>& drawn,
+                  const AffineMap<2>& map);
 
 } // namespace ifs

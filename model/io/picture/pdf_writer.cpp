@@ -306,7 +306,7 @@ PdfPicture pdfPicture(const std::vector<PdfPage>& pages, const std::stop_token& 
     for (const PdfPage& page : pages) {
         const ShapeLevels levels = shapeLevels(page.fractal, page.camera);
         if (levels.failure) return {{}, levels.failure};
-        const int depth = svgPlan(page.fractal, page.camera, page.format).depth;
+        const int depth = svgDepth(*levels.levels, page.format);
         kids << reference(PageWriter(file, page).write(*levels.levels, depth, tree, stop));
         if (stop.stop_requested()) return {};
     }

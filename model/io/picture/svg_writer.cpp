@@ -73,7 +73,7 @@ QString pixels(const ifs::Vector<2>& point) {
 SvgPlan planOf(const document::Fractal& fractal, const ifs::CopyHierarchy& levels, const SvgFormat& format) {
     SvgPlan plan;
     plan.deepest = levels.deepest();
-    plan.depth = format.depth ? std::clamp(*format.depth, 0, plan.deepest) : levels.levelFor(goodEnough);
+    plan.depth = svgDepth(levels, format);
     plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
     plan.errorInPixels = levels.error(plan.depth);
     plan.isCutShort = !format.depth && plan.errorInPixels > goodEnough &&
@@ -351,6 +351,10 @@ SvgPicture outlinePicture(const document::Fractal& fractal, const attractor::Cam
 }
 
 } // namespace
+
+int svgDepth(const ifs::CopyHierarchy& levels, const SvgFormat& format) {
+    return format.depth ? std::clamp(*format.depth, 0, levels.deepest()) : levels.levelFor(goodEnough);
+}
 
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format) {
     const ShapeLevels levels = shapeLevels(fractal, camera);

@@ -13,6 +13,10 @@
 #include <optional>
 #include <stop_token>
 
+namespace ifs {
+class CopyHierarchy;
+}
+
 namespace io {
 
 // Structured: copies of copies, small files. Outline: the union of the copies as one path, for cutters and
@@ -41,6 +45,8 @@ struct SvgPlan {
     Failure failure;              // why there can be no structured picture
 };
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format);
+// Of the plan alone: measuring the error takes longer.
+int svgDepth(const ifs::CopyHierarchy& levels, const SvgFormat& format);
 
 // The fractal as the camera shows it, in a scalable picture. Of a structured one `<defs>` holds an outline
 // and the levels, each level one `<use>` for every map. Carries the entry as `.ifs` text for readSvgSystem().

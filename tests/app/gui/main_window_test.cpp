@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_geometry.h"
 #include "desktop/preferences.h"
 #include "dialogs/paste_table_dialog.h"
 #include "dialogs/preferences_dialog.h"
 #include "flame_banner.h"
+#include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/maps/maps_panel.h"
 #include "panels/timeline/timeline_panel.h"
@@ -26,13 +28,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolBar>
+#include <QUndoStack>
 
 // The window as a whole: what it opens, and what reaches it from elsewhere.
 class MainWindowTest : public SessionFixture {
@@ -57,6 +62,9 @@ private slots:
     void aWindowMayGoInMidDrag_data();
     void aWindowMayGoInMidDrag();
     void flamesAreReadEitherWayUp();
+    void theMenuCopiesAsLatex();
+    void aFractalOfTheCollectionBecomesADocument();
+    void theMapsAreNumberedOnTheCanvas();
 };
 
 void MainWindowTest::brokenPathsShareOneWindow() {
@@ -247,19 +255,24 @@ void MainWindowTest::whatOthersCopiedIsPasted() {
 }
 
 void MainWindowTest::theHintGoesWithAnotherTool() {
+    using Tool = view::CanvasView::Tool;
     support::forgetSettings();
     for (const bool byTool : {true, false}) {
-        auto* window = new MainWindow;
-        window->openFirstPicture();
-        window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window));
-        auto* canvas = window->findChild<view::CanvasView*>();
-        QCOMPARE(!canvas->hint().isEmpty(), byTool); // not a second time
-        if (byTool) canvas->navigation().zoomBy(1.25);
-        QVERIFY(canvas->hint().isEmpty());
-        canvas->setTool(view::CanvasView::Tool::Cage);
-        QVERIFY(canvas->hint().isEmpty());
-        delete window;
+        for (const bool isFirst : {true, false}) {
+            auto* window = new MainWindow;
+            window->openFirstPicture();
+            window->show();
+            QVERIFY(QTest::qWaitForWindowExposed(window));
+            auto* canvas = window->findChild<view::CanvasView*>();
+            QCOMPARE(!canvas->hint().isEmpty(), isFirst); // not a second time
+            if (isFirst && byTool) canvas->setTool(Tool::Maps);
+            if (isFirst && !byTool) canvas->navigation().zoomBy(1.25);
+            QVERIFY(canvas->hint().isEmpty());
+            canvas->setTool(Tool::Cage);
+            QVERIFY(canvas->hint().isEmpty());
+            delete window;
+        }
+        support::forgetSettings();
     }
 }
 
@@ -525,6 +538,79 @@ void MainWindowTest::flamesAreReadEitherWayUp() {
     banner()->findChild<QCheckBox*>()->click();
     QVERIFY(map(1) == turned && map(0) == written);
     document.undoStack()->setClean();
+}
+
+void MainWindowTest::theMenuCopiesAsLatex() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    const auto copied = [&](const QString& text) {
+        QGuiApplication::clipboard()->setText(QStringLiteral("before"));
+        for (QAction* action : window->findChildren<QAction*>())
+            if (action->text() == text) action->trigger();
+        return QTest::qWaitFor(
+            [] { return QGuiApplication::clipboard()->text() != QStringLiteral("before"); }, 60'000);
+    };
+    QVERIFY(copied(QStringLiteral("&Table of Maps")));
+    const QString table = QGuiApplication::clipboard()->text();
+    QVERIFY(table.startsWith(QStringLiteral("\\begin{tabular}")));
+    QCOMPARE(table.count(QStringLiteral("\\\\")), 5); // the head and four maps
+    QVERIFY(copied(QStringLiteral("Fi&gure (TikZ)")));
+    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("\\begin{tikzpicture}")));
+}
+
+void MainWindowTest::aFractalOfTheCollectionBecomesADocument() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    const qsizetype before = window->document().file().entries.size();
+    QVERIFY(before > 1);
+    auto* list = window->findChild<view::CollectionPanel*>()->findChild<QListView*>();
+    QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 3, 60'000);
+    const QModelIndex flower = list->model()->index(2, 0);
+    QCOMPARE(flower.data().toString(), QStringLiteral("flower"));
+    list->setCurrentIndex(flower);
+    bool isOffered = false;
+    QTimer::singleShot(0, list, [&isOffered] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        if (!menu) return;
+        for (QAction* action : menu->actions())
+            if (action->text() == QStringLiteral("&Open as New Document")) {
+                isOffered = true;
+                menu->setActiveAction(action);
+                QTest::keyClick(menu, Qt::Key_Return);
+            }
+        menu->close();
+    });
+    emit list->customContextMenuRequested(list->visualRect(flower).center());
+    QVERIFY(isOffered);
+    QTRY_COMPARE(window->document().file().entries.size(), qsizetype(1));
+    QCOMPARE(window->document().fractal().name, QStringLiteral("flower"));
+    QCOMPARE(window->document().undoStack()->count(), 0);
+    QVERIFY(window->windowFilePath().isEmpty());
+}
+
+void MainWindowTest::theMapsAreNumberedOnTheCanvas() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    QAction* numbers = nullptr;
+    for (QAction* action : window->findChildren<QAction*>())
+        if (action->text() == QStringLiteral("&Numbers of Maps")) numbers = action;
+    QVERIFY(numbers && !numbers->isChecked());
+    QTRY_VERIFY(!canvas->picture().isNull());
+    // No event comes between them: the picture is the same in all three.
+    const QImage before = canvas->viewport()->grab().toImage();
+    numbers->trigger();
+    const QImage with = canvas->viewport()->grab().toImage();
+    numbers->trigger();
+    const QImage after = canvas->viewport()->grab().toImage();
+    QVERIFY(before == after);
+    for (const auto& map : document::system2(window->document().fractal())->maps) {
+        const QPoint fixed = view::pixelOf(canvas->camera(), *ifs::fixedPoint(map.map)).toPoint();
+        const QRect around(fixed - QPoint(4, 4), QSize(9, 9));
+        QVERIFY(with.copy(around) != before.copy(around));
+    }
 }
 
 QTEST_MAIN(MainWindowTest)

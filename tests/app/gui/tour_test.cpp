@@ -24,6 +24,7 @@ private slots:
     void sixStepsPointAtWhatTheySpeakOf();
     void theBarIsPutAway();
     void theOfferIsMadeOnce();
+    void theFirstHintGoesWithTheTour();
     void theWindowMayCloseMeanwhile();
 
 private:
@@ -132,6 +133,20 @@ void TourTest::theOfferIsMadeOnce() {
     Tour::offer(m_window.get());
     QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
     QTRY_VERIFY(!tour()); // who begins is not asked any more
+}
+
+// What it says would stand beside the first step.
+void TourTest::theFirstHintGoesWithTheTour() {
+    support::forgetSettings();
+    m_window->openFirstPicture();
+    const auto* canvas = m_window->findChild<view::CanvasView*>();
+    QVERIFY(!canvas->hint().isEmpty());
+    Tour::offer(m_window.get());
+    QCOMPARE(tour()->step(), -1);
+    QVERIFY(!canvas->hint().isEmpty()); // as long as it is only offered
+    button(QStringLiteral("Start the Tour"))->click();
+    QCOMPARE(tour()->step(), 0);
+    QVERIFY(canvas->hint().isEmpty());
 }
 
 void TourTest::theWindowMayCloseMeanwhile() {

@@ -51,6 +51,30 @@ private slots:
         QCOMPARE(found.largest, 50.);
     }
 
+    // The size says how large a copy is, the excess how far it goes beyond what it should show.
+    void excessBoundsTheError() {
+        CopyExpansion expansion = triangle(2);
+        expansion.excess = 0.5;
+        CopyDeviation found = deviation(expansion, 100);
+        QCOMPARE(found.largest, 50.);
+        QCOMPARE(found.error, 25 * 0.5 + 1 + 25 + 12.5);
+        expansion.excess = 7;
+        QCOMPARE(deviation(expansion, 100).error, deviation(triangle(2), 100).error);
+    }
+
+    // Of all that is drawn the worst, by the errors of the copies that it is inside of.
+    void whatIsMissingIsSummedAlongWords() {
+        CopyExpansion expansion = triangle(2);
+        expansion.picture.front().missing = 3;
+        for (auto& level : expansion.copies)
+            for (CopyStep& step : level)
+                step.missing = 0.5;
+        QCOMPARE(deviation(expansion, 100).missing, 3. + 50 + 25);
+        expansion.picture.push_back({Matrix<2>::Identity(), 1, true, 500, 90});
+        QCOMPARE(deviation(expansion, 100).missing, 90.);
+        QVERIFY(std::isinf(deviation(expansion, 2).missing));
+    }
+
     // It says by itself how far it is off, at every level, and nothing is below it.
     void projectionsAreLeaves() {
         CopyExpansion expansion = triangle(1);
@@ -70,13 +94,14 @@ private slots:
     }
 
     void insideComposes() {
-        const CopyStep outer{(Matrix<2>() << 0, 2, 1, 0).finished(), 5, false, 3};
-        const CopyStep inner{(Matrix<2>() << 1, 1, 0, 1).finished(), 2, true, 0.5};
+        const CopyStep outer{(Matrix<2>() << 0, 2, 1, 0).finished(), 5, false, 3, 1};
+        const CopyStep inner{(Matrix<2>() << 1, 1, 0, 1).finished(), 2, true, 0.5, 0.25};
         const CopyStep both = inside(outer, inner);
         QCOMPARE(both.linear, (Matrix<2>() << 0, 2, 1, 1).finished());
         QCOMPARE(both.level, 2);
         QVERIFY(both.isProjection);
         QCOMPARE(both.shift, 4.); // the inner one's by twice as much
+        QCOMPARE(both.missing, 1.5);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "attractor/render/renderer.h"
 #include "document/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
+#include "ifs/extent/polygon.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/svg_system.h"
 #include "io/picture/svg_writer.h"
@@ -331,34 +332,47 @@ void SvgWriterTest::errorHoldsBothWays() {
     const attractor::Camera camera = cameraFor(fractal);
     const SvgPicture picture = svgPicture(fractal, camera, {4, CageVisibility::Hidden});
     const Parsed file = parsed(picture.bytes);
-    std::vector<ifs::Vector<2>> drawn;
+    std::vector<ifs::Polygon> drawn;
     expand(file, QStringLiteral("attractor"), file.transforms.at(QStringLiteral("attractor")),
            [&](const ifs::AffineMap<2>& map) {
+               ifs::Polygon& copy = drawn.emplace_back();
                for (const auto& vertex : file.polygons.at(QStringLiteral("level-0")))
-                   drawn.push_back(map(vertex));
+                   copy.push_back(map(vertex));
+               std::ranges::reverse(copy); // y grows downwards
            });
-    std::vector<ifs::Vector<2>> points;
-    const auto maps = canonical::sierpinskiRight();
-    std::mt19937 random(3);
-    ifs::Vector<2> x(0, 0);
-    for (int n = 0; n < 4000; ++n)
-        points.push_back(toPixel(camera, x = maps[random() % 3](x)));
-    const auto farthest = [](const std::vector<ifs::Vector<2>>& from, const std::vector<ifs::Vector<2>>& to) {
-        double result = 0;
-        for (const auto& a : from) {
+    QVERIFY(!drawn.empty() && ifs::area(drawn.front()) > 0);
+    std::vector<ifs::Vector<2>> points{{0, 0}, {1, 0}, {0, 1}}; // of the attractor, a 128th apart
+    for (int level = 0; level < 7; ++level) {
+        std::vector<ifs::Vector<2>> images;
+        for (const auto& map : canonical::sierpinskiRight())
+            for (const auto& point : points)
+                images.push_back(map(point));
+        points = std::move(images);
+    }
+    for (auto& point : points)
+        point = toPixel(camera, point);
+    const double gap = camera.pixelsPerUnit / 128;
+    double beyond = 0, missing = 0;
+    for (const ifs::Polygon& copy : drawn)
+        for (const auto& vertex : copy) {
             double nearest = 1e9;
-            for (const auto& b : to)
-                nearest = std::min(nearest, (a - b).norm());
-            result = std::max(result, nearest);
+            for (const auto& point : points)
+                nearest = std::min(nearest, (vertex - point).norm());
+            beyond = std::max(beyond, nearest);
         }
-        return result;
-    };
-    QVERIFY(farthest(drawn, points) <= picture.plan.errorInPixels);
-    QVERIFY(farthest(points, drawn) <= picture.plan.errorInPixels);
-    // A sixteenth of the whole at depth 4, and half a pixel of widening on either side.
-    const double whole = camera.pixelsPerUnit * std::sqrt(2.0);
-    QVERIFY(picture.plan.errorInPixels >= whole / 16);
-    QVERIFY(picture.plan.errorInPixels < whole / 16 + 2);
+    for (const auto& point : points) {
+        double nearest = 1e9;
+        for (const ifs::Polygon& copy : drawn)
+            nearest = std::min(nearest, ifs::distanceToConvex(copy, point));
+        missing = std::max(missing, nearest);
+    }
+    const double stated = picture.plan.errorInPixels;
+    QVERIFY2(beyond <= stated + gap, qPrintable(QString::number(beyond)));
+    QVERIFY2(missing <= 1e-6, qPrintable(QString::number(missing)));
+    // The copies fill the hole in their middle: at depth 4 a right triangle with legs of a 32nd of the whole,
+    // whose points are as far from the attractor as its incircle is wide.
+    const double hole = camera.pixelsPerUnit / 32 * (1 - 1 / std::sqrt(2.0));
+    QVERIFY2(stated >= hole && stated < hole + 1, qPrintable(QString::number(stated)));
 }
 
 void SvgWriterTest::noMatrixIsSingular_data() {

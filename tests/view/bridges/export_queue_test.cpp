@@ -12,17 +12,20 @@
 
 #include <QAction>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QListView>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QStandardItemModel>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -76,6 +79,7 @@ private slots:
     void drawsOneAfterAnother();
     void pausesAndGoesOn();
     void cancelsWhatIsDrawn();
+    void saysHowLongItTakes();
     void triesAgain();
     void aNewFileIsNotReplaced();
     void ordersWhatWaits();
@@ -154,6 +158,35 @@ void ExportQueueTest::cancelsWhatIsDrawn() {
     QTRY_VERIFY_WITH_TIMEOUT(isDone(queue), soon);
     QCOMPARE(written(), QStringList{QStringLiteral("short.png")});
     QTRY_COMPARE(keptFiles(), 0);
+}
+
+// As much longer as is left to do, at the speed so far.
+void ExportQueueTest::saysHowLongItTakes() {
+    ExportQueue queue(kept());
+    const view::ExportsModel model(&queue);
+    QElapsedTimer clock;
+    clock.start();
+    io::ExportTask slow = longTask(out(QStringLiteral("long.png")));
+    std::get<io::PixelRecipe>(slow.recipe).samplesPerPixel = 300; // the first percents come soon
+    queue.add(slow);
+    const auto sentence = [&] { return model.index(0).data(view::ExportsModel::SentenceRole).toString(); };
+    const QueuedExport& drawn = queue.exports().front();
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.millisecondsLeft.has_value(), 4 * soon);
+    const double left = double(*drawn.millisecondsLeft);
+    const double share = (1 - drawn.progress) / drawn.progress;
+    QVERIFY(drawn.progress > 0 && drawn.progress < 1);
+    QVERIFY(left > 0 && left <= share * double(clock.elapsed() + 1));
+    const QRegularExpression form(
+        QStringLiteral("^(\\d+) %, about (\\d+) (second|minute|hour)\\(s\\) left$"));
+    const QRegularExpressionMatch said = form.match(sentence());
+    QVERIFY2(said.hasMatch(), qPrintable(sentence()));
+    QCOMPARE(said.captured(1).toInt(), int(std::floor(100 * drawn.progress)));
+    const QString unit = said.captured(3);
+    const double size = unit == u"second" ? 1000 : unit == u"minute" ? 60'000 : 3'600'000;
+    const double told = said.captured(2).toInt() * size;
+    QVERIFY(told >= left && told < left + 1.05 * size + 1000); // rounded up
+    queue.cancel(queue.exports().front().id);
+    QVERIFY(queue.exports().empty());
 }
 
 void ExportQueueTest::triesAgain() {

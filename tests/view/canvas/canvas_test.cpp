@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/render/renderer.h"
+#include "canvas/items/symmetry_item.h"
 #include "canvas/tools/vertex_dialog.h"
 #include "document/edits/cage_actions.h"
+#include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 #include "view/canvas/canvas_fixture.h"
 #include "widgets/number_text.h"
@@ -75,6 +77,61 @@ private slots:
             }());
             for (int i = 0; i < 3; ++i)
                 QVERIFY(!note->box().adjusted(-8, -8, 8, 8).contains(vertex(i)));
+            for (const Kind knob : {Kind::Rotate, Kind::Scale, Kind::Pivot})
+                QVERIFY(!note->box().adjusted(-8, -8, 8, 8).contains(at({knob, 0})));
+        }
+    }
+
+    void sentencesCoverNoOtherHandle_data() {
+        QTest::addColumn<int>("tool");
+        QTest::newRow("cage") << int(CanvasView::Tool::Cage);
+        QTest::newRow("maps") << int(CanvasView::Tool::Maps);
+        QTest::newRow("branch") << int(CanvasView::Tool::Branch);
+    }
+
+    // Each handle in turn is brought under the sentence, with all that is on the canvas.
+    void sentencesCoverNoOtherHandle() {
+        QFETCH(int, tool);
+        const ifs::Symmetry<2> symmetry{ifs::SymmetryGroup::Rotation, 3, 0, {0.5, 0.3}};
+        m_canvas->setTool(CanvasView::Tool(tool));
+        std::vector<CanvasPart> parts{{Kind::Rotate, 0}, {Kind::Scale, 0}, {Kind::Pivot, 0}};
+        if (m_canvas->tool() == CanvasView::Tool::Maps) m_canvas->selectMaps({system().maps[1].id});
+        if (m_canvas->tool() == CanvasView::Tool::Branch) {
+            click(m_canvas->canvas().cagePolygon().first()); // a point of the attractor
+            QVERIFY(!scene().handles().branch().empty());
+        }
+        const bool isCage = m_canvas->tool() == CanvasView::Tool::Cage;
+        if (isCage)
+            m_document->edit(QStringLiteral("symmetric"),
+                             document::withSymmetry(m_document->fractal(), symmetry));
+        QCOMPARE(scene().symmetry().knob().has_value(), isCage);
+        for (int map = isCage ? -1 : 0; map < (isCage ? 0 : scene().handles().childCount()); ++map)
+            for (int i = 0; i < 3; ++i)
+                parts.push_back({Kind::Vertex, i, map});
+        const QString text = QStringLiteral("Drag a corner.");
+        m_canvas->setHint(text);
+        const view::NoteItem* note = nullptr;
+        for (const QGraphicsItem* item : scene().items())
+            if (const auto* found = dynamic_cast<const view::NoteItem*>(item); found && found->text() == text)
+                note = found;
+        QVERIFY(note);
+        const auto handles = [&] {
+            std::vector<QPointF> positions;
+            for (const CanvasPart& part : parts)
+                positions.push_back(at(part));
+            if (const auto knob = scene().symmetry().knob()) positions.push_back(*knob);
+            return positions;
+        };
+        for (std::size_t k = 0; k < handles().size(); ++k) {
+            const QPointF by = note->box().center() - handles()[k];
+            document::Fractal fractal = m_document->fractal();
+            ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+            for (auto& corner : cage.current)
+                corner += view::worldOffset(m_canvas->camera(), by);
+            document::plane(fractal)->cage = cage;
+            m_document->edit(QStringLiteral("move"), fractal);
+            for (const QPointF& position : handles())
+                QVERIFY(!note->box().adjusted(-8, -8, 8, 8).contains(position));
         }
     }
 

@@ -11,17 +11,22 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QMenu>
 #include <QProxyStyle>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QStyle>
 #include <QTabBar>
 #include <QTest>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <array>
 #include <cmath>
@@ -47,6 +52,8 @@ private slots:
     void aButtonThatIsOnIsSeen();
     void theTabThatIsChosenIsSeen();
     void theArrowOfAMenuIsBesideItsText();
+    void theButtonsOfPanelsAreSeen();
+    void theFocusIsSeen();
 
 private:
     static QComboBox* box(const PreferencesDialog& dialog, const QString& name) {
@@ -291,6 +298,91 @@ void PreferencesDialogTest::theArrowOfAMenuIsBesideItsText() {
 
         QVERIFY(!seen.isEmpty() && seen.width() < 20);
         QVERIFY2(std::abs(seen.center().y() - 15) <= 2, qPrintable(QString::number(seen.center().y())));
+    }
+}
+
+// Fusion has them in dark grey, which is not seen in a dark theme.
+void PreferencesDialogTest::theButtonsOfPanelsAreSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::applyTheme(theme);
+        QMainWindow window;
+        window.resize(400, 300);
+        auto* panel = new QDockWidget(QStringLiteral("Maps"), &window);
+        panel->setWidget(new QWidget(panel));
+        window.addDockWidget(Qt::LeftDockWidgetArea, panel);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (const char* name : {"qt_dockwidget_closebutton", "qt_dockwidget_floatbutton"}) {
+            const auto* button = panel->findChild<QAbstractButton*>(QLatin1String(name));
+            QVERIFY(button && button->isVisible());
+            const QImage image = panel->grab(button->geometry()).toImage();
+            double best = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    best = std::max(best, support::contrast(image.pixel(x, y), image.pixel(0, 0)));
+            QVERIFY2(
+                best >= 3,
+                qPrintable(
+                    QStringLiteral("%1 in theme %2: %3").arg(QLatin1String(name)).arg(int(theme)).arg(best)));
+        }
+    }
+}
+
+// That the keys have brought to a control, in either theme, also to a button that is on.
+void PreferencesDialogTest::theFocusIsSeen() {
+    for (const auto theme : {Preferences::Theme::Dark, Preferences::Theme::Light}) {
+        view::applyTheme(theme);
+        QWidget window;
+        auto* elsewhere = new QPushButton(QStringLiteral("elsewhere"), &window);
+        auto* tabs = new QTabBar(&window);
+        tabs->addTab(QStringLiteral("one"));
+        tabs->addTab(QStringLiteral("two"));
+        auto* on = new QPushButton(QStringLiteral("on"), &window);
+        auto* toolOn = new QToolButton(&window);
+        for (QAbstractButton* button :
+             {static_cast<QAbstractButton*>(on), static_cast<QAbstractButton*>(toolOn)}) {
+            button->setCheckable(true);
+            button->setChecked(true);
+        }
+        auto* list = new QComboBox(&window);
+        list->addItem(QStringLiteral("one"));
+        const QList<QWidget*> controls{new QPushButton(QStringLiteral("off"), &window),
+                                       on,
+                                       new QToolButton(&window),
+                                       toolOn,
+                                       new QCheckBox(QStringLiteral("box"), &window),
+                                       new QRadioButton(QStringLiteral("radio"), &window),
+                                       new QLineEdit(&window),
+                                       list,
+                                       new QSpinBox(&window),
+                                       tabs};
+        QVBoxLayout layout(&window);
+        layout.addWidget(elsewhere);
+        for (QWidget* control : controls) {
+            control->setFocusPolicy(Qt::StrongFocus);
+            control->setMinimumSize(80, 24);
+            layout.addWidget(control);
+        }
+        window.setAttribute(Qt::WA_KeyboardFocusChange); // as the Tab key does
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        for (QWidget* control : controls) {
+            elsewhere->setFocus(Qt::TabFocusReason);
+            QTRY_VERIFY(elsewhere->hasFocus());
+            const QImage without = control->grab().toImage();
+            control->setFocus(Qt::TabFocusReason);
+            QTRY_VERIFY(control->hasFocus());
+            const QImage with = control->grab().toImage();
+            QCOMPARE(with.size(), without.size());
+            int different = 0;
+            for (int y = 0; y < with.height(); ++y)
+                for (int x = 0; x < with.width(); ++x)
+                    different += support::contrast(with.pixel(x, y), without.pixel(x, y)) > 1.5;
+            QVERIFY2(different >= 10, qPrintable(QStringLiteral("%1 in theme %2: %3 pixels")
+                                                     .arg(QLatin1String(control->metaObject()->className()))
+                                                     .arg(int(theme))
+                                                     .arg(different)));
+        }
     }
 }
 

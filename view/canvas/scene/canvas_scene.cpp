@@ -23,6 +23,7 @@ using Kind = CanvasPart::Kind;
 namespace {
 
 constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
+constexpr std::size_t maxCorners = 60;  // of maps that are not selected, in addition
 constexpr double keyReach = 7;          // pixels from the middle of a diamond
 
 } // namespace
@@ -196,7 +197,6 @@ void CanvasScene::layoutItems() {
         if (m_heldKnob && pressed == Kind::Scale) m_gizmoLayout.scale = *m_heldKnob;
         m_gizmo->setLayout(m_gizmoLayout);
     }
-    m_notes.avoid(handlePositions());
     mark();
     updateVisibility();
 }
@@ -219,6 +219,12 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
     if (m_handles.isAnythingHeld())
         for (const QPointF& knob : {m_gizmoLayout.pivot, m_gizmoLayout.rotate, m_gizmoLayout.scale})
             positions.push_back(knob);
+    if (const auto knob = m_symmetryItem->knob()) positions.push_back(*knob);
+    std::vector<QPointF> others;
+    for (const MapFrame& frame : frames())
+        if (!frame.selected && !frame.isLocked && others.size() <= maxCorners)
+            others.insert(others.end(), frame.corners.begin(), frame.corners.end());
+    if (others.size() <= maxCorners) positions.insert(positions.end(), others.begin(), others.end());
     return positions;
 }
 
@@ -325,6 +331,7 @@ void CanvasScene::updateVisibility() {
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);
     m_gizmo->setVisible(cage && m_handles.isAnythingHeld());
+    m_notes.avoid(handlePositions());
 }
 
 } // namespace view

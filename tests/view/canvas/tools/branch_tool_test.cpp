@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
+#include "canvas/marks/address_walk.h"
 #include "document/fractal_geometry.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/existence/attractor_existence.h"
@@ -15,6 +16,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -79,6 +81,35 @@ private slots:
         QVERIFY(!read(pointOf(word)).address.empty());
     }
 
+    // The image under the word that is read contains the point, and is as small as a pixel. Followed by hand,
+    // with more digits. The pieces are apart, so that the point has no other address.
+    void addressesReachAsDeepAsTheView() {
+        Word word;
+        for (int n = 0; n < 60; ++n)
+            word.push_back((n * n + n / 3) % 3);
+        const Vector<2> point = *ifs::addressPoint<2>(ifs::mapsOf(system()), word, {0});
+        for (const double zoom : {1e6, 1e9, 1e12}) {
+            attractor::Camera camera = m_canvas->camera();
+            camera.centre = document::placement(m_document->fractal())(point);
+            camera.pixelsPerUnit = 100 * zoom; // 100 % is a hundred pixels for a unit
+            m_canvas->navigation().setCamera(camera);
+            QCOMPARE(m_canvas->camera().pixelsPerUnit, 100 * zoom);
+            hover({3, 3});
+            const Word address = read(pixel(point)).address;
+            const double size = std::pow(0.4, double(address.size())), width = 1 / (100 * zoom);
+            QVERIFY2(size < 3 * width && size > width / 10, qPrintable(QString::number(address.size())));
+            QVERIFY(std::equal(address.begin(), address.end() - 2, word.begin()));
+            long double x = 0.4L, y = 0.25L; // in the middle of the attractor
+            for (auto symbol = address.rbegin(); symbol != address.rend(); ++symbol) {
+                const ifs::AffineMap<2>& map = system().maps[std::size_t(*symbol)].map;
+                const long double before = x;
+                x = map.linear(0, 0) * before + map.linear(0, 1) * y + map.translation.x();
+                y = map.linear(1, 0) * before + map.linear(1, 1) * y + map.translation.y();
+            }
+            QVERIFY(std::hypot(double(x - point.x()), double(y - point.y())) < width);
+        }
+    }
+
     void aClickSelectsTheBranchToItsDepth() {
         click(pointOf({1, 2, 0, 2}));
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
@@ -99,6 +130,36 @@ private slots:
         QTest::keyClick(m_canvas.get(), Qt::Key_PageDown);
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
         QCOMPARE(steps(), 0);
+    }
+
+    // The images under the beginnings of its address are outlined, the last one is filled.
+    void theWalkToABranchIsPainted() {
+        auto* walk = new view::AddressWalk; // owned by the scene
+        m_canvas->scene()->addItem(walk);
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        const auto images = view::addressWalk(m_document->fractal(), {1, 2});
+        QCOMPARE(images.size(), std::size_t{2});
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        // No event comes between the two: the picture is the same.
+        const QImage with = m_canvas->viewport()->grab().toImage();
+        walk->setVisible(false);
+        const QImage without = m_canvas->viewport()->grab().toImage();
+        const auto differs = [&](const QPointF& p) {
+            return with.pixel(p.toPoint()) != without.pixel(p.toPoint());
+        };
+        const QPolygonF outer = view::pixelsOf(m_canvas->camera(), images[0]);
+        const QPolygonF last = view::pixelsOf(m_canvas->camera(), images[1]);
+        int inside = 0, filled = 0; // handles lie over some of it
+        for (int i = 1; i < 8; ++i)
+            for (int j = 1; i + j < 8; ++j, ++inside)
+                filled += differs((last[0] * i + last[1] * j + last[2] * (8 - i - j)) / 8);
+        QVERIFY2(2 * filled > inside, qPrintable(QString::number(filled)));
+        bool isOutlined = false; // if only by an edge that no other line covers
+        for (int i = 0; i < 3; ++i)
+            isOutlined = isOutlined || differs((outer[i] + outer[(i + 1) % 3]) / 2);
+        QVERIFY(isOutlined);
+        QVERIFY(!differs({3, 3}));
     }
 
     // As a map of its own, only this branch moves. The rest of the attractor is made by maps that are words.

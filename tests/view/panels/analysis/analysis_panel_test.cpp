@@ -16,6 +16,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
+#include <QSet>
 #include <QTimer>
 
 #include <algorithm>
@@ -366,6 +367,47 @@ private slots:
         panel.outlineBox(document::Outline::FixedPoints)->click();
         QTRY_VERIFY_WITH_TIMEOUT(bridge.analysis()->shapes.empty(), patience);
         QVERIFY(document.undoStack()->count() == 1); // a state of the view
+    }
+
+    // So that it is seen which outline is whose.
+    void outlinesHaveTheColoursOfTheirSwitches() {
+        using document::Outline;
+        for (const auto& background : {attractor::Rgba{0, 0, 0}, attractor::Rgba{255, 255, 255}}) {
+            document::Document document;
+            document::Fractal fractal = maple();
+            fractal.appearance.background = background;
+            document.setFile(document::fileOf(fractal));
+            view::AnalysisBridge bridge(&document);
+            const view::AnalysisPanel panel(&document, &bridge);
+            QSet<QRgb> seen;
+            for (const Outline kind : {Outline::Box, Outline::Hull, Outline::Simplex, Outline::Ellipse}) {
+                const QImage icon = panel.outlineBox(kind)->icon().pixmap(32, 32).toImage();
+                const QRgb swatch = icon.pixel(icon.width() / 2, icon.height() / 2);
+                seen << swatch;
+                view::AnalysisItem item;
+                attractor::Camera camera;
+                camera.width = camera.height = 100;
+                camera.pixelsPerUnit = 10;
+                camera.centre = {0, 0};
+                item.setView(camera);
+                item.setStyle(view::overlayStyle(background, panel.palette()));
+                item.setShapes({{kind, {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, {}}});
+                QImage image(100, 100, QImage::Format_ARGB32_Premultiplied);
+                image.fill(QColor(128, 128, 128));
+                QPainter painter(&image);
+                item.paint(&painter, nullptr, nullptr);
+                painter.end();
+                int nearest = 1000; // of the pixels across the line
+                for (int x = 15; x < 25; ++x) {
+                    const QRgb p = image.pixel(x, 50);
+                    nearest = std::min(nearest, std::abs(qRed(p) - qRed(swatch)) +
+                                                    std::abs(qGreen(p) - qGreen(swatch)) +
+                                                    std::abs(qBlue(p) - qBlue(swatch)));
+                }
+                QVERIFY2(nearest < 12, qPrintable(QString::number(nearest)));
+            }
+            QCOMPARE(seen.size(), 4);
+        }
     }
 
     // On black and on white, with a halo of the other shade beside the line.
