@@ -34,7 +34,7 @@ QTransform transformOf(const ifs::AffineMap<2>& map) {
 } // namespace
 
 CollageLayer::CollageLayer(document::Document* document, CanvasView* canvas)
-    : m_document(document), m_canvas(canvas) {
+    : m_document(document), m_canvas(canvas), m_area(canvas->scene()->sceneRect()) {
     setZValue(level);
     setAcceptedMouseButtons(Qt::NoButton);
     canvas->scene()->addItem(this);
