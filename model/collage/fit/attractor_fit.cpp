@@ -77,23 +77,6 @@ Eigen::MatrixXd freedom(const Maps& maps, const Constraints& constraints,
     return basis.leftCols(column);
 }
 
-// How the points move with the 6 N numbers: two rows for each point.
-Rows derivatives(const Maps& maps, const std::vector<AttractorPoint>& points) {
-    Rows rows = Rows::Zero(2 * Eigen::Index(points.size()), 6 * Eigen::Index(maps.size()));
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const AttractorPoint& point = points[k];
-        const AttractorPoint& from = points[std::size_t(point.parent)];
-        auto here = rows.middleRows<2>(2 * Eigen::Index(k));
-        const ifs::Matrix<2>& a = maps[std::size_t(point.map)].linear;
-        if (k > 0) here = a * rows.middleRows<2>(2 * Eigen::Index(point.parent));
-        auto own = here.middleCols<6>(6 * Eigen::Index(point.map));
-        own.row(0) += Eigen::Matrix<double, 1, 6>(from.x, from.y, 0, 0, 1, 0);
-        own.row(1) += Eigen::Matrix<double, 1, 6>(0, 0, from.x, from.y, 0, 1);
-        if (k == 0) own = ((ifs::Matrix<2>::Identity() - a).inverse() * own).eval();
-    }
-    return rows;
-}
-
 // Where points of the attractor should go: r = goal − x, with weights.
 struct Residuals {
     std::vector<Eigen::Index> point;
@@ -150,7 +133,7 @@ Linearised linearised(const Target& target, const Maps& maps, const Eigen::Matri
         points = attractorPoints(maps, target.grid, step, 16 * maxPoints);
     }
     const Residuals residual = residuals(target, points);
-    const Rows rows = derivatives(maps, points) * basis;
+    const Rows rows = pointDerivatives(maps, points) * basis;
     const auto count = Eigen::Index(residual.point.size());
     Rows active(2 * count, basis.cols());
     Eigen::VectorXd goals(2 * count);

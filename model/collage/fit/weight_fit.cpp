@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/weight_fit.h"
 
+#include "collage/measure/transport_bound.h"
+#include "collage/target/target.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
@@ -154,6 +157,31 @@ std::vector<double> fittedWeights(const Density& density, std::span<const ifs::A
     }
     const Eigen::VectorXd p = simplexMinimum(q, c);
     return {p.begin(), p.end()};
+}
+
+std::optional<double> measureBound(const Density& density, std::span<const ifs::AffineMap<2>> maps,
+                                   std::span<const double> weights) {
+    const double mass = std::accumulate(density.mass.begin(), density.mass.end(), 0.0);
+    double contraction = 0; // on average
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        contraction += weights[i] * ifs::spectralNorm<2>(maps[i].linear);
+    if (!(mass > 0) || !(contraction < 1)) return std::nullopt;
+    const double side = 1.0 / density.height;
+    const Grid grid{-density.width * side / 2, 0.5, side, density.width, density.height};
+    std::vector<ifs::AffineMap<2>> inside;
+    for (const ifs::AffineMap<2>& map : maps)
+        inside.push_back(inGrid(grid, map));
+    TransportBound bound(density.width, density.height);
+    for (std::size_t k = 0; k < density.mass.size(); ++k) {
+        if (density.mass[k] == 0) continue;
+        const double share = density.mass[k] / mass;
+        const auto width = std::size_t(density.width);
+        const ifs::Vector<2> centre(double(k % width) + 0.5, double(k / width) + 0.5);
+        bound.addDemand({share, centre, 1.0 / 6}); // even on each pixel
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            bound.addSupply({share * weights[i], inside[i](centre), inside[i].linear.squaredNorm() / 12});
+    }
+    return std::move(bound).cost() / (1 - contraction);
 }
 
 } // namespace collage

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct Density {
 // docs/mathematics.md, "Collages". Equal weights when there is no mass.
 std::vector<double> fittedWeights(const Density& density, std::span<const ifs::AffineMap<2>> maps,
                                   double blur = 2);
+
+// How far the invariant measure μ of the maps with these weights is from the measure ν at most, by Monge and
+// Kantorovich, in pixels: d(μ, ν) ≤ d(ν, Mν)/(1 − Σ p_i s_i), where Mν = Σ p_i (w_i)_#ν and s_i is the
+// spectral norm of a map. The weights must have the sum 1. nullopt when the maps do not contract on average,
+// or there is no mass.
+std::optional<double> measureBound(const Density& density, std::span<const ifs::AffineMap<2>> maps,
+                                   std::span<const double> weights);
 
 // The p ≥ 0 with sum 1 that minimises pᵀ Q p − 2 cᵀ p, for a symmetric positive semidefinite Q: a primal
 // active-set method, exact up to rounding.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collage/measure/attractor_points.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
@@ -59,6 +61,24 @@ std::vector<AttractorPoint> attractorPoints(std::span<const ifs::AffineMap<2>> m
             if (squares.insert(x, y)) points.push_back({x, y, std::int32_t(next), std::int32_t(i)});
         }
     return points;
+}
+
+PointDerivatives pointDerivatives(std::span<const ifs::AffineMap<2>> maps,
+                                  std::span<const AttractorPoint> points) {
+    PointDerivatives rows =
+        PointDerivatives::Zero(2 * Eigen::Index(points.size()), 6 * Eigen::Index(maps.size()));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const AttractorPoint& point = points[k];
+        const AttractorPoint& from = points[std::size_t(point.parent)];
+        auto here = rows.middleRows<2>(2 * Eigen::Index(k));
+        const ifs::Matrix<2>& a = maps[std::size_t(point.map)].linear;
+        if (k > 0) here = a * rows.middleRows<2>(2 * Eigen::Index(point.parent));
+        auto own = here.middleCols<6>(6 * Eigen::Index(point.map));
+        own.row(0) += Eigen::Matrix<double, 1, 6>(from.x, from.y, 0, 0, 1, 0);
+        own.row(1) += Eigen::Matrix<double, 1, 6>(0, 0, from.x, from.y, 0, 1);
+        if (k == 0) own = ((ifs::Matrix<2>::Identity() - a).inverse() * own).eval();
+    }
+    return rows;
 }
 
 } // namespace collage

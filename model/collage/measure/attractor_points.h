@@ -3,6 +3,8 @@
 
 #include "collage/target/target.h"
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,5 +26,11 @@ struct AttractorPoint {
 // point; not more than `maxPoints`. docs/mathematics.md, "Collages".
 std::vector<AttractorPoint> attractorPoints(std::span<const ifs::AffineMap<2>> maps, const Grid& grid,
                                             double step, std::size_t maxPoints);
+
+// How the points move with the numbers a b c d e f of all maps: two rows for each point, six columns for each
+// map.
+using PointDerivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+PointDerivatives pointDerivatives(std::span<const ifs::AffineMap<2>> maps,
+                                  std::span<const AttractorPoint> points);
 
 } // namespace collage

@@ -29,15 +29,25 @@ std::array<Pattern, 4> patterns() {
     return all;
 }
 
-QImage pictureOf(const collage::Mask& target, const collage::Mask& compared) {
+struct Picture {
+    QImage image;
+    QRect used;
+};
+
+Picture pictureOf(const collage::Mask& target, const collage::Mask& compared) {
     const int factor = std::max(1, minSide / std::max(target.width, target.height));
     QImage image(target.width * factor, target.height * factor, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    const collage::PixelBox a = collage::boxOf(target), b = collage::boxOf(compared);
+    const QRect cells =
+        QRect(a.left, a.top, a.width(), a.height()) | QRect(b.left, b.top, b.width(), b.height());
+    const QRect used(cells.topLeft() * factor, cells.size() * factor);
     const std::array<Pattern, 4> all = patterns();
-    for (int y = 0; y < image.height(); ++y) {
+    for (int y = used.top(); y <= used.bottom(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
         const std::size_t row = target.index(0, y / factor);
-        int up = y % period, down = (image.height() - y) % period;
-        for (int x = 0; x < image.width(); ++x) {
+        int up = (used.left() + y) % period, down = (used.left() + image.height() - y) % period;
+        for (int x = used.left(); x <= used.right(); ++x) {
             const std::size_t cell = row + std::size_t(x / factor);
             const auto of =
                 std::size_t((target.cells[cell] != 0 ? 1 : 0) + (compared.cells[cell] != 0 ? 2 : 0));
@@ -46,7 +56,7 @@ QImage pictureOf(const collage::Mask& target, const collage::Mask& compared) {
             down = down + 1 == period ? 0 : down + 1;
         }
     }
-    return image;
+    return {image, used};
 }
 
 // From cells of factor² pixels. A pixel of the shape is at most a diagonal of a cell away from one that is
@@ -75,13 +85,16 @@ std::optional<MeasuredFractal> measured(const Fractal& fractal, const TracedPict
     result.bound = images.measure.bound;
     result.norm = images.measure.norm;
     const collage::Grid& grid = target.grid;
+    Picture picture;
     if (compared == Compared::Attractor) {
         if (!result.bound) return std::nullopt;
         result.agreement = collage::attractorAgreement(target, maps->maps);
-        result.picture = pictureOf(target.mask, collage::attractorMask(grid, maps->maps));
+        picture = pictureOf(target.mask, collage::attractorMask(grid, maps->maps));
     } else {
-        result.picture = pictureOf(target.mask, images.images);
+        picture = pictureOf(target.mask, images.images);
     }
+    result.picture = picture.image;
+    result.used = picture.used;
     if (isCoarse) inPixels(result, traced.coarseFactor);
     result.area = {grid.left, grid.top, grid.width * grid.cell, grid.height * grid.cell};
     return result;

@@ -25,6 +25,7 @@ struct MeasuredFractal {
     std::optional<double> bound;
     ifs::ContractingNorm<2> norm; // in which the bound holds
     QImage picture; // both grey, too much red and hatched like /, missing blue and hatched like \.
+    QRect used;     // the part of it that shows anything, in its pixels
     QRectF area;    // of the picture, in the plane: top is its largest y, its height is positive
 };
 

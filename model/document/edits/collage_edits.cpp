@@ -185,6 +185,16 @@ std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPic
     return result == fractal ? std::nullopt : std::optional(std::move(result));
 }
 
+std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced) {
+    const auto maps = collageMaps(fractal);
+    if (!maps) return std::nullopt;
+    const std::vector<double> all = ifs::probabilities(*system2(fractal));
+    std::vector<double> weights;
+    for (const std::size_t index : maps->index)
+        weights.push_back(all[index]);
+    return collage::measureBound(densityOf(traced), maps->maps, weights);
+}
+
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners) {
     if (!planeObstacle(fractal).isEmpty() || !system2(fractal)->links.empty()) return std::nullopt;
     Fractal result = fractal;

@@ -8,8 +8,13 @@
 #include <QJsonDocument>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <QProcess>
 
@@ -21,6 +26,8 @@ private slots:
     void init();
     void aPictureBecomesASystem();
     void theReportMatchesWhatIsDrawn();
+    void distancesAgreeWithThoseOfAllPairs();
+    void thresholdChoosesTheShape();
     void theSameStartsGiveTheSameBytes();
     void secondsDecideOnlyTheStarts();
     void opacityMakesTheShape();
@@ -84,6 +91,51 @@ QByteArray animatedGif() {
     return QByteArray("GIF89a") + QByteArray::fromHex("10001000800000000000ffffff") + frame + frame + ';';
 }
 
+using Cells = std::set<std::pair<int, int>>; // column and row
+
+Cells darkCells(const QImage& image, int below) {
+    Cells cells;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qGray(image.pixel(x, y)) < below) cells.emplace(x, y);
+    return cells;
+}
+
+// W(L) for the target in a picture of 160 × 120 pixels.
+Cells imagesOf(const Cells& target, const QJsonArray& maps) {
+    Cells cells;
+    for (const QJsonValue& map : maps) {
+        const QJsonArray a = map[QLatin1String("linear")].toArray();
+        const QJsonArray b = map[QLatin1String("translation")].toArray();
+        for (const auto& [column, row] : target) {
+            const double x = (column + 0.5 - 80) / 120, y = 0.5 - (row + 0.5) / 120;
+            const double u = a[0][0].toDouble() * x + a[0][1].toDouble() * y + b[0].toDouble();
+            const double v = a[1][0].toDouble() * x + a[1][1].toDouble() * y + b[1].toDouble();
+            cells.emplace(int(std::floor(u * 120 + 80)), int(std::floor((0.5 - v) * 120)));
+        }
+    }
+    return cells;
+}
+
+// Of each cell of `from` to the nearest of `to`.
+std::vector<double> distances(const Cells& from, const Cells& to) {
+    std::vector<double> result;
+    for (const auto& [x, y] : from) {
+        double least = HUGE_VAL;
+        if (to.contains({x, y}))
+            least = 0;
+        else
+            for (const auto& [u, v] : to)
+                least = std::min(least, std::hypot(x - u, y - v));
+        result.push_back(least);
+    }
+    return result;
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
 } // namespace
 
 void CliCollageTest::init() {
@@ -130,6 +182,56 @@ void CliCollageTest::theReportMatchesWhatIsDrawn() {
             either += a || l;
         }
     QVERIFY(std::abs(double(both) / either - report("r.json")[QLatin1String("iou")].toDouble()) < 0.06);
+}
+
+void CliCollageTest::distancesAgreeWithThoseOfAllPairs() {
+    QCOMPARE(run("collage letter.png -o found.ifs --starts 64 --maps 4 --report r.json").status, 0);
+    QCOMPARE(run("render found.ifs -o drawn.png --view 0,0,1 --size 160x120 --points 4M --colour none "
+                 "--background white")
+                 .status,
+             0);
+    const QJsonObject said = report("r.json");
+    const Cells target = darkCells(letter(160, 120), 128);
+    const QJsonArray maps = run("info found.ifs --json").entry()[QLatin1String("maps")].toArray();
+    QCOMPARE(maps.size(), 4);
+    const Cells images = imagesOf(target, maps);
+    const double hausdorff =
+        std::max(std::ranges::max(distances(images, target)), std::ranges::max(distances(target, images)));
+    compare(said[QLatin1String("hausdorff")].toDouble(), hausdorff, 1.5);
+    double s = 0;
+    for (const QJsonValue& map : maps)
+        s = std::max(s, map[QLatin1String("norm")].toDouble());
+    const double bound = said[QLatin1String("bound")].toDouble();
+    QVERIFY(bound <= (hausdorff + 1.5 + (2 + s) / std::sqrt(2)) / (1 - s)); // or that of a better norm
+    const Cells drawn = darkCells(QImage(path("drawn.png")), 250);
+    std::vector<double> outwards = distances(drawn, target);
+    const std::vector<double> inwards = distances(target, drawn);
+    compare(said[QLatin1String("mean")].toDouble(), (mean(outwards) + mean(inwards)) / 2, 0.15);
+    outwards.insert(outwards.end(), inwards.begin(), inwards.end());
+    std::ranges::sort(outwards);
+    QVERIFY(bound >= outwards.back() - 1);
+    const auto rank = std::size_t(std::ceil(0.95 * double(outwards.size()))) - 1;
+    compare(said[QLatin1String("p95")].toDouble(), outwards[rank], 1.01);
+}
+
+// A black square in a grey one.
+void CliCollageTest::thresholdChoosesTheShape() {
+    QImage image = plain(120, 120, qRgb(255, 255, 255));
+    for (int y = 20; y < 100; ++y)
+        for (int x = 20; x < 100; ++x) {
+            const bool isBlack = x >= 45 && x < 75 && y >= 45 && y < 75;
+            image.setPixel(x, y, isBlack ? qRgb(0, 0, 0) : qRgb(120, 120, 120));
+        }
+    write("squares.png", encoded(image, "PNG"));
+    for (const auto& [threshold, half] : {std::pair{"60", 15.0 / 120}, std::pair{"150", 40.0 / 120}}) {
+        const Result result =
+            run(QByteArray("collage squares.png -o found.ifs --starts 32 --maps 4 --threshold ") + threshold);
+        QCOMPARE(result.status, 0);
+        const QJsonObject box =
+            run("info found.ifs --json").entry()[QLatin1String("bounding_box")].toObject();
+        compare(box[QLatin1String("min")], -half, -half, 0.04);
+        compare(box[QLatin1String("max")], half, half, 0.04);
+    }
 }
 
 void CliCollageTest::theSameStartsGiveTheSameBytes() {

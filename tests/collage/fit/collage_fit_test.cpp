@@ -3,6 +3,7 @@
 #include "collage/fit/attractor_fit.h"
 #include "collage/fit/collage_fit.h"
 #include "collage/measure/agreement.h"
+#include "collage/measure/attractor_points.h"
 #include "collage/random_start.h"
 #include "ifs/canonical_systems.h"
 #include "support/near.h"
@@ -84,6 +85,64 @@ private slots:
         QVERIFY(!(onIt[0] == wasOnIt[0]) && !(onIt[3] == wasOnIt[3]));
         QVERIFY(!(after[0] == before[0] && after[3] == before[3]));
         QCOMPARE(fittedAttractor(l, before, {}, std::vector<std::uint8_t>(4, 1)), before);
+    }
+
+    // Against differences of the same points, found again with each number a little changed.
+    void derivativesOfPoints() {
+        const Maps maps{ifs::affineMap(0.6, -0.2, 0.3, 0.5, 4, 3),
+                        ifs::affineMap(0.3, 0.4, -0.5, 0.2, 20, 30),
+                        ifs::affineMap(-0.4, 0.1, 0.2, 0.55, 40, 5)};
+        const Grid grid{0, 0, 1, 64, 64};
+        const auto points = attractorPoints(maps, grid, 0.5, 500);
+        QVERIFY(points.size() > 50);
+        const PointDerivatives found = pointDerivatives(maps, points);
+        constexpr double h = 1e-5;
+        const auto placesWith = [&](Eigen::Index number, double by) {
+            Maps changed = maps;
+            ifs::AffineMap<2>& map = changed[std::size_t(number / 6)];
+            const Eigen::Index k = number % 6;
+            (k < 4 ? map.linear(k / 2, k % 2) : map.translation[k - 4]) += by;
+            Eigen::VectorXd places(2 * Eigen::Index(points.size()));
+            places.head<2>() = *ifs::fixedPoint(changed[0]);
+            for (std::size_t p = 1; p < points.size(); ++p) {
+                const ifs::Vector<2> from = places.segment<2>(2 * points[p].parent);
+                places.segment<2>(2 * Eigen::Index(p)) = changed[std::size_t(points[p].map)](from);
+            }
+            return places;
+        };
+        QCOMPARE(found.rows(), 2 * Eigen::Index(points.size()));
+        QCOMPARE(found.cols(), Eigen::Index{18});
+        for (Eigen::Index number = 0; number < 18; ++number) {
+            const Eigen::VectorXd difference = (placesWith(number, h) - placesWith(number, -h)) / (2 * h);
+            QVERIFY((found.col(number) - difference).norm() <= 1e-5 * difference.norm());
+            QVERIFY(difference.norm() > 1e-3);
+        }
+    }
+
+    // Similarities of all angles, a third of them mirrored, each with its image somewhere on the target.
+    void startsAreSpreadOut() {
+        const Target l = mapleTarget();
+        constexpr int count = 4, starts = 500;
+        int mirrored = 0, byQuarter[4] = {};
+        double least = 1, greatest = 0;
+        for (std::uint64_t start = 0; start < starts; ++start)
+            for (const auto& map : randomStart(l, count, {}, 7, start)) {
+                const ifs::Vector<2> s = ifs::singularValues<2>(map.linear);
+                QVERIFY(s[0] - s[1] < 1e-9);
+                QVERIFY(s[0] >= 0.25 && s[0] <= 0.7);
+                least = std::min(least, s[0]);
+                greatest = std::max(greatest, s[0]);
+                if (ifs::determinant<2>(map.linear) < 0) ++mirrored;
+                const bool isRight = map.linear(0, 0) > 0, isUp = map.linear(1, 0) > 0;
+                ++byQuarter[(isRight ? 1 : 0) + (isUp ? 2 : 0)];
+                const ifs::Vector<2> place = map(l.mean);
+                QVERIFY(l.mask(int(place.x()), int(place.y())));
+            }
+        QVERIFY(least < 0.26 && greatest > 0.69);
+        constexpr double all = count * starts;
+        QVERIFY(std::abs(mirrored / all - 1.0 / 3) < 0.05);
+        for (const int quarter : byQuarter)
+            QVERIFY(std::abs(quarter / all - 0.25) < 0.05);
     }
 
     void similaritiesStaySimilarities() {

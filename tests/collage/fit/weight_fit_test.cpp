@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/weight_fit.h"
+#include "collage/measure/transport_bound.h"
 #include "support/near.h"
 
 #include <QTest>
+
+#include <Eigen/LU>
 
 #include <cmath>
 #include <random>
@@ -30,6 +33,64 @@ Density sierpinskiMeasure(const std::vector<double>& weights) {
             density.mass[std::size_t(y * 256 + x)] = mass;
         }
     return density;
+}
+
+// In pixels from the top left corner.
+ifs::Vector<2> meanOf(const Density& density) {
+    ifs::Vector<2> sum(0, 0);
+    double mass = 0;
+    for (int y = 0; y < density.height; ++y)
+        for (int x = 0; x < density.width; ++x) {
+            const double here = density.mass[std::size_t(y * density.width + x)];
+            mass += here;
+            sum += here * ifs::Vector<2>(x + 0.5, y + 0.5);
+        }
+    return sum / mass;
+}
+
+// The same of the invariant measure: m = Σ p (A m + b).
+ifs::Vector<2> meanOf(const Maps& maps, const std::vector<double>& weights, const Density& picture) {
+    ifs::Matrix<2> a = ifs::Matrix<2>::Identity();
+    ifs::Vector<2> b(0, 0);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        a -= weights[i] * maps[i].linear;
+        b += weights[i] * maps[i].translation;
+    }
+    const ifs::Vector<2> mean = a.inverse() * b;
+    return {mean.x() * picture.height + picture.width / 2.0, (0.5 - mean.y()) * picture.height};
+}
+
+// Random masses, as many on both sides, along a line of cells; and what it costs to move one to the other:
+// the area between both sums from the left.
+struct Line {
+    std::vector<double> supply, demand;
+    double cost = 0;
+};
+Line randomLine(int length, std::mt19937& random) {
+    Line line;
+    double supply = 0, demand = 0;
+    for (int k = 0; k < length; ++k) {
+        line.supply.push_back(random() * 0x1p-32);
+        line.demand.push_back(random() * 0x1p-32);
+        supply += line.supply.back();
+        demand += line.demand.back();
+    }
+    double ahead = 0;
+    for (int k = 0; k < length; ++k) {
+        line.demand[std::size_t(k)] *= supply / demand;
+        ahead += line.supply[std::size_t(k)] - line.demand[std::size_t(k)];
+        line.cost += std::abs(ahead);
+    }
+    return line;
+}
+
+double boundOf(const Line& line) {
+    TransportBound bound(int(line.supply.size()), 1);
+    for (std::size_t k = 0; k < line.supply.size(); ++k) {
+        bound.addSupply({line.supply[k], {double(k) + 0.5, 0.5}, 0});
+        bound.addDemand({line.demand[k], {double(k) + 0.5, 0.5}, 0});
+    }
+    return std::move(bound).cost();
 }
 
 } // namespace
@@ -96,6 +157,71 @@ private slots:
             for (Eigen::Index i = 0; i < n; ++i)
                 if (p[i] > 1e-9) QVERIFY(slope[i] <= slope.minCoeff() + 1e-8);
         }
+    }
+
+    void transportAlongALine() {
+        std::mt19937 random(9);
+        for (const int length : {1, 2, 37, 300}) {
+            const Line line = randomLine(length, random);
+            QVERIFY(support::near(boundOf(line), line.cost, 1e-9 * (1 + line.cost)));
+        }
+        const Line line = randomLine(4096, random); // too many cells to be exact
+        const double bound = boundOf(line);
+        QVERIFY2(bound >= line.cost * (1 - 1e-9) && bound < 1.5 * line.cost,
+                 qPrintable(QString::number(bound / line.cost)));
+    }
+
+    // Nothing is farther apart than the means are allowed to be.
+    void boundOfMeasuresIsNeverViolated() {
+        std::mt19937 random(17);
+        const auto between = [&](double a, double b) { return a + (b - a) * random() * 0x1p-32; };
+        for (int trial = 0; trial < 200; ++trial) {
+            Density density{24, 16, std::vector<double>(24 * 16)};
+            for (int k = 0; k < 40; ++k)
+                density.mass[random() % density.mass.size()] += between(0, 1);
+            Maps maps;
+            std::vector<double> weights;
+            double sum = 0;
+            for (int i = 0; i < 3; ++i) {
+                auto map = ifs::affineMap(between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1),
+                                          between(-0.5, 0.5), between(-0.5, 0.5));
+                map.linear *= between(0.1, 0.9) / ifs::spectralNorm<2>(map.linear);
+                maps.push_back(map);
+                weights.push_back(between(0.1, 1));
+                sum += weights.back();
+            }
+            for (double& weight : weights)
+                weight /= sum;
+            const double apart = (meanOf(maps, weights, density) - meanOf(density)).norm();
+            const auto bound = measureBound(density, maps, weights);
+            QVERIFY(bound && std::isfinite(*bound));
+            QVERIFY2(*bound >= apart - 1e-9, qPrintable(QStringLiteral("%1: %2").arg(*bound).arg(apart)));
+        }
+    }
+
+    // The invariant measure of one map is its fixed point: everything goes there.
+    void boundOfMeasuresIsTight() {
+        Density square{64, 64, std::vector<double>(64 * 64)};
+        for (int y = 28; y < 36; ++y)
+            for (int x = 4; x < 12; ++x)
+                square.mass[std::size_t(y * 64 + x)] = 1;
+        const double far = 0.9 * 64 - 8; // from its middle to the fixed point (0.4, 0)
+        const Maps one{ifs::affineMap(0.5, 0, 0, 0.5, 0.2, 0)};
+        const auto bound = measureBound(square, one, std::vector<double>{1});
+        QVERIFY(bound.value() >= far && *bound < 1.01 * far);
+        const std::vector<double> weights{0.2, 0.3, 0.5};
+        QVERIFY(measureBound(sierpinskiMeasure(weights), triangle, weights).value() < 1.5);
+        const auto off =
+            measureBound(sierpinskiMeasure(weights), triangle, std::vector<double>{0.21, 0.3, 0.49});
+        QVERIFY(off.value() > 2.5 && *off < 5); // the means are 2.57 apart
+    }
+
+    void onlyTheMeanContractionCounts() {
+        const Density density = sierpinskiMeasure({0.2, 0.3, 0.5});
+        const Maps maps{ifs::affineMap(0.4, 0, 0, 0.4, 0, 0.2), ifs::affineMap(1.2, 0, 0, 0.5, 0, 0)};
+        QVERIFY(measureBound(density, maps, std::vector<double>{0.9, 0.1}).has_value());
+        QVERIFY(!measureBound(density, maps, std::vector<double>{0.1, 0.9}).has_value());
+        QVERIFY(!measureBound({4, 4, std::vector<double>(16)}, maps, std::vector<double>{0.9, 0.1}));
     }
 
     void equalImagesShareTheirWeight() {

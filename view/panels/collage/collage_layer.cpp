@@ -23,6 +23,8 @@ constexpr double markReach = 14;   // for the pointer
 constexpr int imageOpacity = 70;   // of 255
 constexpr double imageLine = 1.75; // pixels
 constexpr int maxScaled = 4096;    // device pixels
+// Rows of a fill. Qt hands longer ones to other threads and waits for them, while they draw the next picture.
+constexpr int fillBand = 48;
 
 QTransform transformOf(const ifs::AffineMap<2>& map) {
     return {map.linear(0, 0), map.linear(1, 0),    map.linear(0, 1),
@@ -32,7 +34,7 @@ QTransform transformOf(const ifs::AffineMap<2>& map) {
 } // namespace
 
 CollageLayer::CollageLayer(document::Document* document, CanvasView* canvas)
-    : m_document(document), m_canvas(canvas) {
+    : m_document(document), m_canvas(canvas), m_area(canvas->scene()->sceneRect()) {
     setZValue(level);
     setAcceptedMouseButtons(Qt::NoButton);
     canvas->scene()->addItem(this);
@@ -162,7 +164,15 @@ void CollageLayer::paintAgreement(QPainter& painter) const {
     if (isTurned()) return paintTurned(painter, m_measured->picture, inPlane);
     const QRectF there = toPixels().mapRect(inPlane);
     const bool isUpright = m_canvas->camera().yAxis == attractor::YAxis::Up;
-    painter.drawImage(there, isUpright ? m_measured->picture : m_measured->picture.mirrored());
+    const QImage picture = isUpright ? m_measured->picture : m_measured->picture.mirrored();
+    QRect used = m_measured->used;
+    if (!isUpright) used.moveTop(picture.height() - used.top() - used.height());
+    const QTransform onto =
+        QTransform::fromScale(there.width() / picture.width(), there.height() / picture.height()) *
+        QTransform::fromTranslate(there.x(), there.y());
+    // Only what is seen: scaling costs by the pixel, be it empty or out of sight.
+    const QRect source = onto.inverted().mapRect(m_area).toAlignedRect() & used;
+    if (!source.isEmpty()) painter.drawImage(onto.mapRect(QRectF(source)), picture, QRectF(source));
 }
 
 // Each map carries the target: w_i(L), in the colour of the map.
@@ -171,23 +181,42 @@ void CollageLayer::paintImages(QPainter& painter) const {
     const auto maps = document::collageMaps(m_document->fractal());
     if (!maps) return;
     const document::System2& system = *document::system2(m_document->fractal());
-    painter.setRenderHint(QPainter::Antialiasing);
     const QRectF near = m_area.adjusted(-8, -8, 8, 8); // a fill costs by its height, seen or not
     for (std::size_t k = 0; k < maps->maps.size(); ++k) {
         const std::size_t index = maps->index[k];
         const attractor::Rgba rgba =
             attractor::mapColour(m_document->fractal().appearance, system.maps[index].id, index);
-        QColor colour(rgba.red, rgba.green, rgba.blue);
-        painter.setPen(QPen(colour, imageLine));
-        colour.setAlpha(imageOpacity);
-        painter.setBrush(colour);
-        QPainterPath image;
-        for (const QPolygonF& part : m_outline.toSubpathPolygons(transformOf(maps->maps[k]) * toPixels())) {
-            image.addPolygon(clippedTo(near, part));
-            image.closeSubpath();
-        }
-        painter.drawPath(image);
+        QList<QPolygonF> parts;
+        for (const QPolygonF& part : m_outline.toSubpathPolygons(transformOf(maps->maps[k]) * toPixels()))
+            parts << clippedTo(near, part);
+        paintImage(painter, parts, {rgba.red, rgba.green, rgba.blue});
     }
+}
+
+// The fill has hard edges, but they lie under the lines. Lines one by one are painted without a path of their
+// outline, which takes three times as long.
+void CollageLayer::paintImage(QPainter& painter, const QList<QPolygonF>& parts, QColor colour) const {
+    QPainterPath path;
+    QList<QLineF> lines;
+    for (const QPolygonF& part : parts) {
+        path.addPolygon(part);
+        path.closeSubpath();
+        for (qsizetype k = 0; k < part.size(); ++k)
+            lines << QLineF(part[k], part[(k + 1) % part.size()]);
+    }
+    const QRect box = path.boundingRect().toAlignedRect() & m_area.toAlignedRect();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(colour.red(), colour.green(), colour.blue(), imageOpacity));
+    for (int top = box.top(); top <= box.bottom(); top += fillBand) {
+        painter.setClipRect(QRect(box.left(), top, box.width(), fillBand));
+        painter.drawPath(path);
+    }
+    painter.restore();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour, imageLine, Qt::SolidLine, Qt::SquareCap));
+    painter.drawLines(lines);
 }
 
 void CollageLayer::paintMark(QPainter& painter) const {

@@ -45,6 +45,7 @@ private:
     void paintTarget(QPainter& painter);
     void paintAgreement(QPainter& painter) const;
     void paintImages(QPainter& painter) const;
+    void paintImage(QPainter& painter, const QList<QPolygonF>& parts, QColor colour) const;
     void paintMark(QPainter& painter) const;
     bool isShown() const;
     bool isOnDark() const;

@@ -9,6 +9,7 @@
 #include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_box.h"
+#include "widgets/number_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -67,6 +68,7 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
       m_compared(new QComboBox(this)),
       m_numbers(new CollageNumbers(this)),
       m_fit(new FitBox(this)),
+      m_shades(new QLabel(this)),
       m_suggestions(new SuggestionList(this)),
       m_progressTimer(new QTimer(this)),
       m_liveTimer(new QTimer(this)),
@@ -91,6 +93,12 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     layout->addWidget(m_numbers);
     layout->addWidget(heading(tr("Fit"), this));
     layout->addWidget(m_fit);
+    m_shades->setAccessibleName(tr("Guarantee for the shades"));
+    m_shades->setToolTip(tr("Moved by at most this distance on average, the shades of the attractor become "
+                            "those of the picture"));
+    m_shades->setWordWrap(true);
+    m_shades->hide();
+    layout->addWidget(m_shades);
     layout->addWidget(m_suggestions);
     layout->addStretch();
     m_progressTimer->setInterval(progressInterval);
@@ -114,6 +122,7 @@ void CollagePanel::connectParts() {
     connect(m_target, &TargetBox::tracedChanged, this, [this] {
         if (m_layer) m_layer->setTarget(m_target->traced());
         m_measured.reset();
+        m_shades->hide();
         m_measuring.cancel();    // it is of another target,
         m_suggestions->forget(); // and so are these
         if (m_running) {
@@ -149,6 +158,7 @@ void CollagePanel::follow(const document::Change& change) {
     }
     if (change.parts & Change::Name) showLocks();
     if (!(change.parts & (Change::System | Change::Cage | Change::Current | Change::File))) return;
+    m_shades->hide();
     if (change.live) {
         if (!m_liveTimer->isActive()) m_liveTimer->start();
     } else {
@@ -186,6 +196,16 @@ void CollagePanel::showMeasured(std::optional<document::MeasuredFractal> measure
     if (m_layer) m_layer->setMeasured(m_measured);
 }
 
+void CollagePanel::showShadesBound(const std::optional<double>& pixels) {
+    m_shades->setText(pixels
+                          ? tr("On average, the shades of the attractor are guaranteed to lie within %1 px "
+                               "of those of the picture.")
+                                .arg(roundedNumber(*pixels, 2))
+                          : tr("With these weights, the maps do not contract on average, so nothing is "
+                               "guaranteed for the shades."));
+    m_shades->show();
+}
+
 std::vector<ifs::MapId> CollagePanel::fixedMaps() const {
     std::vector<ifs::MapId> fixed = document::lockedMaps(m_document->fractal());
     const std::vector<ifs::MapId>& selected = m_canvas->selectedMaps();
@@ -215,7 +235,9 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
         };
     case Task::FitWeights:
         return [=](const std::stop_token&) {
-            return Result{{}, document::withWeightsFitted(*fractal, *traced)};
+            auto fitted = document::withWeightsFitted(*fractal, *traced);
+            const auto bound = document::shadesBound(fitted ? *fitted : *fractal, *traced);
+            return Result{{}, std::move(fitted), bound};
         };
     case Task::FitCage:
         return [=, corners = m_fit->cageCorners()](const std::stop_token&) {
@@ -265,10 +287,14 @@ void CollagePanel::finish(std::optional<Result> result) {
         !document::isCageAlike(*done.before, m_document->fractal()) ||
         document::lockedMaps(*done.before) != document::lockedMaps(m_document->fractal()))
         return emit message(tr("The fractal has changed meanwhile, so the result was not used."));
-    if (!result->fractal) return emit message(tr("No better agreement was found."));
-    document::Fractal after = m_document->fractal();
-    after.shape = result->fractal->shape;
-    m_document->edit(done.text, std::move(after));
+    if (result->fractal) {
+        document::Fractal after = m_document->fractal();
+        after.shape = result->fractal->shape;
+        m_document->edit(done.text, std::move(after));
+    } else {
+        emit message(tr("No better agreement was found."));
+    }
+    if (done.task == Task::FitWeights) showShadesBound(result->shadesBound);
 }
 
 void CollagePanel::cancel() {

@@ -13,6 +13,7 @@
 #include <memory>
 
 class QComboBox;
+class QLabel;
 class QTimer;
 
 namespace view {
@@ -43,6 +44,7 @@ private:
     struct Result {
         std::vector<collage::Suggestion> suggestions;
         std::optional<document::Fractal> fractal;
+        std::optional<double> shadesBound = {}; // of fitted weights
     };
     struct Running {
         FitBox::Task task;
@@ -55,6 +57,7 @@ private:
     void follow(const document::Change& change);
     void measure(document::Detail detail = document::Detail::Full);
     void showMeasured(std::optional<document::MeasuredFractal> measured);
+    void showShadesBound(const std::optional<double>& pixels);
     void run(FitBox::Task task);
     Work workFor(FitBox::Task task, const std::shared_ptr<const document::Fractal>& fractal);
     void finish(std::optional<Result> result);
@@ -72,6 +75,7 @@ private:
     QComboBox* m_compared;
     CollageNumbers* m_numbers;
     FitBox* m_fit;
+    QLabel* m_shades; // what is guaranteed of the weights that were fitted last
     SuggestionList* m_suggestions;
     std::optional<document::MeasuredFractal> m_measured;
     std::optional<Running> m_running;

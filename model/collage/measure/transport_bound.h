@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+
+#include <vector>
+
+namespace collage {
+
+// A bound from above on the Monge–Kantorovich distance of two measures: what it costs at most to move one to
+// where the other is, mass times distance. Both are added lump by lump, on a grid whose cells are the unit of
+// length; what lies outside counts, too. docs/mathematics.md, "Collages".
+class TransportBound {
+public:
+    TransportBound(int width, int height);
+
+    // Mass around its mean; `variance` is that of its distance to the mean.
+    struct Lump {
+        double mass = 0;
+        ifs::Vector<2> mean = ifs::Vector<2>::Zero();
+        double variance = 0;
+    };
+    void addSupply(const Lump& lump) { add(m_supply, lump); }
+    void addDemand(const Lump& lump) { add(m_demand, lump); }
+
+    // Both must have the same mass; once only.
+    double cost() &&;
+
+private:
+    void add(std::vector<Lump>& to, const Lump& lump) const;
+
+    int m_width;
+    int m_height;
+    std::vector<Lump> m_supply; // of each cell
+    std::vector<Lump> m_demand;
+};
+
+} // namespace collage

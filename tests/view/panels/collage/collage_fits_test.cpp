@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/cage_edits.h"
+#include "document/edits/map_locks.h"
+#include "panels/collage/suggestion_list.h"
+#include "view/panels/collage_panel_fixture.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QRegularExpression>
+#include <QSlider>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+// The measure of the Sierpiński triangle with the weights .2 (left), .3 (right) and .5 (top) on 256 × 256
+// pixels, the darkest of which is black.
+QImage sierpinskiShades() {
+    QImage image(256, 256, QImage::Format_Grayscale8);
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x) {
+            double mass = 1;
+            for (int bit = 0; bit < 8; ++bit) {
+                const int right = x >> bit & 1, up = (255 - y) >> bit & 1;
+                mass *= right + up == 2 ? 0 : right ? 0.6 : up ? 1 : 0.4;
+            }
+            image.scanLine(y)[x] = uchar(255 - std::lround(255 * mass));
+        }
+    return image;
+}
+
+// A black square of 900 pixels and a white one of 400 on nothing.
+QImage squaresOnNothing() {
+    QImage image(80, 60, QImage::Format_ARGB32);
+    image.fill(0U);
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 30; ++x)
+            image.setPixel(x + 5, y + 5, qRgba(0, 0, 0, 255));
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 20; ++x)
+            image.setPixel(x + 50, y + 20, qRgba(255, 255, 255, 255));
+    return image;
+}
+
+} // namespace
+
+// What is chosen in the panel of collages, and what its fits make of it.
+class CollageFitsTest : public CollagePanelFixture {
+    Q_OBJECT
+
+    void tick(const char* box) {
+        auto* found = named<QCheckBox>(QLatin1String(box));
+        QVERIFY2(found, box);
+        QTest::mouseClick(found, Qt::LeftButton, {}, {8, 8});
+        QVERIFY2(found->isChecked(), box);
+    }
+    void trace(const QImage& image) {
+        m_panel->target()->read(write(QStringLiteral("picture.png"), encoded(image, "PNG")));
+        settle();
+    }
+    void take(const std::vector<ifs::AffineMap<2>>& maps) {
+        document::Fractal fractal = m_document->fractal();
+        document::Shape<2> shape;
+        for (const auto& map : maps)
+            ifs::append<2>(shape.system, map, 1.0 / double(maps.size()));
+        fractal.shape = std::move(shape);
+        m_document->edit(QStringLiteral("Prepare"), std::move(fractal));
+        settle();
+    }
+    // Takes the first of the suggestions with four maps.
+    void useSuggestion() {
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
+        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3);
+        push("Suggest");
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        QVERIFY(list->count() > 0);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        settle();
+        QCOMPARE(steps(), 1);
+        QCOMPARE(system().maps.size(), std::size_t{4});
+    }
+
+private slots:
+    void init() { openPanel(); }
+    void cleanup() {
+        m_panel.reset();
+        close();
+    }
+
+    void weightsComeBackFromShades() {
+        trace(sierpinskiShades());
+        named<QSlider>(QStringLiteral("Threshold"))->setValue(254); // all that is not white
+        settle();
+        take({ifs::affineMap(0.5, 0, 0, 0.5, -0.25, -0.25), ifs::affineMap(0.5, 0, 0, 0.5, 0.25, -0.25),
+              ifs::affineMap(0.5, 0, 0, 0.5, -0.25, 0.25)});
+        auto* guarantee = named<QLabel>(QStringLiteral("Guarantee for the shades"));
+        QVERIFY(guarantee->isHidden());
+        push("Fit Weights");
+        settle();
+        const double expected[] = {0.2, 0.3, 0.5};
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY2(std::abs(system().maps[i].weight.value_or(0) - expected[i]) < 1e-3,
+                     qPrintable(QString::number(system().maps[i].weight.value_or(0))));
+        QVERIFY(!guarantee->isHidden());
+        const auto found = QRegularExpression(QStringLiteral("within ([0-9.]+) px")).match(guarantee->text());
+        QVERIFY2(found.hasMatch(), qPrintable(guarantee->text()));
+        const double pixels = found.captured(1).toDouble();
+        QVERIFY2(pixels > 0 && pixels < 4, qPrintable(guarantee->text()));
+        m_document->undoStack()->undo(); // it was of other weights
+        QVERIFY(guarantee->isHidden());
+    }
+
+    void constraintsHoldForSuggestions() {
+        traceLeaf();
+        tick("Similarities only");
+        tick("No mirror images");
+        named<QComboBox>(QStringLiteral("Angles"))->setCurrentIndex(2); // 90°
+        useSuggestion();
+        for (const auto& map : system().maps) {
+            const ifs::Matrix<2>& a = map.map.linear;
+            const double scale = std::sqrt(std::abs(ifs::determinant<2>(a)));
+            QVERIFY(scale > 0 && ifs::determinant<2>(a) > 0);
+            QVERIFY(std::abs(a(0, 0) - a(1, 1)) < 1e-6 && std::abs(a(0, 1) + a(1, 0)) < 1e-6);
+            QVERIFY(std::min(std::abs(a(0, 0)), std::abs(a(0, 1))) < 1e-6 * scale);
+        }
+    }
+
+    void theFirstMapMayBeAStem() {
+        traceLeaf();
+        tick("First map a stem");
+        useSuggestion();
+        QVERIFY(std::abs(ifs::determinant<2>(system().maps[0].map.linear)) < 1e-9);
+        for (const std::size_t i : {1U, 2U, 3U})
+            QVERIFY(std::abs(ifs::determinant<2>(system().maps[i].map.linear)) > 1e-6);
+    }
+
+    void onlySelectedMapsAreRefined() {
+        traceLeaf();
+        takeRoughMaps();
+        const document::System2 before = system();
+        m_canvas->selectMaps({before.maps[1].id});
+        tick("Refine selected maps only");
+        push("Refine Maps");
+        settle();
+        QVERIFY(!(system().maps[1].map == before.maps[1].map));
+        QVERIFY(system().maps[0].map == before.maps[0].map);
+        QVERIFY(system().maps[2].map == before.maps[2].map);
+    }
+
+    // Then maps are taken through the cage and back: not those that stay.
+    void lockedMapsStayUnderAMovedCage() {
+        traceLeaf();
+        takeRoughMaps();
+        auto cage = document::withCageAround(document::withCageAtRest(m_document->fractal()),
+                                             document::PolygonChoice::Regular, 3);
+        QVERIFY(cage);
+        QVERIFY(document::plane(*cage)->cage.has_value());
+        for (auto& vertex : document::plane(*cage)->cage->current)
+            vertex = Vector<2>(1.1 * vertex.x() + 0.07 * vertex.y(), 0.93 * vertex.y() - 0.013);
+        m_document->edit(QStringLiteral("Cage"), *std::move(cage));
+        settle();
+        QVERIFY(document::collageObstacle(m_document->fractal()).isEmpty());
+        const document::System2 before = system();
+        document::lockMaps(*m_document, std::vector{before.maps[2].id}, true);
+        push("Refine Maps");
+        settle();
+        QCOMPARE(undoText(), QStringLiteral("Refine Maps"));
+        QVERIFY(system().maps[2].map == before.maps[2].map);
+        QVERIFY(!(system().maps[0].map == before.maps[0].map));
+    }
+
+    void theShapeIsWhatIsDarkOrOpaque() {
+        trace(squaresOnNothing());
+        const auto area = [this] {
+            const auto& traced = m_panel->target()->traced();
+            return traced ? collage::area(traced->mask) : 0;
+        };
+        auto* shape = named<QComboBox>(QStringLiteral("Shape"));
+        QCOMPARE(shape->currentIndex(), 0);
+        QCOMPARE(area(), std::size_t{1300}); // there is transparency
+        shape->setCurrentIndex(1);           // dark pixels
+        settle();
+        QCOMPARE(area(), std::size_t{900});
+        shape->setCurrentIndex(2); // opaque pixels
+        settle();
+        QCOMPARE(area(), std::size_t{1300});
+        traceLeaf();
+        shape->setCurrentIndex(2); // everything is opaque
+        settle();
+        QVERIFY(!m_panel->target()->traced());
+        QVERIFY2(sentence().contains(QStringLiteral("empty or fills")), qPrintable(sentence()));
+        shape->setCurrentIndex(0);
+        settle();
+        QVERIFY(area() > 0);
+    }
+};
+
+QTEST_MAIN(CollageFitsTest)
+#include "collage_fits_test.moc"
