@@ -7021,6 +7021,22 @@
         <source>The target has changed, so the fit was cancelled.</source>
         <translation>Das Ziel hat sich geändert, deshalb wurde die Anpassung abgebrochen.</translation>
     </message>
+    <message>
+        <source>Guarantee for the shades</source>
+        <translation>Garantie für die Helligkeiten</translation>
+    </message>
+    <message>
+        <source>Moved by at most this distance on average, the shades of the attractor become those of the picture</source>
+        <translation>Im Mittel um höchstens diesen Abstand verschoben, werden die Helligkeiten des Attraktors zu denen des Bildes</translation>
+    </message>
+    <message>
+        <source>On average, the shades of the attractor are guaranteed to lie within %1 px of those of the picture.</source>
+        <translation>Im Mittel liegen die Helligkeiten des Attraktors garantiert höchstens %1 px von denen des Bildes entfernt.</translation>
+    </message>
+    <message>
+        <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
+        <translation>Mit diesen Gewichten ziehen die Abbildungen im Mittel nicht zusammen; für die Helligkeiten ist nichts garantiert.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionModel</name>

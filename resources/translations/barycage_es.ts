@@ -7021,6 +7021,22 @@
         <source>The target has changed, so the fit was cancelled.</source>
         <translation>El objetivo ha cambiado, así que se canceló el ajuste.</translation>
     </message>
+    <message>
+        <source>Guarantee for the shades</source>
+        <translation>Garantía para los tonos</translation>
+    </message>
+    <message>
+        <source>Moved by at most this distance on average, the shades of the attractor become those of the picture</source>
+        <translation>Desplazados como mucho esta distancia en promedio, los tonos del atractor pasan a ser los de la imagen</translation>
+    </message>
+    <message>
+        <source>On average, the shades of the attractor are guaranteed to lie within %1 px of those of the picture.</source>
+        <translation>En promedio, se garantiza que los tonos del atractor están a no más de %1 px de los de la imagen.</translation>
+    </message>
+    <message>
+        <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
+        <translation>Con estos pesos, las aplicaciones no contraen en promedio, así que no se garantiza nada para los tonos.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionModel</name>

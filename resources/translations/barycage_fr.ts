@@ -4541,7 +4541,7 @@
     </message>
     <message>
         <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
-        <translation>Ce n’est pas un homéomorphisme : au retour, déchirure de %1, au pire en %2</translation>
+        <translation>Ce n’est pas un homéomorphisme&#x202f;: au retour, déchirure de %1, au pire en %2</translation>
     </message>
     <message>
         <source>Homeomorphism to %1 or better</source>
@@ -7020,6 +7020,22 @@
     <message>
         <source>The target has changed, so the fit was cancelled.</source>
         <translation>La cible a changé, l’ajustement a donc été annulé.</translation>
+    </message>
+    <message>
+        <source>Guarantee for the shades</source>
+        <translation>Garantie pour les nuances</translation>
+    </message>
+    <message>
+        <source>Moved by at most this distance on average, the shades of the attractor become those of the picture</source>
+        <translation>Déplacées en moyenne d’au plus cette distance, les nuances de l’attracteur deviennent celles de l’image</translation>
+    </message>
+    <message>
+        <source>On average, the shades of the attractor are guaranteed to lie within %1 px of those of the picture.</source>
+        <translation>En moyenne, les nuances de l’attracteur se trouvent, c’est garanti, à %1 px au plus de celles de l’image.</translation>
+    </message>
+    <message>
+        <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
+        <translation>Avec ces poids, les applications ne sont pas contractantes en moyenne ; rien n’est donc garanti pour les nuances.</translation>
     </message>
 </context>
 <context>
@@ -13643,11 +13659,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
-        <translation>Nombre d’images lues par seconde : un nombre ou une fraction, par exemple 24, 12.5 ou 30000/1001. 29.97 désigne cette dernière, la cadence de la télévision.</translation>
+        <translation>Nombre d’images lues par seconde&#x202f;: un nombre ou une fraction, par exemple 24, 12.5 ou 30000/1001. 29.97 désigne cette dernière, la cadence de la télévision.</translation>
     </message>
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
-        <translation>« %1 » n’est pas une cadence d’images. Saisissez des images par seconde, plus de 0 et au plus %2, par exemple 24, 29.97 ou 30000/1001.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas une cadence d’images. Saisissez des images par seconde, plus de 0 et au plus %2, par exemple 24, 29.97 ou 30000/1001.</translation>
     </message>
 </context>
 <context>

@@ -7036,6 +7036,22 @@
         <source>The target has changed, so the fit was cancelled.</source>
         <translation>Целта се промени, па прилагодувањето е откажано.</translation>
     </message>
+    <message>
+        <source>Guarantee for the shades</source>
+        <translation>Гаранција за нијансите</translation>
+    </message>
+    <message>
+        <source>Moved by at most this distance on average, the shades of the attractor become those of the picture</source>
+        <translation>Поместени во просек најмногу за ова растојание, нијансите на атракторот стануваат нијанси на сликата</translation>
+    </message>
+    <message>
+        <source>On average, the shades of the attractor are guaranteed to lie within %1 px of those of the picture.</source>
+        <translation>Гарантирано е дека нијансите на атракторот во просек се на најмногу %1 пкс од оние на сликата.</translation>
+    </message>
+    <message>
+        <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
+        <translation>Со овие тежини, пресликувањата во просек не собираат, па за нијансите ништо не е гарантирано.</translation>
+    </message>
 </context>
 <context>
     <name>view::CollectionModel</name>
