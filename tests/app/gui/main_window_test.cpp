@@ -50,7 +50,6 @@ private slots:
     void preferencesKnowWhatIsNotSaved();
     void theFilesOfTheLastRunAreKnown();
     void theColumnsOfATableAreAskedFor();
-    void aWindowMayGoWhileANameIsTyped();
     void windowsHaveTheirOwnDocuments();
     void whatOthersCopiedIsPasted();
     void theHintGoesWithAnotherTool();
@@ -59,8 +58,6 @@ private slots:
     void theCameraInSpaceIsKeyed();
     void framesAreKeyedFromTheCanvas();
     void theViewIsRotated();
-    void aWindowMayGoInMidDrag_data();
-    void aWindowMayGoInMidDrag();
     void flamesAreReadEitherWayUp();
     void theMenuCopiesAsLatex();
     void aFractalOfTheCollectionBecomesADocument();
@@ -191,24 +188,6 @@ void MainWindowTest::theColumnsOfATableAreAskedFor() {
     QCOMPARE(document::system2(document.fractal())->maps.size(), std::size_t(2));
 }
 
-// The field is left when the window goes, and says what it holds to a document that must still be there.
-void MainWindowTest::aWindowMayGoWhileANameIsTyped() {
-    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
-    QVERIFY(QTest::qWaitForWindowActive(window));
-    auto* list = window->findChild<QDockWidget*>(QStringLiteral("entries"))->findChild<QListView*>();
-    QVERIFY(list);
-    list->setFocus();
-    list->edit(list->currentIndex());
-    auto* field = list->findChild<QLineEdit*>();
-    QVERIFY(field && field->isVisible());
-    field->setText(QStringLiteral("renamed"));
-    QStringList names;
-    connect(&window->document(), &document::Document::changed, this,
-            [&] { names << window->document().fractal().name; });
-    delete window;
-    QCOMPARE(names, QStringList{QStringLiteral("renamed")});
-}
-
 void MainWindowTest::windowsHaveTheirOwnDocuments() {
     MainWindow* first = shown(support::testData(QStringLiteral("shapes.ifs")));
     QVERIFY(QTest::qWaitForWindowActive(first));
@@ -312,19 +291,6 @@ void MainWindowTest::aKeyLeadsFromThePanelsToTheCanvasAndBack() {
     QTRY_VERIFY(view->hasFocus());
     QVERIFY(view->viewport()->grab({0, 0, 8, 8}).toImage() != without);
 }
-
-namespace {
-
-document::Fractal pairOfCubes() {
-    document::System3 system;
-    ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {0, 0, 0}});
-    ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {1, 1, 1}});
-    document::Fractal solid;
-    solid.shape = document::Shape<3>{system};
-    return solid;
-}
-
-} // namespace
 
 // The canvas of the plane selects no maps of space, and takes none from the table.
 void MainWindowTest::mapsInSpaceStaySelected() {
@@ -456,47 +422,6 @@ void MainWindowTest::theViewIsRotated() {
     window->document().edit(QStringLiteral("solid"), pairOfCubes());
     QVERIFY(said().isEmpty());
     window->document().undoStack()->setClean();
-}
-
-void MainWindowTest::aWindowMayGoInMidDrag_data() {
-    QTest::addColumn<bool>("isInSpace");
-    QTest::addColumn<bool>("areFourShown");
-    QTest::addColumn<view::Toolbox::Tool>("tool");
-    QTest::addColumn<bool>("pans");
-    using Tool = view::Toolbox::Tool;
-    for (const auto& [name, tool] :
-         {std::pair{"cage", Tool::Cage}, {"maps", Tool::Maps}, {"definition", Tool::DefineTriangle}})
-        for (const bool pans : {false, true}) {
-            const char* how = pans ? "panning" : "dragging";
-            QTest::addRow("plane, %s, %s", name, how) << false << false << tool << pans;
-            QTest::addRow("space, %s, %s", name, how) << true << false << tool << pans;
-            QTest::addRow("four views, %s, %s", name, how) << true << true << tool << pans;
-        }
-}
-
-// The views outlive the document and what draws for them.
-void MainWindowTest::aWindowMayGoInMidDrag() {
-    QFETCH(const bool, isInSpace);
-    QFETCH(const bool, areFourShown);
-    QFETCH(const view::Toolbox::Tool, tool);
-    QFETCH(const bool, pans);
-    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
-    QVERIFY(QTest::qWaitForWindowExposed(window));
-    auto* stage = window->findChild<Stage*>();
-    if (isInSpace) window->document().edit(QStringLiteral("solid"), pairOfCubes());
-    stage->views()->showFour(areFourShown);
-    stage->plane()->setTool(tool);
-    QWidget* viewport = isInSpace ? stage->space()->viewport() : stage->plane()->viewport();
-    QTRY_VERIFY(viewport->isVisible());
-    const Qt::MouseButton button = pans ? Qt::MiddleButton : Qt::LeftButton;
-    const QPoint from = viewport->rect().center();
-    QTest::mousePress(viewport, button, {}, from);
-    QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(40, 25)),
-                     viewport->mapToGlobal(QPointF(from + QPoint(40, 25))), Qt::NoButton, button, {});
-    QApplication::sendEvent(viewport, &move);
-    window->document().undoStack()->setClean();
-    delete window;
-    QVERIFY(windows().isEmpty());
 }
 
 // Opened and pasted flames are turned over, and a check box lets them be as they are written.

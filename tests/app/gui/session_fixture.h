@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/fractal.h"
 #include "main_window.h"
 #include "session.h"
 #include "support/own_settings.h"
@@ -30,5 +31,13 @@ protected:
         if (!path.isEmpty()) window->openPath(path);
         window->show();
         return window;
+    }
+    static document::Fractal pairOfCubes() {
+        document::System3 system;
+        ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {0, 0, 0}});
+        ifs::append(system, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, {1, 1, 1}});
+        document::Fractal solid;
+        solid.shape = document::Shape<3>{system};
+        return solid;
     }
 };

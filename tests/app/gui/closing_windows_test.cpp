@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_geometry.h"
+#include "session.h"
+#include "session_fixture.h"
+#include "space/four_views.h"
+#include "space/space_view.h"
+#include "stage.h"
+#include "support/paths.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListView>
+#include <QMouseEvent>
+#include <QTest>
+#include <QUndoStack>
+
+// Windows that are closed while something is under way in them.
+class ClosingWindowsTest : public SessionFixture {
+    Q_OBJECT
+
+private slots:
+    void aWindowMayGoWhileANameIsTyped();
+    void aWindowMayGoInMidDrag_data();
+    void aWindowMayGoInMidDrag();
+};
+
+// The field is left when the window goes, and says what it holds to a document that must still be there.
+void ClosingWindowsTest::aWindowMayGoWhileANameIsTyped() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* list = window->findChild<QDockWidget*>(QStringLiteral("entries"))->findChild<QListView*>();
+    QVERIFY(list);
+    list->setFocus();
+    list->edit(list->currentIndex());
+    auto* field = list->findChild<QLineEdit*>();
+    QVERIFY(field && field->isVisible());
+    field->setText(QStringLiteral("renamed"));
+    QStringList names;
+    connect(&window->document(), &document::Document::changed, this,
+            [&] { names << window->document().fractal().name; });
+    delete window;
+    QCOMPARE(names, QStringList{QStringLiteral("renamed")});
+}
+
+void ClosingWindowsTest::aWindowMayGoInMidDrag_data() {
+    QTest::addColumn<bool>("isInSpace");
+    QTest::addColumn<bool>("areFourShown");
+    QTest::addColumn<view::Toolbox::Tool>("tool");
+    QTest::addColumn<bool>("pans");
+    using Tool = view::Toolbox::Tool;
+    for (const auto& [name, tool] :
+         {std::pair{"cage", Tool::Cage}, {"maps", Tool::Maps}, {"definition", Tool::DefineTriangle}})
+        for (const bool pans : {false, true}) {
+            const char* how = pans ? "panning" : "dragging";
+            QTest::addRow("plane, %s, %s", name, how) << false << false << tool << pans;
+            QTest::addRow("space, %s, %s", name, how) << true << false << tool << pans;
+            QTest::addRow("four views, %s, %s", name, how) << true << true << tool << pans;
+        }
+}
+
+// The views outlive the document and what draws for them.
+void ClosingWindowsTest::aWindowMayGoInMidDrag() {
+    QFETCH(const bool, isInSpace);
+    QFETCH(const bool, areFourShown);
+    QFETCH(const view::Toolbox::Tool, tool);
+    QFETCH(const bool, pans);
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    auto* stage = window->findChild<Stage*>();
+    if (isInSpace) window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    stage->views()->showFour(areFourShown);
+    stage->plane()->setTool(tool);
+    QWidget* viewport = isInSpace ? stage->space()->viewport() : stage->plane()->viewport();
+    QTRY_VERIFY(viewport->isVisible());
+    const Qt::MouseButton button = pans ? Qt::MiddleButton : Qt::LeftButton;
+    const QPoint from = viewport->rect().center();
+    QTest::mousePress(viewport, button, {}, from);
+    QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(40, 25)),
+                     viewport->mapToGlobal(QPointF(from + QPoint(40, 25))), Qt::NoButton, button, {});
+    QApplication::sendEvent(viewport, &move);
+    window->document().undoStack()->setClean();
+    delete window;
+    QVERIFY(windows().isEmpty());
+}
+
+QTEST_MAIN(ClosingWindowsTest)
+#include "closing_windows_test.moc"
