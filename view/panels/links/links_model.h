@@ -33,7 +33,7 @@ public:
         return m_matrix[std::size_t(from) * m_states.size() + std::size_t(to)];
     }
     void setWeight(int from, int to, double weight); // one undo step; none where it is so already
-    void forbid(const QModelIndexList& cells); // in one undo step; cells of the last column stay
+    void forbid(const QModelIndexList& cells);       // in one undo step; cells of the last column stay
     ifs::LinkState state(int map) const { return m_states[std::size_t(map)]; }
     QString reason(int map) const; // what becomes of the map, or why it takes no part
     QColor colour(int map) const;
