@@ -40,9 +40,9 @@ QString AttractorWatch::sentence() const {
 
 void AttractorWatch::setLost(const Lost& lost) {
     const auto frame = lostFrame();
-    const auto verdict = m_lost ? std::optional(m_lost->verdict) : std::nullopt;
+    const QString before = sentence();
     m_lost = lost;
-    if (frame != lostFrame() || (lost && verdict != lost->verdict)) emit changed();
+    if (frame != lostFrame() || before != sentence()) emit changed();
 }
 
 } // namespace view
