@@ -5,30 +5,52 @@
 #include <QLayout>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace view {
 
 // Scrolls a panel that needs more height than the window has. The scroll bar takes its place in the right
-// margin of the panel, so that the panel needs no more width than without.
+// margin of the panel, so that the panel needs no more width than without; or it stands beside a part of a
+// panel, which keeps its margins.
 class VerticalScrollArea : public QScrollArea {
 public:
-    explicit VerticalScrollArea(QWidget* content, QWidget* parent = nullptr) : QScrollArea(parent) {
+    enum class Bar { InMargin, Beside };
+
+    explicit VerticalScrollArea(QWidget* content, QWidget* parent = nullptr, Bar bar = Bar::InMargin)
+        : QScrollArea(parent), m_bar(bar) {
         setAccessibleName(content->accessibleName());
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
         setFocusPolicy(Qt::NoFocus); // the content has the fields that take it
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        QMargins margins = content->layout()->contentsMargins();
-        margins.setRight(std::max(margins.right(), verticalScrollBar()->sizeHint().width()));
-        content->layout()->setContentsMargins(margins);
+        if (bar == Bar::InMargin) {
+            QMargins margins = content->layout()->contentsMargins();
+            margins.setRight(std::max(margins.right(), verticalScrollBar()->sizeHint().width()));
+            content->layout()->setContentsMargins(margins);
+        } else {
+            setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+        }
         setWidget(content);
+    }
+
+    // Widgets under one another, as high as they need to be where there is room.
+    static VerticalScrollArea* ofRows(std::initializer_list<QWidget*> rows, QWidget* parent) {
+        auto* content = new QWidget(parent);
+        auto* layout = new QVBoxLayout(content);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->setSpacing(6);
+        for (QWidget* row : rows)
+            layout->addWidget(row);
+        return new VerticalScrollArea(content, parent, Bar::Beside);
     }
 
     QSize sizeHint() const override { return widget()->sizeHint(); }
     QSize minimumSizeHint() const override {
-        return {widget()->minimumSizeHint().width(), QScrollArea::minimumSizeHint().height()};
+        const int beside = m_bar == Bar::Beside ? verticalScrollBar()->sizeHint().width() : 0;
+        return {widget()->minimumSizeHint().width() + beside, QScrollArea::minimumSizeHint().height()};
     }
 
 protected:
@@ -36,6 +58,9 @@ protected:
         if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
         return QScrollArea::eventFilter(watched, event);
     }
+
+private:
+    Bar m_bar;
 };
 
 } // namespace view

@@ -10,6 +10,7 @@
 #include "support/forget_settings.h"
 #include "support/paths.h"
 #include "widgets/number_field.h"
+#include "widgets/vertical_scroll_area.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -19,6 +20,8 @@
 #include <QFile>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScopeGuard>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
@@ -44,6 +47,9 @@ private slots:
     void namesOfPanelsAreSeenWhole();
     void barsFitASmallWindow_data() { namesOfPanelsAreSeenWhole_data(); }
     void barsFitASmallWindow();
+    void largeLettersFitASmallScreen_data() { namesOfPanelsAreSeenWhole_data(); }
+    void largeLettersFitASmallScreen();
+    void detailsOfMapsScrollWhereTheyHaveNoRoom();
     void aBarThatGoesLeavesTheFocusToTheCanvas();
     void thePictureStaysWhateverTheTool();
     void aCageOfManyCornersIsScrolled();
@@ -266,6 +272,42 @@ void WindowLayoutTest::barsFitASmallWindow() {
         QTRY_VERIFY(windows().isEmpty());
     }
     QSettings().clear();
+}
+
+// Letters of 175 % on a screen of 1366 by 768 pixels, of which the title of the window takes some.
+void WindowLayoutTest::largeLettersFitASmallScreen() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const QFont usual = QApplication::font();
+    QFont large = usual;
+    large.setPointSizeF(1.75 * usual.pointSizeF());
+    QApplication::setFont(large);
+    const auto back = qScopeGuard([&] { QApplication::setFont(usual); });
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    const QSize needed = window->minimumSizeHint();
+    QVERIFY2(needed.width() <= 1366 && needed.height() <= 728,
+             qPrintable(QStringLiteral("%1 x %2").arg(needed.width()).arg(needed.height())));
+    closeWindows();
+}
+
+void WindowLayoutTest::detailsOfMapsScrollWhereTheyHaveNoRoom() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    window->resize(1200, 900);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    auto* dock = window->findChild<QDockWidget*>(QStringLiteral("maps"));
+    const auto* area = dock->findChild<view::VerticalScrollArea*>();
+    QTRY_VERIFY(!area->verticalScrollBar()->isVisible());
+    QCOMPARE(area->height(), area->widget()->sizeHint().height());
+    dock->setFloating(true);
+    dock->resize(dock->width(), dock->minimumSizeHint().height());
+    QTRY_VERIFY(area->verticalScrollBar()->isVisible());
+    QVERIFY(area->height() < area->widget()->height());
+    dock->setFloating(false);
 }
 
 void WindowLayoutTest::aBarThatGoesLeavesTheFocusToTheCanvas() {

@@ -18,6 +18,7 @@
 #include "widgets/background_edit.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
+#include "widgets/vertical_scroll_area.h"
 
 #include <QAction>
 #include <QColorDialog>
@@ -63,9 +64,7 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     auto* symmetry = new SymmetryRow(document, content);
     connect(symmetry, &SymmetryRow::message, this, &MapsPanel::message);
     connect(symmetry, &SymmetryRow::groupChosen, this, &MapsPanel::symmetryChosen);
-    contentLayout->addWidget(symmetry);
-    contentLayout->addWidget(m_shape);
-    contentLayout->addWidget(m_facts);
+    contentLayout->addWidget(VerticalScrollArea::ofRows({symmetry, m_shape, m_facts}, content));
     m_pages->addWidget(content);
     m_pages->addWidget(makeNotice());
 
