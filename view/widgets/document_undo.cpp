@@ -45,7 +45,8 @@ void leaveUndoToDocument(QAbstractSpinBox* field) {
 
 void leaveUndoToDocument(QComboBox* field) {
     QLineEdit* line = field->lineEdit();
-    auto* keys = new UndoKeys(line, line);
+    auto* keys = new UndoKeys(field, line); // it hands its keys on to the line
+    line->installEventFilter(keys);
     QObject::connect(line, &QLineEdit::editingFinished, keys, &UndoKeys::endTyping);
 }
 

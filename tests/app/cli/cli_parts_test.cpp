@@ -165,6 +165,7 @@ void CliPartsTest::killedAtAnyTimeLeavesWholeFiles() {
     const QByteArray large = "systems.ifs --entry maple --size 1200x900 --points 20M ";
     for (const char* part : {"0", "1"})
         QCOMPARE(run("render " + large + "--part " + part + "/2 -o p" + part + ".sum").status, 0);
+    QDir(path("killed")).removeRecursively();
     QDir().mkpath(path("killed"));
     const QByteArray command = "merge p0.sum p1.sum -o killed/" + name;
     QElapsedTimer clock;

@@ -317,10 +317,10 @@ void CliStealTest::keptTransformationsAreChecked() {
         QVERIFY2(result.err.contains(sentence), result.err.constData());
         QVERIFY(!QFile::exists(path("out.png")));
     };
-    fails("", "", 2, "--from NAME is missing, and “halves” keeps no fractal transformation of its own.");
+    fails("", "", 2, "--from NAME is missing, and “halves” has no stored fractal transformation.");
     fails(" ; barycage: partner gone\n", "", 1, "gone");
     fails(" ; barycage: partner thirds\n ; barycage: partner-order 2 2\n", "", 1,
-          "The order that “halves” keeps does not list every map that takes part once. Give --order.");
+          "The order stored in “halves” does not list every active map once. Give --order.");
     fails(" ; barycage: partner thirds\n ; barycage: partner-picture lost.png\n", "", 3, "lost.png");
     fails(" ; barycage: partner thirds\n", "--mode sideways", 2, "--mode “sideways” is not valid");
     fails(" ; barycage: partner thirds\n", "--from-file kept.ifs", 2, "--from-file");
@@ -391,14 +391,14 @@ void CliStealTest::refuses_data() {
         QTest::newRow(arguments) << QByteArray(arguments) << status << QByteArray(said);
     };
     row("tops.ifs --entry halves --from square --map 0,0", 1,
-        "“halves” has 2 active maps and “square” has 4; they must have as many.");
-    row("tops.ifs --entry halves --from escapes --map 0,0", 1, "“escapes” has no attractor");
-    row("tops.ifs --entry escapes --from halves --tear .1", 1, "“escapes” has no attractor");
+        "“halves” has 2 active maps and “square” has 4; they must have the same number.");
+    row("tops.ifs --entry halves --from escapes --map 0,0", 1, "No attractor could be proved for “escapes”");
+    row("tops.ifs --entry escapes --from halves --tear .1", 1, "No attractor could be proved for “escapes”");
     row("tops.ifs --entry halves --from space --map 0,0", 1, "“space” is in space");
     row("tops.ifs --entry halves --from nothing --map 0,0", 1, "There is no entry “nothing”.");
     row("absent.ifs --from halves --map 0,0", 3, "does not exist");
     row("tops.ifs --from halves --from-file absent.ifs --map 0,0", 3, "does not exist");
-    row("tops.ifs --map 0,0", 2, "--from NAME is missing, and “halves” keeps no fractal transformation");
+    row("tops.ifs --map 0,0", 2, "--from NAME is missing, and “halves” has no stored fractal transformation");
     row("tops.ifs --from halves", 2, "Give one of --picture");
     row("tops.ifs --from halves --map 0,0 --tear .1", 2, "Give one of --picture");
     row("tops.ifs --from halves --picture board.png", 2, "-o OUT.png is missing");
@@ -413,8 +413,8 @@ void CliStealTest::refuses_data() {
     row("tops.ifs --from halves --map \" \"", 2, "--map “ ” is not valid");
     row("tops.ifs --from halves --tear 0", 2, "--tear “0” is not valid");
     row("tops.ifs --from halves --tear nan", 2, "--tear “nan” is not valid");
-    row("tops.ifs --from halves --map 0,0 --order 1", 2, "--order must list every map of “halves”");
-    row("tops.ifs --from halves --map 0,0 --order 1,1", 2, "--order must list every map of “halves”");
+    row("tops.ifs --from halves --map 0,0 --order 1", 2, "--order must list every active map of “halves”");
+    row("tops.ifs --from halves --map 0,0 --order 1,1", 2, "--order must list every active map of “halves”");
     row("tops.ifs --from halves --map 0,0 --order 1,x", 2, "--order “1,x” is not valid");
     row("tops.ifs --from halves --map 0,0 --order 0,1", 2, "--order “0,1” is not valid");
     row("- --from halves --from-file - --map 0,0", 2, "Only one of the files");

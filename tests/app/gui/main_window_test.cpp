@@ -492,7 +492,7 @@ void MainWindowTest::aFractalOfTheCollectionBecomesADocument() {
     auto* list = window->findChild<view::CollectionPanel*>()->findChild<QListView*>();
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 3, 60'000);
     const QModelIndex flower = list->model()->index(2, 0);
-    QCOMPARE(flower.data().toString(), QStringLiteral("flower"));
+    QCOMPARE(flower.data().toString(), QStringLiteral("Flower"));
     list->setCurrentIndex(flower);
     bool isOffered = false;
     QTimer::singleShot(0, list, [&isOffered] {

@@ -383,7 +383,7 @@ void TransformationWindowTest::otherNumbersAreDivided() {
     toggle();
     QTRY_VERIFY_WITH_TIMEOUT(
         view()->bar()->problem() ==
-            QStringLiteral("“two” has 2 active maps and “three” has 3. They need equally many."),
+            QStringLiteral("“two” has 2 active maps and “three” has 3. Both must have the same number."),
         20000);
     QVERIFY(!canvas()->picture().isNull()); // the density
     click(QStringLiteral("Divide Words"));

@@ -363,9 +363,9 @@ void PreferencesDialogTest::theFocusIsSeen() {
             control->setMinimumSize(80, 24);
             layout.addWidget(control);
         }
-        window.setAttribute(Qt::WA_KeyboardFocusChange); // as the Tab key does
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
+        window.setAttribute(Qt::WA_KeyboardFocusChange); // as the Tab key does
         for (QWidget* control : controls) {
             elsewhere->setFocus(Qt::TabFocusReason);
             QTRY_VERIFY(elsewhere->hasFocus());

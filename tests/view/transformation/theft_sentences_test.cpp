@@ -60,8 +60,7 @@ private slots:
         flaw.flaw = CouplingFlaw::BentCage;
         const QString from = QStringLiteral("fern"), to = QStringLiteral("maple");
         QCOMPARE(view::sentenceOf(flaw, from, to),
-                 QStringLiteral("The cage of “fern” is flat or bends the picture. Bake it or put it at rest "
-                                "first."));
+                 QStringLiteral("The cage of “fern” is flat or bends the picture. Bake or reset it first."));
         flaw.isOfSecond = true;
         QVERIFY(view::sentenceOf(flaw, from, to).contains(QStringLiteral("“maple”")));
     }
