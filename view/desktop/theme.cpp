@@ -137,6 +137,12 @@ public:
         QProxyStyle::drawControl(element, option, painter, widget);
         const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
         if (element == CE_TabBarTabShape && tab && tab->state & State_Selected) paintEdge(*tab, *painter);
+        if (element == CE_TabBarTabLabel && tab && tab->state & State_HasFocus &&
+            tab->state & State_KeyboardFocusChange) {
+            QStyleOption inside = *tab; // as far inside as Fusion's own, which is hardly seen
+            inside.rect = tab->rect.adjusted(4, 4, -4, -4);
+            paintFocus(inside, *painter);
+        }
     }
 
     // Fusion puts the arrow of a menu into the corner, below the text beside it.
