@@ -40,6 +40,7 @@
 #include "panels/problems/problems_panel.h"
 #include "panels/snapshots/snapshots_panel.h"
 #include "panels/timeline/timeline_panel.h"
+#include "room_for_picture.h"
 #include "saved_views_menu.h"
 #include "snapshot_commands.h"
 #include "stage.h"
@@ -476,6 +477,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     const bool presents = m_viewMenu->presentation()->isChecked();
+    if (!presents) showHiddenPanels(*this);
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
@@ -538,32 +540,15 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 void MainWindow::showEvent(QShowEvent* event) {
     SessionWindow::showEvent(event);
-    makeRoomForPicture();
+    makeRoomForPicture(*this, *m_stage);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     SessionWindow::resizeEvent(event);
-    if (width() < event->oldSize().width()) makeRoomForPicture();
-}
-
-// In a window that is made narrow the panels yield, so that half of it is left to the picture.
-void MainWindow::makeRoomForPicture() {
-    const int missing = width() / 2 - m_stage->width();
-    if (missing <= 0) return;
-    QList<QDockWidget*> beside;
-    int together = 0;
-    for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
-        for (auto* panel : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
-            if (dockWidgetArea(panel) == area && !panel->isFloating() && !panel->visibleRegion().isEmpty()) {
-                beside << panel;
-                together += panel->width();
-                break;
-            }
-    if (together <= 0) return;
-    QList<int> widths;
-    for (const QDockWidget* panel : beside)
-        widths << panel->width() - missing * panel->width() / together;
-    resizeDocks(beside, widths, Qt::Horizontal);
+    if (width() < event->oldSize().width())
+        makeRoomForPicture(*this, *m_stage);
+    else
+        giveRoomBack(*this);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -38,6 +38,7 @@ class WindowLayoutTest : public SessionFixture {
 private slots:
     void aNarrowWindowIsHalfPicture_data();
     void aNarrowWindowIsHalfPicture();
+    void aSmallWindowIsHalfPicture();
     void panelsAreWhereTheyWereLeft();
     void aBarIsFoundUnderItsFormerName();
     void theWholeScreenAndBack();
@@ -80,6 +81,38 @@ void WindowLayoutTest::aNarrowWindowIsHalfPicture() {
     QTest::qWait(50);
     window.resize(width, 768); // the same when it is made so
     QTRY_VERIFY(canvas->width() >= width * 46 / 100);
+}
+
+// 800 by 600 pixels: the panels on the left make way, come back with the room, and are there when asked for.
+void WindowLayoutTest::aSmallWindowIsHalfPicture() {
+    support::forgetSettings();
+    MainWindow* window = shown({});
+    const auto* canvas = window->findChild<view::CanvasView*>();
+    auto* entries = window->findChild<QDockWidget*>(QStringLiteral("entries"));
+    window->resize(1200, 780);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    QTRY_VERIFY(entries->isVisible());
+    window->resize(800, 600);
+    QTRY_COMPARE(window->size(), QSize(800, 600));
+    QTRY_VERIFY2(canvas->width() >= 400, qPrintable(QString::number(canvas->width())));
+    QVERIFY(!entries->isVisible());
+    entries->toggleViewAction()->trigger();
+    QTRY_VERIFY(entries->isVisible());
+    window->resize(1200, 780);
+    for (const char* id : {"entries", "collection"})
+        QTRY_VERIFY(window->findChild<QDockWidget*>(QLatin1String(id))->isVisible());
+    window->resize(800, 600);
+    QTRY_VERIFY(!entries->isVisible());
+    window->close();
+    QTRY_VERIFY(windows().isEmpty());
+
+    MainWindow* next = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(next));
+    QCOMPARE(next->size(), QSize(800, 600));
+    QTRY_VERIFY(next->findChild<view::CanvasView*>()->width() >= 400);
+    next->resize(1200, 780); // what made way in the last run is not lost
+    QTRY_VERIFY(next->findChild<QDockWidget*>(QStringLiteral("entries"))->isVisible());
+    support::forgetSettings();
 }
 
 // One is closed, one floats, one is in front of those that share its place, and one is on the other side.
