@@ -388,4 +388,10 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
     return picture;
 }
 
+QByteArray structuredSvg(const document::Fractal& fractal, const attractor::Camera& camera) {
+    const ShapeLevels levels = shapeLevels(fractal, camera);
+    if (levels.failure) return {};
+    return Writer(fractal, camera, {}).structured(*levels.levels, svgDepth(*levels.levels, {}));
+}
+
 } // namespace io

@@ -57,4 +57,7 @@ struct SvgPicture {
 SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera& camera,
                       const SvgFormat& format, const std::stop_token& stop = {});
 
+// The structured picture alone, sooner: its error is not measured. Empty where there is none.
+QByteArray structuredSvg(const document::Fractal& fractal, const attractor::Camera& camera);
+
 } // namespace io

@@ -16,14 +16,14 @@ void copyPicture(document::Document* document, const attractor::Camera& camera, 
                  QWidget* parent) {
     auto data = std::make_unique<QMimeData>();
     data->setImageData(shown);
-    QFuture<io::SvgPicture> writing = io::inBackground<io::SvgPicture>(
-        [fractal = document->fractal(), camera](QPromise<io::SvgPicture>& promise) {
-            promise.addResult(io::svgPicture(fractal, camera, {}));
+    QFuture<QByteArray> writing =
+        io::inBackground<QByteArray>([fractal = document->fractal(), camera](QPromise<QByteArray>& promise) {
+            promise.addResult(io::structuredSvg(fractal, camera));
         });
     // Without its lines it is still a picture.
     if (waitFor(QFuture<void>(writing), ExportDialog::tr("Copying the picture…"), parent))
-        if (const io::SvgPicture svg = writing.takeResult(); !svg.plan.failure)
-            data->setData(QStringLiteral("image/svg+xml"), svg.bytes);
+        if (const QByteArray svg = writing.takeResult(); !svg.isEmpty())
+            data->setData(QStringLiteral("image/svg+xml"), svg);
     QGuiApplication::clipboard()->setMimeData(data.release()); // the clipboard owns it
 }
 
