@@ -126,7 +126,7 @@ private slots:
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
         QVERIFY(QCoreApplication::installTranslator(&translator));
-        m_window->resize(800, 600);
+        m_window->resize(810, 600); // so that no panel makes way
         Welcome::offer(m_window.get());
         const QWidget* canvas = m_window->centralWidget();
         const auto room = [&] { return QRect(canvas->mapTo(m_window.get(), QPoint()), canvas->size()); };
