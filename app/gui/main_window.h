@@ -79,7 +79,7 @@ private:
     void updateTitle();
     void restoreLayout();
     void takeFocusFrom(const QWidget* hidden); // so that it does not go to any other field
-    void present(bool on); // the canvas alone on the screen
+    void present(bool on);                     // the canvas alone on the screen
 
     document::Document m_document;
     OpenFile m_file;
