@@ -34,11 +34,10 @@ MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
     header->setHighlightSections(false);
     header->setResizeContentsPrecision(50); // rows, besides those in sight
     header->setSectionResizeMode(QHeaderView::Interactive);
-    header->setWhatsThis(tr("Drag the name of a number left or right to change it in the current map: a "
-                            "tenth as fast with Shift, "
-                            "ten times as fast with Ctrl. The wheel does the same while the pointer is over "
-                            "the current cell. Drag "
-                            "the edge of a name to change the width of its column."));
+    header->setWhatsThis(
+        tr("Drag the name of a number left or right to change it in the current map: a tenth as fast with "
+           "Shift, ten times as fast with Ctrl. The wheel does the same while the pointer is over the "
+           "current cell. Drag the edge of a name to change the width of its column."));
     connect(new CellSteps(this), &CellSteps::refused, this, &MapsTable::refused);
 }
 

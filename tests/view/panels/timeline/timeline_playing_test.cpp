@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
-#include "support/own_settings.h"
+#include "view/panels/timeline/timeline_fixture.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -13,17 +12,12 @@
 #include <QTimer>
 
 #include <cstdlib>
-#include <memory>
 
 // Keys that snap where frames lie close together, and time that runs on whatever drawing takes.
-class TimelinePlayingTest : public QObject {
+class TimelinePlayingTest : public TimelineFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { support::useOwnSettings(); }
-    void init();
-    void cleanup() { m_panel.reset(); }
-
     void draggedKeysSnap();
     void timeIsNeverLate();
     void theRateIsShown();
@@ -34,19 +28,7 @@ private:
     void key(int row, int frame);
     void drag(const QPoint& from, const QPoint& to);
     int lastKey() { return timeline().tracks()[0].keys.back().frame; }
-
-    std::unique_ptr<document::Document> m_document;
-    std::unique_ptr<view::TimelinePanel> m_panel;
 };
-
-void TimelinePlayingTest::init() {
-    m_document = std::make_unique<document::Document>();
-    m_panel = std::make_unique<view::TimelinePanel>(m_document.get());
-    m_panel->resize(900, 300);
-    m_panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
-    m_panel->showTracks();
-}
 
 void TimelinePlayingTest::key(int row, int frame) {
     timeline().setRow(row);

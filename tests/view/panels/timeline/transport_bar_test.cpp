@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/ruler_scale.h"
-#include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
-#include "support/own_settings.h"
+#include "view/panels/timeline/timeline_fixture.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -12,20 +11,14 @@
 #include <QTest>
 #include <QToolButton>
 
-#include <memory>
-
 using animation::FrameRate;
 using view::RulerUnit;
 
 // Rates as they are typed, and what the ruler makes of them.
-class TransportBarTest : public QObject {
+class TransportBarTest : public TimelineFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { support::useOwnSettings(); }
-    void init();
-    void cleanup() { m_panel.reset(); }
-
     void ratesAreFractions();
     void whatIsNoRateIsRefused();
     void rulersHaveRoundSteps_data();
@@ -36,19 +29,7 @@ private:
     void type(const char* rate);
     FrameRate rate() const { return m_panel->timeline().timing().rate; }
     QComboBox* field() const { return m_panel->transport()->rate(); }
-
-    std::unique_ptr<document::Document> m_document;
-    std::unique_ptr<view::TimelinePanel> m_panel;
 };
-
-void TransportBarTest::init() {
-    m_document = std::make_unique<document::Document>();
-    m_panel = std::make_unique<view::TimelinePanel>(m_document.get());
-    m_panel->resize(900, 300);
-    m_panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
-    m_panel->showTracks();
-}
 
 void TransportBarTest::type(const char* rate) {
     field()->lineEdit()->selectAll();
