@@ -136,6 +136,8 @@ private slots:
             QVERIFY2(banner()->rect().contains(button->geometry()) &&
                          button->width() >= button->minimumSizeHint().width(),
                      qPrintable(button->text()));
+        m_window->resize(800, 600); // panels make way
+        QTRY_VERIFY(canvas->width() >= 400 && room().contains(banner()->geometry()));
     }
 
     void anEditClosesIt() {

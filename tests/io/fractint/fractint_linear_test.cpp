@@ -136,7 +136,7 @@ double effort(const std::function<void()>& task) {
 
 // How much longer 32 times as much takes: 32 times to three times that, as memory is slower than the caches,
 // and 1024 where the time is quadratic.
-constexpr double linear = 160;
+constexpr double linear = 120;
 double growth(const std::function<double(int)>& effortFor) {
     constexpr int attempts = 12; // for the least of either, whatever else the machine does
     constexpr int few = 2'000, many = 32 * few;
