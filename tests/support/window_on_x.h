@@ -3,13 +3,13 @@
 
 #include "document/fractal_geometry.h"
 #include "main_window.h"
+#include "support/patient_tries.h"
 #include "support/watchdog.h"
 #include "support/x_input.h"
 
 #include <QApplication>
 #include <QPointer>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QUndoStack>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/patient_tries.h"
 
 #include <QImage>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
-#include <QTest>
 
 // What the frames of barycage-cli animate are asked for, and how long the others will take.
 class CliFramesTest : public CommandLineTest {

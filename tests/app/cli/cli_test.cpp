@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/patient_tries.h"
 
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QProcess>
-#include <QTest>
 
 #include <algorithm>
 #include <csignal>

@@ -7,13 +7,13 @@
 #include "space/space_view.h"
 #include "stage.h"
 #include "support/paths.h"
+#include "support/patient_tries.h"
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListView>
 #include <QMouseEvent>
-#include <QTest>
 #include <QUndoStack>
 
 // Windows that are closed while something is under way in them.

@@ -6,6 +6,7 @@
 #include "panels/collage/target_box.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
+#include "support/patient_tries.h"
 
 #include <QAbstractScrollArea>
 #include <QApplication>
@@ -14,7 +15,6 @@
 #include <QImage>
 #include <QMimeData>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QUrl>
 
 // A file dropped anywhere on the window is opened: on the canvas as on the panels.

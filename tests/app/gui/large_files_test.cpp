@@ -10,6 +10,7 @@
 #include "panels/maps/maps_model.h"
 #include "panels/maps/maps_panel.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 #include "support/watchdog.h"
 
 #include <QAction>
@@ -24,7 +25,6 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QUndoStack>
 #include <QWhatsThis>
 

@@ -382,7 +382,8 @@ void LessonTest::fractalsThatAreGoneAreFound() {
         if (complaint && qobject_cast<QFileDialog*>(complaint->parentWidget())) return complaint->reject();
         if (!files) return;
         files->selectFile(renamed); // once more until it has been taken
-        QMetaObject::invokeMethod(files, "accept");
+        // Not at once: while the complaint that may follow is shown, this timer is to go on.
+        QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
     });
     answering.start(50);
     find->click();

@@ -17,6 +17,7 @@
 #include "stage.h"
 #include "support/forget_settings.h"
 #include "support/paths.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QApplication>
@@ -34,7 +35,6 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolBar>
 #include <QUndoStack>

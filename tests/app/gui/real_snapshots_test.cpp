@@ -4,6 +4,7 @@
 #include "dialogs/saved_views_dialog.h"
 #include "document/saved_views.h"
 #include "panels/snapshots/snapshots_panel.h"
+#include "space/space_view.h"
 #include "support/window_on_x.h"
 
 #include <QAbstractButton>
@@ -44,6 +45,7 @@ private:
         QTRY_COMPARE(steps(), before + 1);
     }
     void saveView(const char* name);
+    void letTheCameraRest() const;
     std::vector<document::SavedView> views() const { return document::savedViews(fractal()); }
 };
 
@@ -270,22 +272,31 @@ void RealSnapshotsTest::viewsAreRenamedAndDeleted() {
     QTRY_COMPARE(views().size(), std::size_t{2});
 }
 
+// A camera that glides arrives.
+void RealSnapshotsTest::letTheCameraRest() const {
+    auto* space = window().findChild<view::SpaceView*>();
+    QVERIFY(space);
+    attractor::OrbitCamera before;
+    do {
+        before = space->navigation().camera();
+        QTest::qWait(600);
+    } while (!(space->navigation().camera() == before));
+}
+
 void RealSnapshotsTest::aViewOfASolidIsSaved() {
     window().openPath(copyOfCollection(QStringLiteral("space_sponges")));
     QVERIFY(document::space(fractal()));
-    const auto camera = [this] {
-        choose({QStringLiteral("View"), QStringLiteral("Saved Views"), QStringLiteral("corner")});
-        QTest::qWait(600); // it glides
+    const auto chooseView = [this](const char* menu, const char* view) {
+        choose({QStringLiteral("View"), QLatin1String(menu), QLatin1String(view)});
+        letTheCameraRest();
     };
-    choose({QStringLiteral("View"), QStringLiteral("Camera"), QStringLiteral("Isometric")});
-    QTest::qWait(600);
+    chooseView("Camera", "Isometric");
     saveView("corner");
     QTRY_COMPARE(views().size(), std::size_t{1});
     const auto saved = std::get<attractor::OrbitCamera>(views().front().camera);
-    choose({QStringLiteral("View"), QStringLiteral("Camera"), QStringLiteral("Top")});
-    choose({QStringLiteral("View"), QStringLiteral("Camera"), QStringLiteral("Perspective")});
-    QTest::qWait(600);
-    camera();
+    chooseView("Camera", "Top");
+    chooseView("Camera", "Perspective");
+    chooseView("Saved Views", "corner");
     saveView("again");
     QTRY_COMPARE(views().size(), std::size_t{2});
     const auto found = std::get<attractor::OrbitCamera>(views().back().camera);

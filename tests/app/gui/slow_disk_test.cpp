@@ -9,6 +9,7 @@
 #include "session.h"
 #include "support/every_window.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 #include "support/slow_disk.h"
 #include "welcome.h"
 
@@ -20,7 +21,6 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 
 #include <functional>

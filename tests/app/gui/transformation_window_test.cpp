@@ -17,6 +17,7 @@
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "stage.h"
+#include "support/patient_tries.h"
 #include "transformation/theft_export_dialog.h"
 #include "transformation/theft_sentences.h"
 #include "transformation/transformation_view.h"

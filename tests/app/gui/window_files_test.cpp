@@ -7,6 +7,7 @@
 #include "session.h"
 #include "support/file_size_limit.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -28,7 +29,6 @@
 #include <QSemaphore>
 #include <QStatusBar>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QThreadPool>
 #include <QTimer>
 #include <QUndoStack>

@@ -3,9 +3,9 @@
 
 #include "main_window.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QApplication>
-#include <QTest>
 
 #include <memory>
 

@@ -9,6 +9,7 @@
 #include "session_fixture.h"
 #include "support/forget_settings.h"
 #include "support/paths.h"
+#include "support/patient_tries.h"
 #include "widgets/number_field.h"
 #include "widgets/vertical_scroll_area.h"
 
@@ -25,7 +26,6 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
-#include <QTest>
 #include <QToolBar>
 #include <QTranslator>
 

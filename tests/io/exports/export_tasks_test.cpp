@@ -5,6 +5,7 @@
 #include "document/fractal_geometry.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/patient_tries.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,7 +13,6 @@
 #include <QImage>
 #include <QSet>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <atomic>
 #include <chrono>

@@ -6,6 +6,7 @@
 #include "bars/start_shape_box.h"
 #include "bridges/render_bridge.h"
 #include "document/fractal_geometry.h"
+#include "support/patient_tries.h"
 
 #include <QComboBox>
 #include <QImage>
@@ -14,7 +15,6 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "panels/exports/exports_model.h"
 #include "panels/exports/exports_panel.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QDir>
@@ -22,7 +23,6 @@
 #include <QSignalSpy>
 #include <QStandardItemModel>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include "document/edit_gesture.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "support/patient_tries.h"
 
 #include <QSignalSpy>
-#include <QTest>
 
 using document::Document;
 using ifs::Vector;

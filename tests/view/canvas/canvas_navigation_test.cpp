@@ -2,6 +2,7 @@
 #include "bars/zoom_box.h"
 #include "canvas/geometry/coordinate_text.h"
 #include "document/fractal_geometry.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QLineEdit>

@@ -5,6 +5,7 @@
 #include "document/edits/cage_actions.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 #include "widgets/number_text.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/command_palette.h"
 #include "dialogs/shortcuts_dialog.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -13,7 +14,6 @@
 #include <QScreen>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QTest>
 #include <QToolButton>
 #include <QTranslator>
 #include <QTreeWidget>

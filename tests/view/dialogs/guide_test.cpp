@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 #include "support/paths.h"
+#include "support/patient_tries.h"
 
 #include <QApplication>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
-#include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 

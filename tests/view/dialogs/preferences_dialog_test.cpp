@@ -5,6 +5,7 @@
 #include "support/contrast.h"
 #include "support/forget_settings.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -24,7 +25,6 @@
 #include <QSpinBox>
 #include <QStyle>
 #include <QTabBar>
-#include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
 

@@ -5,6 +5,7 @@
 #include "panels/collage/collage_layer.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QBuffer>

@@ -4,6 +4,7 @@
 #include "document/edits/space_cage_edits.h"
 #include "ifs/cage/map_handles.h"
 #include "space/four_views.h"
+#include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
 #include <QSignalSpy>

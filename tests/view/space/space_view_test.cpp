@@ -4,6 +4,7 @@
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/space_geometry.h"
+#include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
 #include <QtTest>

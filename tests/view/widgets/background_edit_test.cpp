@@ -2,9 +2,9 @@
 #include "widgets/background_edit.h"
 
 #include "document/document.h"
+#include "support/patient_tries.h"
 
 #include <QSemaphore>
-#include <QTest>
 #include <QThreadPool>
 
 #include <memory>

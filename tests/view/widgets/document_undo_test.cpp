@@ -5,13 +5,13 @@
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/transport_bar.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QSpinBox>
-#include <QTest>
 #include <QUndoStack>
 #include <QVBoxLayout>
 

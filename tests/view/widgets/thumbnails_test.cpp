@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_geometry.h"
 #include "io/picture/thumbnail_cache.h"
+#include "support/patient_tries.h"
 #include "widgets/thumbnails.h"
 
 #include <QImage>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <set>
 

@@ -6,6 +6,7 @@
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/map_interpolation.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QComboBox>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_geometry.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QAbstractButton>

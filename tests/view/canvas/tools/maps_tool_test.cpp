@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/attractor_existence.h"
 #include "panels/maps/maps_panel.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QPixmap>

@@ -5,6 +5,7 @@
 #include "document/edits/motion_edits.h"
 #include "io/collection_reader.h"
 #include "io/fractint/fractint_writer.h"
+#include "support/patient_tries.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -20,7 +21,6 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <memory>
 

@@ -9,6 +9,7 @@
 #include "document/fractal_geometry.h"
 #include "io/picture/png_system.h"
 #include "io/picture/svg_system.h"
+#include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 
 #include <QCheckBox>
@@ -23,7 +24,6 @@
 #include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/space_geometry.h"
+#include "support/patient_tries.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -12,7 +13,6 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <cstdlib>
 #include <memory>

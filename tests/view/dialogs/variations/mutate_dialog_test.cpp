@@ -5,6 +5,7 @@
 #include "document/edits/entries_edits.h"
 #include "document/edits/map_locks.h"
 #include "document/variations/random_systems.h"
+#include "support/patient_tries.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,7 +14,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QTest>
 
 #include <algorithm>
 #include <span>

@@ -2,13 +2,13 @@
 #include "dialogs/variations/random_dialog.h"
 
 #include "dialogs/variations/picture_tiles.h"
+#include "support/patient_tries.h"
 #include "widgets/symmetry_groups.h"
 
 #include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTest>
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "document/edits/link_edits.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
+#include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 
 #include <QApplication>

@@ -6,6 +6,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
 #include "panels/appearance/palettes/picture_palette_dialog.h"
+#include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 

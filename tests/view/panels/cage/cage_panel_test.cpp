@@ -6,6 +6,7 @@
 #include "widgets/number_field.h"
 
 #include "ifs/extent/polygon.h"
+#include "support/patient_tries.h"
 
 #include <QAbstractButton>
 #include <QAction>

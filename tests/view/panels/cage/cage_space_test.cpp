@@ -4,6 +4,7 @@
 #include "document/space_geometry.h"
 #include "ifs/extent/extent.h"
 #include "panels/cage/cage_panel.h"
+#include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 #include "widgets/number_text.h"

@@ -8,6 +8,7 @@
 #include "panels/collection/collection_panel.h"
 #include "support/forget_settings.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
@@ -21,7 +22,6 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 #include <memory>

@@ -2,12 +2,12 @@
 #include "document/edit_gesture.h"
 #include "document/edits/entries_edits.h"
 #include "panels/entries/entries_model.h"
+#include "support/patient_tries.h"
 
 #include <QAbstractItemModelTester>
 #include <QListView>
 #include <QRegularExpression>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <random>
 

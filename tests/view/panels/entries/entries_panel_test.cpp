@@ -5,6 +5,7 @@
 #include "panels/entries/entries_list.h"
 #include "panels/entries/entries_model.h"
 #include "panels/entries/entries_panel.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -18,7 +19,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
-#include <QTest>
 #include <QToolTip>
 
 using namespace Qt::StringLiterals;

@@ -2,6 +2,7 @@
 #include "panels/lesson/lesson_card.h"
 #include "panels/lesson/lesson_notebook.h"
 #include "panels/lesson/lesson_panel.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QLabel>
@@ -13,7 +14,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QTest>
 #include <QToolButton>
 
 using namespace Qt::StringLiterals;

@@ -4,6 +4,7 @@
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/map_thumbnails.h"
 #include "panels/maps/maps_panel.h"
+#include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 

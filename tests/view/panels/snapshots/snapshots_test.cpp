@@ -9,6 +9,7 @@
 #include "panels/snapshots/snapshot_look.h"
 #include "panels/snapshots/snapshots_panel.h"
 #include "space/four_views.h"
+#include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QAction>

@@ -5,9 +5,9 @@
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QLabel>
-#include <QTest>
 
 #include <memory>
 

@@ -6,6 +6,7 @@
 #include "panels/timeline/morph_lines.h"
 #include "panels/timeline/timeline_panel.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QApplication>
@@ -15,7 +16,6 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <algorithm>
 #include <memory>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
+#include "support/patient_tries.h"
 #include "view/panels/timeline/timeline_fixture.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QTest>
 #include <QThread>
 #include <QTimer>
 

@@ -11,6 +11,7 @@
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
 #include "support/own_settings.h"
+#include "support/patient_tries.h"
 
 #include <QAction>
 #include <QApplication>
@@ -23,7 +24,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
