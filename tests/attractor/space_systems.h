@@ -35,7 +35,7 @@ inline System3 tetrahedron() { // between corners of the unit cube
 }
 
 inline System3 fern3() {
-    return canonical::system(canonical::fern3(), canonical::FernWeights);
+    return canonical::system(canonical::fern3(), canonical::fernWeights);
 }
 
 // All of the attractor in a picture of the given size.

@@ -33,7 +33,7 @@ inline ifs::IteratedFunctionSystem<2> flower() {
     return canonical::system(canonical::flower(), {1, 1});
 }
 inline ifs::IteratedFunctionSystem<2> fern() {
-    return canonical::system(canonical::fern(), canonical::FernWeights);
+    return canonical::system(canonical::fern(), canonical::fernWeights);
 }
 inline ifs::IteratedFunctionSystem<2> sierpinski() {
     return canonical::system(canonical::sierpinskiRight());

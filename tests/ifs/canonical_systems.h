@@ -29,7 +29,7 @@ inline Maps2 fern() {
     return {ifs::affineMap(0, 0, 0, 0.16, 0, 0), ifs::affineMap(0.85, 0.04, -0.04, 0.85, 0, 1.6),
             ifs::affineMap(0.2, -0.26, 0.23, 0.22, 0, 1.6), ifs::affineMap(-0.15, 0.28, 0.26, 0.24, 0, 0.44)};
 }
-inline const std::vector<double> FernWeights{0.01, 0.85, 0.07, 0.07};
+inline const std::vector<double> fernWeights{0.01, 0.85, 0.07, 0.07};
 inline Maps2 halves(std::initializer_list<ifs::Vector<2>> translations) {
     Maps2 maps;
     for (const auto& t : translations)
@@ -155,7 +155,7 @@ std::vector<ifs::Vector<Dim>> orbit(const std::vector<ifs::AffineMap<Dim>>& maps
     return points;
 }
 
-inline constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double Infinity = std::numeric_limits<double>::infinity();
+inline constexpr double quietNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 } // namespace canonical

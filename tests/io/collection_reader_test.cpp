@@ -38,7 +38,7 @@ const document::System2& firstSystem(const document::FractalFile& file) {
 document::Fractal fern() {
     document::Fractal fractal;
     fractal.name = QStringLiteral("fern");
-    document::System2 system = canonical::system(canonical::fern(), canonical::FernWeights);
+    document::System2 system = canonical::system(canonical::fern(), canonical::fernWeights);
     ifs::append(system, ifs::affineMap(1.0 / 3, 0.1, 0.7, -1e-9, 2.5, 1e12), 0);
     fractal.shape = document::Shape<2>{system};
     return fractal;

@@ -36,7 +36,7 @@ FractalPointer pointer(Fractal fractal) {
 FractalPointer fern() {
     Fractal fractal;
     fractal.name = QStringLiteral("fern");
-    fractal.shape = document::Shape<2>{canonical::system<2>(canonical::fern(), canonical::FernWeights)};
+    fractal.shape = document::Shape<2>{canonical::system<2>(canonical::fern(), canonical::fernWeights)};
     return pointer(fractal);
 }
 

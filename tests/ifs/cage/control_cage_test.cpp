@@ -134,8 +134,8 @@ private slots:
         QVERIFY(!isAffineBasis<2>({Vector<2>(1, 1), Vector<2>(1, 1), Vector<2>(1, 1)}));
         QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0.5, 0.9e-9)}));
         QVERIFY(isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0.5, 1.1e-9)}));
-        QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(NaN, 0), Vector<2>(0, 1)}));
-        QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(Infinity, 0), Vector<2>(0, 1)}));
+        QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(quietNaN, 0), Vector<2>(0, 1)}));
+        QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(infinity, 0), Vector<2>(0, 1)}));
         for (const double size : {1e-150, 1e150}) {
             const Simplex<3> huge{Vector<3>::Zero(), size * Vector<3>::Unit(0), size * Vector<3>::Unit(1),
                                   size * Vector<3>::Unit(2)};
@@ -179,7 +179,7 @@ private slots:
         QVERIFY(isValid(cage));
         cage.current[1] = cage.current[0];
         QVERIFY(isValid(cage));
-        cage.current[1].x() = NaN;
+        cage.current[1].x() = quietNaN;
         QVERIFY(!isValid(cage));
         cage = cageAtRest<2>(Triangle);
         cage.rest[2] = {2, 0};

@@ -20,7 +20,7 @@ Polygon cageOf(const Maps2& maps, int corners) {
 
 // How far x lies outside the half planes of the edges, walked counter-clockwise.
 double outside(const Polygon& polygon, const Vector<2>& x) {
-    double farthest = -Infinity;
+    double farthest = -infinity;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector<2> edge = polygon[(k + 1) % polygon.size()] - polygon[k];
         farthest = std::max(farthest, cross(x - polygon[k], edge) / edge.norm());
@@ -82,7 +82,7 @@ private slots:
             const Polygon rectangle = smallestRectangleAround(hull);
             QCOMPARE(rectangle.size(), std::size_t{4});
             double size = 0;
-            double least = Infinity;
+            double least = infinity;
             for (const auto& corner : hull) {
                 size = std::max(size, corner.norm());
                 QVERIFY(outside(rectangle, corner) < 1e-12 * (1 + size));
@@ -91,7 +91,7 @@ private slots:
             for (int k = 0; k < 1000; ++k) {
                 const Vector<2> along(std::cos(k * std::numbers::pi / 2000),
                                       std::sin(k * std::numbers::pi / 2000));
-                Vector<2> low(Infinity, Infinity);
+                Vector<2> low(infinity, infinity);
                 Vector<2> high = -low;
                 for (const auto& corner : hull) {
                     const Vector<2> at(along.dot(corner), cross(along, corner));

@@ -33,7 +33,7 @@ private slots:
         QCOMPARE(moran({.5}), 0.0);
         QVERIFY(near(moran(std::vector<double>(1000, .999)), std::log(1000) / -std::log(.999), 1e-8));
         QVERIFY(near(moran({.995, .995}), std::log(2) / -std::log(.995), 1e-9));
-        const std::vector<double> none, one{1.0, .5}, zero{.5, 0}, bad{NaN, .5};
+        const std::vector<double> none, one{1.0, .5}, zero{.5, 0}, bad{quietNaN, .5};
         for (const auto& ratios : {none, one, zero, bad})
             QVERIFY(!moranDimension(ratios));
     }

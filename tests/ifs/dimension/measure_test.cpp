@@ -35,7 +35,7 @@ private slots:
     }
 
     void notOfOtherMaps() {
-        const auto active = activeMaps(canonical::system<2>(fern(), FernWeights));
+        const auto active = activeMaps(canonical::system<2>(fern(), fernWeights));
         QVERIFY(!lyapunovExponent(active) && !measureDimension(active));
         QVERIFY(entropy(active.probabilities) > 0);
         QCOMPARE(entropy(std::vector<double>{1}), 0.0);

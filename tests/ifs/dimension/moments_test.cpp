@@ -51,7 +51,7 @@ private slots:
         compare(weighted, {0.173497302602363578, 1.889554379976506070},
                 {2.129005246374539, -0.386284423904886, 1.849609397423682});
         compareLongRun(weighted, 9.148866, 5.128550);
-        const auto leaf = momentsOf<2>(fern(), FernWeights);
+        const auto leaf = momentsOf<2>(fern(), fernWeights);
         compare(leaf, {2659956. / 3338159, 20588360. / 3338159},
                 {1.436308769343536, 1.297831985967738, 6.249627702417141});
         compareLongRun(leaf, 10.425670, 45.059712);
@@ -63,7 +63,7 @@ private slots:
     }
 
     void fernInSpace() {
-        const auto found = momentsOf<3>(fern3(), FernWeights);
+        const auto found = momentsOf<3>(fern3(), fernWeights);
         QVERIFY((found.mean - Vector<3>(0, 5.287747479916747, -1.908528814407318)).norm() < 1e-12);
         Matrix<3> expected;
         expected << .481030299090, 0, 0, 0, 4.704690336228, -2.701752081778, 0, -2.701752081778,
@@ -73,7 +73,7 @@ private slots:
 
     // Not the covariance but the long-run covariance says how far a chaos-game average may be off.
     void chaosGameMean() {
-        const auto code = activeMaps(canonical::system<2>(fern(), FernWeights));
+        const auto code = activeMaps(canonical::system<2>(fern(), fernWeights));
         const auto exact = *moments(code);
         constexpr int count = 1'000'000;
         for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -104,8 +104,8 @@ private slots:
     void noMoments() {
         QVERIFY(!moments(ActiveMaps<2>{}));
         QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(1, 0, 0, .5, 1, 1)}))));
-        QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(NaN, 0, 0, .5, 1, 1)}))));
-        QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(.5, 0, 0, .5, Infinity, 1)}))));
+        QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(quietNaN, 0, 0, .5, 1, 1)}))));
+        QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(.5, 0, 0, .5, infinity, 1)}))));
         QVERIFY(!moments(activeMaps(canonical::system<2>({affineMap(1e200, 0, 0, .5, 1, 1)}))));
     }
 
@@ -123,8 +123,8 @@ private slots:
 
     void noMean() {
         QVERIFY(!mean(ActiveMaps<2>{}));
-        for (const auto& map : {affineMap(1, 0, 0, .5, 1, 1), affineMap(NaN, 0, 0, .5, 1, 1),
-                                affineMap(.5, 0, 0, .5, Infinity, 1), affineMap(1e200, 0, 0, .5, 1, 1)})
+        for (const auto& map : {affineMap(1, 0, 0, .5, 1, 1), affineMap(quietNaN, 0, 0, .5, 1, 1),
+                                affineMap(.5, 0, 0, .5, infinity, 1), affineMap(1e200, 0, 0, .5, 1, 1)})
             QVERIFY(!mean(activeMaps(canonical::system<2>({map}))));
     }
 

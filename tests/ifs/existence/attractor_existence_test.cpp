@@ -128,7 +128,7 @@ private slots:
 
     void emptyAndExtreme() {
         QCOMPARE(classify<2>({}).verdict, Verdict::Empty);
-        for (const double bad : {NaN, Infinity}) {
+        for (const double bad : {quietNaN, infinity}) {
             const Maps2 inLinear{affineMap(bad, 0, 0, .5, 0, 0)},
                 inTranslation{affineMap(.5, 0, 0, .5, bad, 0)};
             QCOMPARE(classify<2>(inLinear).verdict, Verdict::Undecided);

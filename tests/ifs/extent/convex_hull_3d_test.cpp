@@ -21,7 +21,7 @@ ConvexHull3 hullOf(const Maps3& maps, double tolerance) {
 
 // How far x lies outside the half spaces of the facets.
 double outside(const ConvexHull3& hull, const Vector<3>& x) {
-    double farthest = -Infinity;
+    double farthest = -infinity;
     for (const auto& facet : hull.facets) {
         const auto corner = [&](std::size_t k) { return hull.vertices[std::size_t(facet[k])]; };
         const Vector<3> normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));

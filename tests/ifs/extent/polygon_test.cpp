@@ -19,7 +19,7 @@ Vector<2> quarterTurned(const Vector<2>& x) {
 
 // How far x is from a convex polygon, edge by edge.
 double outside(const Polygon& polygon, const Vector<2>& x) {
-    double nearest = Infinity;
+    double nearest = infinity;
     bool isBeyond = polygon.size() < 3;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];

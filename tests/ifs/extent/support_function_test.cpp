@@ -45,7 +45,7 @@ template <int Dim> void properties(const std::vector<AffineMap<Dim>>& maps, Rand
     QVERIFY(near(hu.value, u.dot(hu.point), 0));
     QVERIFY(hu.error <= 4e-11 * size);
 
-    double residual = -Infinity; // h(u) = max_i ⟨u,b_i⟩ + h(A_iᵀu)
+    double residual = -infinity; // h(u) = max_i ⟨u,b_i⟩ + h(A_iᵀu)
     for (const auto& map : maps)
         residual = std::max(residual, u.dot(map.translation) + h(map.linear.transpose() * u).value);
     QVERIFY(near(residual, hu.value, 1e-12 * size));
@@ -81,7 +81,7 @@ template <int Dim> void randomSystems(int count) {
 
 template <int Dim> void badSystems() {
     QVERIFY(!SupportFunction<Dim>::of({}));
-    for (const double bad : {NaN, Infinity, 1e300}) {
+    for (const double bad : {quietNaN, infinity, 1e300}) {
         std::vector<AffineMap<Dim>> maps(2);
         for (auto& map : maps)
             map.linear *= 0.5;
@@ -95,8 +95,8 @@ template <int Dim> void badSystems() {
     const auto h = supportOf<Dim>({AffineMap<Dim>{Matrix<Dim>::Zero(), Vector<Dim>::Ones()}});
     QCOMPARE(h(Vector<Dim>::Zero()).value, 0.0);
     QCOMPARE(h(Vector<Dim>::Unit(0)).value, 1.0);
-    QCOMPARE(h(Vector<Dim>::Constant(NaN)).value, 0.0);
-    QCOMPARE(h(Vector<Dim>::Constant(NaN)).error, Infinity);
+    QCOMPARE(h(Vector<Dim>::Constant(quietNaN)).value, 0.0);
+    QCOMPARE(h(Vector<Dim>::Constant(quietNaN)).error, infinity);
     QVERIFY(std::isfinite(h(Vector<Dim>::Constant(1e308)).error));
     QVERIFY(std::isfinite(h(Vector<Dim>::Constant(1e-320)).error));
 }

@@ -52,7 +52,7 @@ void TearTest::continuousOnesTearLessAndLess() {
     QFETCH(Maps, from);
     QFETCH(Maps, to);
     const auto f = attractorOf(from), g = attractorOf(to);
-    double before = canonical::Infinity;
+    double before = canonical::infinity;
     for (double epsilon = 0.25; epsilon > 0.002; epsilon /= 4) {
         const auto torn = ifs::tear(f, g, epsilon);
         QVERIFY(!torn.isCutShort);

@@ -46,7 +46,7 @@ ifs::FractalTransformation transformation(const Maps& from, const Maps& to) {
 }
 
 Vector<2> imageOf(const ifs::FractalTransformation& t, const Vector<2>& x) {
-    return t.at(x).image.value_or(Vector<2>::Constant(canonical::NaN));
+    return t.at(x).image.value_or(Vector<2>::Constant(canonical::quietNaN));
 }
 
 double onTheLine(const ifs::FractalTransformation& t, double x) {
@@ -188,7 +188,7 @@ void TopAddressTest::modulusOfContinuity() {
     std::ranges::sort(points, {}, [](const Vector<2>& x) { return x.x(); });
     for (const Vector<2>& x : points)
         images.push_back(imageOf(t, x));
-    double before = canonical::Infinity;
+    double before = canonical::infinity;
     for (const auto& [within, expected] : {std::pair{.02, .152}, {.01, .104}, {.005, .062}, {.0025, .037}}) {
         double largest = 0;
         for (std::size_t k = 0; k < points.size(); ++k)
@@ -285,8 +285,8 @@ void TopAddressTest::offTheAttractor() {
     const auto t = transformation(interval(0.5), cantor());
     QVERIFY(!t.at({0.5, 1e-8}).top);
     QVERIFY(!t.at({-1e-8, 0}).image);
-    QVERIFY(!t.at({canonical::NaN, 0}).image);
-    QVERIFY(!t.at({canonical::Infinity, 0}).image);
+    QVERIFY(!t.at({canonical::quietNaN, 0}).image);
+    QVERIFY(!t.at({canonical::infinity, 0}).image);
     QVERIFY(near(imageOf(t, {0.25, 1e-10}).x(), 1.0 / 9, 1e-6)); // the nearest point
     QVERIFY(near(imageOf(t, {-5e-10, 0}).x(), 0, 1e-6));
     const auto holes = transformation(cantor(), interval(0.5));
