@@ -384,7 +384,9 @@ void MainWindow::connectDocument() {
     addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
-        m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
+        using Shapes = std::vector<document::OutlineShape>;
+        m_canvas->showOutlines(analysis ? analysis->shapes : Shapes(),
+                               analysis ? analysis->outerCylinders : Shapes());
         m_stage->views()->showOutlines(analysis ? analysis->shapesInSpace
                                                 : std::vector<document::SpaceOutline>());
     });

@@ -145,7 +145,7 @@ QWidget* AnalysisPanel::makeOutlines() {
     add(Outline::FixedPoints, tr("Fixed points"), tr("Mark the fixed point of each map in its colour"), 3, 0);
     add(Outline::Cylinders, tr("Cylinders"),
         tr("Outline the hulls of all pieces with addresses of the same length, each in the colour of its "
-           "first map"),
+           "first map; click one to see its address"),
         3, 1);
     auto* depth = new QWidget(m_outlines);
     auto* line = new QHBoxLayout(depth);
