@@ -309,6 +309,7 @@ void MainWindow::createConstructionBar() {
     shown->setStatusTip(
         tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
     shown->setWhatsThis(shown->statusTip() + QStringLiteral(". ") + actionDetails("construction"));
+    bar->setWhatsThis(shown->whatsThis());
     m_viewMenu->addShared(shown);
     m_viewMenu->addToolBarGroup({shown});
     connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
@@ -337,6 +338,7 @@ void MainWindow::createOptionsBar() {
     shown->setStatusTip(tr("Show the options of the tool under the canvas"));
     shown->setToolTip(shown->statusTip());
     shown->setWhatsThis(tr("A bar with the options of the current tool, or a reminder of how to use it."));
+    m_optionsBar->setWhatsThis(shown->whatsThis());
 }
 
 void MainWindow::createToolBar() {

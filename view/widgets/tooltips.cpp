@@ -29,7 +29,8 @@ QString plainName(QString text) {
 }
 
 QString nameOf(const QWidget& widget) {
-    if (const QAction* action = actionOf(widget)) return plainName(action->text());
+    if (const QAction* action = actionOf(widget); action && !action->text().isEmpty())
+        return plainName(action->text());
     if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
     const auto* button = qobject_cast<const QAbstractButton*>(&widget);
     return button ? plainName(button->text()) : QString();
@@ -72,6 +73,8 @@ QString composedTip(const QWidget& widget) {
     const QString name = nameOf(widget), keys = shortcutOf(widget);
     if (const QAction* action = actionOf(widget); action && tip == name) tip = action->statusTip();
     if (tip.isEmpty()) tip = name;
+    if (const QString known = QStringLiteral(" (%1)").arg(keys); !keys.isEmpty() && tip.endsWith(known))
+        tip.chop(known.size());                   // it stands beside the name
     const bool isRich = Qt::mightBeRichText(tip); // its maker has escaped it
     QString head;
     if (!name.isEmpty()) head = QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped());

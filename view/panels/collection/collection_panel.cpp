@@ -188,7 +188,7 @@ QWidget* CollectionPanel::createProgress() {
     stop->setIconSize({18, 18});
     stop->setAutoRaise(true);
     stop->setAccessibleName(tr("Stop reading"));
-    stop->setToolTip(tr("Stop reading this folder. Files that were already read stay in the list."));
+    stop->setToolTip(tr("Stop reading this folder; files that were already read stay in the list"));
     stop->setStatusTip(stop->toolTip());
     layout->addWidget(stop);
     row->hide();
