@@ -16,7 +16,7 @@ template <class Box> QString withoutUnits(const Box& box, QString text) {
         text.remove(0, prefix.size());
     if (const QString suffix = box.suffix(); !suffix.isEmpty() && text.endsWith(suffix))
         text.chop(suffix.size());
-    return text.trimmed();
+    return text.remove(groupSeparator).trimmed();
 }
 
 std::optional<double> rounded(const std::optional<double>& value, int decimals) {
@@ -83,7 +83,8 @@ WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
 
 QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     QString plain = text;
-    int at = position;
+    plain.remove(groupSeparator); // while it is being typed
+    int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
     if (state == QValidator::Acceptable || !isExpression(typed)) {
@@ -98,12 +99,13 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
 int WholeNumberBox::valueFromText(const QString& text) const {
     const QString typed = withoutUnits(*this, text);
     const auto value = isExpression(typed) ? whole(typedNumber(typed), minimum(), maximum()) : std::nullopt;
-    return value ? *value : QSpinBox::valueFromText(text);
+    return value ? *value : QSpinBox::valueFromText(QString(text).remove(groupSeparator));
 }
 
 QString WholeNumberBox::textFromValue(int value) const {
     const QString typed = m_typed.of(value);
-    return typed.isEmpty() ? QSpinBox::textFromValue(value) : typed;
+    if (!typed.isEmpty()) return typed;
+    return isGroupSeparatorShown() ? groupedNumber(value) : QSpinBox::textFromValue(value);
 }
 
 } // namespace view

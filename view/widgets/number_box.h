@@ -33,7 +33,8 @@ private:
     TypedExpression m_typed;
 };
 
-// Takes expressions whose value is whole.
+// Takes expressions whose value is whole. Groups of digits, where they are shown, are those of
+// groupedNumber().
 class WholeNumberBox : public QSpinBox {
 public:
     explicit WholeNumberBox(QWidget* parent = nullptr);

@@ -13,10 +13,12 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSet>
+#include <QSpinBox>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
@@ -56,6 +58,7 @@ private slots:
     void whatsThisSaysMoreThanTheTip();
     void everyTipIsOneSentence();
     void iconsAreNamed();
+    void digitsStandInGroups();
     void everythingHasAName();
     void everyTextIsTranslated();
 
@@ -192,6 +195,31 @@ void WhatsThisTest::iconsAreNamed() {
         }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
     QVERIFY2(icons > 20, qPrintable(QString::number(icons)));
+}
+
+// In what is read, not typed: no five digits before a decimal point stand together.
+void WhatsThisTest::digitsStandInGroups() {
+    static const QRegularExpression run(QStringLiteral("(?<![\\d.,])\\d{5,}"));
+    const EveryWindow windows;
+    QStringList wrong;
+    int labels = 0, boxes = 0;
+    for (const QWidget* window : windows.all()) {
+        for (const auto* label : window->findChildren<QLabel*>()) {
+            if (label->text().contains(u'/')) continue; // a path, or a version
+            ++labels;
+            if (label->text().contains(run))
+                wrong << EveryWindow::describe(label) + QStringLiteral(": ") + label->text();
+        }
+        for (auto* box : window->findChildren<QSpinBox*>())
+            if (box->isGroupSeparatorShown()) {
+                ++boxes;
+                box->setValue(123'456);
+                if (!box->text().contains(QStringLiteral("123\u202f456")))
+                    wrong << EveryWindow::describe(box);
+            }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    QVERIFY2(labels > 60 && boxes >= 2, qPrintable(QStringLiteral("%1 %2").arg(labels).arg(boxes)));
 }
 
 void WhatsThisTest::everythingHasAName() {

@@ -27,6 +27,7 @@ private slots:
     void unitsStay();
     void aCommaIsADecimalPoint();
     void wholeNumbersAreComputed();
+    void digitsStandInGroups();
     void otherNumbersAreNotWhole();
     void tooLargeNumbersAreRefused();
 
@@ -159,6 +160,26 @@ void NumberBoxTest::wholeNumbersAreComputed() {
     QCOMPARE(box.text(), QStringLiteral("1920*2"));
     QTest::keyClick(&box, Qt::Key_Up);
     QCOMPARE(box.text(), QStringLiteral("3841"));
+}
+
+void NumberBoxTest::digitsStandInGroups() {
+    WholeNumberBox box;
+    box.setLocale(QLocale::c());
+    box.setRange(1, 9'000'000);
+    box.setGroupSeparatorShown(true);
+    box.setValue(1'234'567);
+    QCOMPARE(box.text(), QStringLiteral("1\u202f234\u202f567"));
+    box.setValue(9'999);
+    QCOMPARE(box.text(), QStringLiteral("9999"));
+    type(box, QStringLiteral("123456"));
+    QCOMPARE(box.value(), 123'456);
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.text(), QStringLiteral("123\u202f456"));
+    QTest::keyClick(&box, Qt::Key_End);
+    QTest::keyClicks(&box, QStringLiteral("7")); // beside the groups
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.value(), 1'234'567);
+    QCOMPARE(box.text(), QStringLiteral("1\u202f234\u202f567"));
 }
 
 void NumberBoxTest::otherNumbersAreNotWhole() {

@@ -448,6 +448,11 @@ void TrackView::paintEvent(QPaintEvent*) {
     }
     painter.setPen(faded(palette().color(QPalette::Text), 0.2));
     painter.drawLine(namesWidth(), 0, namesWidth(), all.height());
+    if (!hasFocus()) return;
+    QStyleOptionFocusRect focus;
+    focus.initFrom(this);
+    focus.rect = all;
+    style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, &painter, this);
 }
 
 RulerUnit TrackView::rulerUnit() const {
