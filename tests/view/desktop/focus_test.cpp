@@ -43,10 +43,10 @@ void FocusTest::whatHasTheFocusIsSeen_data() {
     QTest::addColumn<Theme>("theme");
     QTest::addColumn<Make>("make");
     const auto list = [](bool isFilled, bool isSelected) {
-        auto* list = new QListWidget;
-        if (isFilled) list->addItems({QStringLiteral("maple"), QStringLiteral("fern")});
-        if (isSelected) list->setCurrentRow(0);
-        return list;
+        auto* made = new QListWidget;
+        if (isFilled) made->addItems({QStringLiteral("maple"), QStringLiteral("fern")});
+        if (isSelected) made->setCurrentRow(0);
+        return made;
     };
     const std::pair<const char*, Make> widgets[]{
         {"slider", [] { return new QSlider(Qt::Horizontal); }},
