@@ -155,6 +155,9 @@ public:
         const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
         if (control != CC_ToolButton || !button || !hasArrowBeside(*button)) {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
+            // Over the groove, which hides some of Fusion's own.
+            if (control == CC_Slider && option->state & State_HasFocus && isByKeys(*option, widget))
+                paintFocus(*option, *painter);
             return;
         }
         QStyleOptionToolButton plain = *button;
