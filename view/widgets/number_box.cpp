@@ -83,13 +83,16 @@ WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
 
 QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     QString plain = text;
-    plain.remove(groupSeparator); // while it is being typed
+    const bool isGrouped = text.contains(groupSeparator); // and stays so until the value is shown again
+    plain.remove(groupSeparator);
     int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
     if (state == QValidator::Acceptable || !isExpression(typed)) {
-        text = plain;
-        position = at;
+        if (!isGrouped) {
+            text = plain;
+            position = at;
+        }
         return state;
     }
     return whole(typedNumber(typed), minimum(), maximum()) ? QValidator::Acceptable
