@@ -12,7 +12,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
-#include <QStyleOptionFocusRect>
 #include <QToolButton>
 #include <QWheelEvent>
 
@@ -449,11 +448,6 @@ void TrackView::paintEvent(QPaintEvent*) {
     }
     painter.setPen(faded(palette().color(QPalette::Text), 0.2));
     painter.drawLine(namesWidth(), 0, namesWidth(), all.height());
-    if (!hasFocus()) return;
-    QStyleOptionFocusRect focus;
-    focus.initFrom(this);
-    focus.rect = all;
-    style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, &painter, this);
 }
 
 RulerUnit TrackView::rulerUnit() const {
