@@ -309,6 +309,7 @@ void MainWindow::createConstructionBar() {
     shown->setStatusTip(
         tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
     shown->setWhatsThis(shown->statusTip() + QStringLiteral(". ") + actionDetails("construction"));
+    bar->setWhatsThis(shown->whatsThis());
     m_viewMenu->addShared(shown);
     m_viewMenu->addToolBarGroup({shown});
     connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
@@ -337,6 +338,7 @@ void MainWindow::createOptionsBar() {
     shown->setStatusTip(tr("Show the options of the tool under the canvas"));
     shown->setToolTip(shown->statusTip());
     shown->setWhatsThis(tr("A bar with the options of the current tool, or a reminder of how to use it."));
+    m_optionsBar->setWhatsThis(shown->whatsThis());
 }
 
 void MainWindow::createToolBar() {
@@ -384,7 +386,9 @@ void MainWindow::connectDocument() {
     addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {
         const auto analysis = m_analysis->analysis();
-        m_canvas->showOutlines(analysis ? analysis->shapes : std::vector<document::OutlineShape>());
+        using Shapes = std::vector<document::OutlineShape>;
+        m_canvas->showOutlines(analysis ? analysis->shapes : Shapes(),
+                               analysis ? analysis->outerCylinders : Shapes());
         m_stage->views()->showOutlines(analysis ? analysis->shapesInSpace
                                                 : std::vector<document::SpaceOutline>());
     });

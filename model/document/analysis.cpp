@@ -42,40 +42,45 @@ bool mayRepeat(const ifs::ActiveMaps<2>& active, std::size_t map) {
     return mayFollow(active, map, map);
 }
 
-// The images of the hull under all words of one length, at most so long that there are few enough to see.
-void addCylinders(std::vector<OutlineShape>& shapes, const ifs::Facts<2>& facts, int depth,
-                  const std::vector<attractor::Rgba>& colours) {
+// The images of the hull under all words of one length, at most so long that there are few enough to see, and
+// as outer ones those under the beginnings of these words.
+void addCylinders(Analysis& analysis, int depth, const std::vector<attractor::Rgba>& colours) {
+    const ifs::Facts<2>& facts = analysis.facts;
     const auto& maps = facts.active.maps;
-    std::vector<std::size_t> outermost{0}; // map of each shape
     if (!facts.hull || maps.empty()) return;
     const Polygon hull = ifs::convexHull(facts.hull->vertices, 1e-3 * std::sqrt(facts.hull->area));
-    shapes.push_back({Outline::Cylinders, hull, {}});
+    std::vector<OutlineShape> shapes{{Outline::Cylinders, hull, {}}};
     std::size_t first = 0;
     for (int k = 0; k < depth && (shapes.size() - first) * maps.size() <= maxCylinders; ++k) {
         const std::size_t end = shapes.size();
         for (std::size_t i = 0; i < maps.size(); ++i)
             for (std::size_t shorter = first; shorter < end; ++shorter) {
-                if (k > 0 && !mayFollow(facts.active, outermost[shorter], i)) continue;
-                outermost.push_back(i);
-                OutlineShape shape{Outline::Cylinders, {}, colours[facts.active.index[i]]};
+                if (k > 0 && !mayFollow(facts.active, std::size_t(shapes[shorter].word.front()), i)) continue;
+                const std::size_t index = facts.active.index[i];
+                OutlineShape shape{Outline::Cylinders, {}, colours[index], {int(i)}, {int(index)}};
+                shape.word.insert(shape.word.end(), shapes[shorter].word.begin(), shapes[shorter].word.end());
+                shape.listed.insert(shape.listed.end(), shapes[shorter].listed.begin(),
+                                    shapes[shorter].listed.end());
                 for (const auto& corner : shapes[shorter].points)
                     shape.points.push_back(maps[i](corner));
                 shapes.push_back(std::move(shape));
             }
         first = end;
     }
-    shapes.erase(shapes.begin(), shapes.begin() + std::ptrdiff_t(first));
+    const auto shown = shapes.begin() + std::ptrdiff_t(first);
+    analysis.outerCylinders.assign(shapes.begin(), shown);
+    analysis.shapes.insert(analysis.shapes.end(), shown, shapes.end());
 }
 
-std::vector<OutlineShape> shapesOf(const Analysis& analysis, const AnalysisRequest& request) {
+void addShapes(Analysis& analysis, const AnalysisRequest& request) {
     const ifs::Facts<2>& facts = analysis.facts;
     const auto wants = [&](Outline kind) { return request.outlines.contains(kind); };
     std::vector<attractor::Rgba> colours;
     const System2& system = *system2(*request.fractal);
     for (std::size_t k = 0; k < system.maps.size(); ++k)
         colours.push_back(attractor::mapColour(request.fractal->appearance, system.maps[k].id, k));
-    std::vector<OutlineShape> shapes;
-    if (wants(Outline::Cylinders)) addCylinders(shapes, facts, request.cylinderDepth, colours);
+    std::vector<OutlineShape>& shapes = analysis.shapes;
+    if (wants(Outline::Cylinders)) addCylinders(analysis, request.cylinderDepth, colours);
     if (wants(Outline::Box) && facts.box) {
         const auto &low = facts.box->min, &high = facts.box->max;
         shapes.push_back({Outline::Box, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}});
@@ -91,7 +96,6 @@ std::vector<OutlineShape> shapesOf(const Analysis& analysis, const AnalysisReque
     if (wants(Outline::FixedPoints))
         for (std::size_t k = 0; k < analysis.fixedPoints.size(); ++k)
             shapes.push_back({Outline::FixedPoints, {analysis.fixedPoints[k]}, colours[analysis.fixedBy[k]]});
-    return shapes;
 }
 
 // The polygon with points along its edges, so that it can follow a bend.
@@ -148,10 +152,11 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
             analysis.fixedPoints.push_back(m_display(*fixed));
             analysis.fixedBy.push_back(m_code->active.index[k]);
         }
-    analysis.shapes = shapesOf(analysis, request);
+    addShapes(analysis, request);
     if (analysis.isOfCode)
-        for (auto& shape : analysis.shapes)
-            shape.points = bent(shape.points, placed);
+        for (auto* shapes : {&analysis.shapes, &analysis.outerCylinders})
+            for (OutlineShape& shape : *shapes)
+                shape.points = bent(shape.points, placed);
     return analysis;
 }
 

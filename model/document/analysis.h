@@ -6,6 +6,7 @@
 #include "ifs/dimension/box_counting.h"
 #include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
+#include "ifs/system/branch.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,8 @@ struct OutlineShape {
     Outline kind;
     ifs::Polygon points;
     std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
+    ifs::Word word{};   // the address of a cylinder, over the maps that the chaos game applies
+    ifs::Word listed{}; // the same by their indices in the system: a symmetry makes several of one
 };
 
 // What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves
@@ -43,6 +46,7 @@ struct Analysis {
     std::vector<std::size_t> fixedBy;        // whose they are: indices into the system
     std::optional<ifs::BoxCounting> boxCounting;
     std::vector<OutlineShape> shapes;
+    std::vector<OutlineShape> outerCylinders; // which contain those of the shapes, and are not drawn
     std::vector<SpaceOutline> shapesInSpace;
     bool isComplete = false; // false: the affinity dimension and the box counting are still under way
 };

@@ -106,9 +106,14 @@ private slots:
         const auto cylinders = of(Cylinders);
         QCOMPARE(cylinders.size(), std::size_t(9));
         QVERIFY(std::ranges::any_of(cylinders, [](const OutlineShape& shape) { // 12: in 1, towards 2
-            return shape.colour == attractor::categoricalColour(0) &&
+            return shape.colour == attractor::categoricalColour(0) && shape.word == ifs::Word{0, 1} &&
                    sameCorners(shape.points, {{2, 1}, {3, 1}, {2, 1.75}});
         }));
+        // With those that contain them: the hull, and three of half the size.
+        const auto outer = analysed(requestFor(fractal, all, 2)).outerCylinders;
+        QCOMPARE(outer.size(), std::size_t(4));
+        for (std::size_t k = 1; k < outer.size(); ++k)
+            QCOMPARE(outer[k].listed, ifs::Word{int(k) - 1});
         QVERIFY(analysed(requestFor(fractal)).shapes.empty());
     }
 

@@ -106,9 +106,10 @@ QWidget* BranchBar::makeBranch() {
         constexpr std::array edits{document::BranchEdit::OwnMap, document::BranchEdit::LastMap,
                                    document::BranchEdit::Display};
         m_canvas->tools().branchTool().setEdit(edits.at(std::size_t(index)));
-        m_edit->setToolTip(m_edit->itemData(index, Qt::ToolTipRole).toString());
+        m_edit->setWhatsThis(m_edit->itemData(index, Qt::ToolTipRole).toString());
     });
-    m_edit->setToolTip(m_edit->itemData(0, Qt::ToolTipRole).toString());
+    m_edit->setToolTip(tr("What changes in the code when you drag the branch"));
+    m_edit->setWhatsThis(m_edit->itemData(0, Qt::ToolTipRole).toString());
     return row;
 }
 

@@ -30,8 +30,10 @@ ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_can
     setInsertPolicy(NoInsert);
     setCompleter(nullptr);
     setAccessibleName(tr("Zoom"));
-    setToolTip(tr("Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or "
-                  "choose one."));
+    setToolTip(tr("Zoom in percent: 100 % shows a unit of the plane as 100 pixels; type another value, "
+                  "or choose one"));
+    setWhatsThis(tr("Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or "
+                    "choose a value, a saved view, or Fit, which shows the whole attractor."));
     addItem(tr("Fit"));
     for (const double factor : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0})
         addItem(textOf(factor), factor);

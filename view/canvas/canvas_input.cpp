@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_input.h"
 
+#include "document/addresses.h"
 #include "widgets/arrow_keys.h"
 
 #include <QKeyEvent>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace view {
 
@@ -21,6 +23,7 @@ constexpr double keyZoom = 1.25;
 constexpr double keyPan = 40;     // pixels
 constexpr int notch = 120;        // of a wheel, in eighths of a degree
 constexpr double notchTurn = 5;   // degrees
+constexpr double clickSlack = 2;  // pixels, as of a drag of a tool
 constexpr double twistSlack = 10; // degrees that fingers turn without meaning to
 constexpr Qt::KeyboardModifiers turning = Qt::ControlModifier | Qt::ShiftModifier;
 
@@ -90,16 +93,19 @@ bool CanvasInput::touch(const QTouchEvent& event) {
     m_pointer = {points.front().position(), event.modifiers(), Reach::Touch};
     if (points.size() >= 2 && !m_pinch.isActive()) {
         if (m_tools.polygonTool()) m_tools.active().cancel();
+        m_clicked.reset();
         m_pinch.press(m_navigation.camera(), points[0].position(), points[1].position());
         return true;
     }
     switch (event.type()) {
     case QEvent::TouchBegin:
         m_holding = Holding::Tool;
+        beginClick();
         m_tools.toolAt(m_pointer).press(m_pointer);
         break;
     case QEvent::TouchUpdate:
         if (!m_pinch.isActive()) {
+            followClick();
             m_tools.active().move(m_pointer);
             reportPointer();
         } else if (points.size() >= 2) {
@@ -107,12 +113,14 @@ bool CanvasInput::touch(const QTouchEvent& event) {
         }
         break;
     case QEvent::TouchCancel:
+        m_clicked.reset();
         if (m_tools.polygonTool()) m_tools.active().cancel();
         [[fallthrough]];
     default:
         m_pinch.release();
         m_holding = Holding::Nothing;
         m_tools.active().release(m_pointer);
+        endClick();
         m_tools.active().leave();
         break;
     }
@@ -161,9 +169,31 @@ void CanvasInput::press(const QMouseEvent& event) {
         m_holding = Holding::Plane;
     } else if (left) {
         m_holding = Holding::Tool;
+        beginClick();
         m_tools.toolAt(m_pointer).press(m_pointer);
     }
     emit cursorChanged();
+}
+
+void CanvasInput::beginClick() {
+    const bool takesPolygons = m_tools.tool() == Toolbox::Tool::Cage || m_tools.tool() == Toolbox::Tool::Maps;
+    const CanvasPart::Kind kind = m_scene.partAt(m_pointer.position, m_pointer.reach).kind;
+    const bool isHandle = kind != CanvasPart::Kind::None && kind != CanvasPart::Kind::Inside;
+    m_clicked.reset();
+    if (takesPolygons && !isHandle && m_scene.overlaysVisible()) m_clicked = m_pointer.position;
+}
+
+void CanvasInput::followClick() {
+    if (m_clicked && (m_pointer.position - *m_clicked).manhattanLength() > clickSlack) m_clicked.reset();
+}
+
+// A click that is no drag chooses the cylinder there, if an analysis outlines them.
+void CanvasInput::endClick() {
+    if (!m_clicked || !m_scene.marks().chooseCylinderAt(*std::exchange(m_clicked, {}))) return;
+    const auto walk = m_scene.marks().cylinderWalk();
+    emit message(walk.empty()
+                     ? QString()
+                     : tr("Cylinder %1").arg(document::addressText(walk.back()->listed, walk.size())));
 }
 
 void CanvasInput::handleDoubleClick(const QMouseEvent& event) {
@@ -176,6 +206,7 @@ void CanvasInput::handleDoubleClick(const QMouseEvent& event) {
 
 void CanvasInput::move(const QMouseEvent& event) {
     m_pointer = {event.position(), event.modifiers(), Reach::Mouse};
+    followClick();
     if (m_holding == Holding::Plane)
         m_navigation.moveTo(m_pan.cameraAt(event.position()));
     else
@@ -193,6 +224,7 @@ void CanvasInput::release(const QMouseEvent& event) {
     } else if (m_holding == Holding::Tool && left) {
         m_holding = Holding::Nothing;
         m_tools.active().release(m_pointer);
+        endClick();
     }
     emit cursorChanged();
 }

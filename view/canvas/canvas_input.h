@@ -47,12 +47,16 @@ signals:
     void pointerMoved(const view::PointerPosition& position);
     void pointerLeft();
     void cursorChanged();
+    void message(const QString& sentence); // for the status bar
 
 private:
     enum class Holding { Nothing, Tool, Plane };
 
     bool canvasKey(const QKeyEvent& event);
     void reportAt(const QPointF& position);
+    void beginClick();
+    void followClick();
+    void endClick();
     void twist(const QNativeGestureEvent& event);
     void updateModifiers(Qt::KeyboardModifiers modifiers);
 
@@ -64,6 +68,7 @@ private:
     PanGesture m_pan;
     PinchGesture m_pinch;
     Pointer m_pointer;
+    std::optional<QPointF> m_clicked;  // where a press has not become a drag
     std::optional<QPointF> m_reported; // nullopt when the pointer has left
     bool m_spaceHeld = false;
     int m_wheelTurned = 0; // of a notch that is not complete

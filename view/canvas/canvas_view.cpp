@@ -117,6 +117,7 @@ void CanvasView::connectParts() {
     connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasView::refreshCursor);
     connect(&m_input, &CanvasInput::pointerMoved, this, &CanvasView::pointerMoved);
     connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasView::pointerLeft);
+    connect(&m_input, &CanvasInput::message, this, &CanvasView::message);
 }
 
 void CanvasView::offerReset() {
@@ -133,8 +134,9 @@ void CanvasView::offerReset() {
     question->open();
 }
 
-void CanvasView::showOutlines(std::vector<document::OutlineShape> shapes) {
-    m_scene->marks().showOutlines(std::move(shapes));
+void CanvasView::showOutlines(std::vector<document::OutlineShape> shapes,
+                              std::vector<document::OutlineShape> outer) {
+    m_scene->marks().showOutlines(std::move(shapes), std::move(outer));
 }
 
 void CanvasView::showTrail(const std::vector<ifs::Vector<2>>& points) {

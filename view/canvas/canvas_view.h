@@ -9,10 +9,6 @@
 
 #include <memory>
 
-namespace document {
-struct OutlineShape;
-}
-
 namespace view {
 
 class RenderBridge;
@@ -48,8 +44,10 @@ public:
     const CanvasOptions& options() const { return m_options; }
     const CanvasScene& canvas() const { return *m_scene; }
 
-    void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
-    void showTrail(const std::vector<ifs::Vector<2>>& points);     // of a chaos game, the newest last
+    // Of an analysis; `outer` contain the cylinders among the shapes, of which a click chooses one.
+    void showOutlines(std::vector<document::OutlineShape> shapes,
+                      std::vector<document::OutlineShape> outer = {});
+    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
     const QString& hint() const { return m_scene->notes().hint(); }
     void setHint(const QString& hint); // for a first run: shown until the first gesture or another tool
     void dismissHint();

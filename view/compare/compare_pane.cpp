@@ -85,6 +85,7 @@ void ComparePane::create() {
     for (QWidget* each : std::initializer_list<QWidget*>{m_otherPlane, m_otherSpace, m_nothing})
         m_views->addWidget(each);
     createHeader();
+    setWhatsThis(tr("Another entry of the file beside the current one, to compare the two."));
     explainByTips(this);
     followTools();
     followViews();

@@ -114,8 +114,7 @@ public:
             paintOn(*option, *painter);
             return;
         }
-        if (element == PE_FrameFocusRect && option->state & State_KeyboardFocusChange &&
-            !qobject_cast<const QAbstractItemView*>(widget)) {
+        if (element == PE_FrameFocusRect && isByKeys(*option, widget)) {
             paintFocus(*option, *painter);
             return;
         }
@@ -135,12 +134,17 @@ public:
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
         QProxyStyle::drawControl(element, option, painter, widget);
+        // A list or a table has the focus also where it has no row, or none that is current.
+        if (element == CE_ShapedFrame && qobject_cast<const QAbstractItemView*>(widget) &&
+            option->state & State_HasFocus && isByKeys(*option, widget))
+            paintFocus(*option, *painter);
         const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
         if (element == CE_TabBarTabShape && tab && tab->state & State_Selected) paintEdge(*tab, *painter);
         if (element == CE_TabBarTabLabel && tab && tab->state & State_HasFocus &&
             tab->state & State_KeyboardFocusChange) {
             QStyleOption inside = *tab; // as far inside as Fusion's own, which is hardly seen
             inside.rect = tab->rect.adjusted(4, 4, -4, -4);
+            inside.state &= ~State_Selected; // its background is no highlight
             paintFocus(inside, *painter);
         }
     }
@@ -151,6 +155,9 @@ public:
         const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
         if (control != CC_ToolButton || !button || !hasArrowBeside(*button)) {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
+            // Over the groove, which hides some of Fusion's own.
+            if (control == CC_Slider && option->state & State_HasFocus && isByKeys(*option, widget))
+                paintFocus(*option, *painter);
             return;
         }
         QStyleOptionToolButton plain = *button;
@@ -223,11 +230,20 @@ private:
         painter.restore();
     }
 
+    // Item views say so of every item that has the focus.
+    static bool isByKeys(const QStyleOption& option, const QWidget* widget) {
+        return qobject_cast<const QAbstractItemView*>(widget)
+                   ? widget->window()->testAttribute(Qt::WA_KeyboardFocusChange)
+                   : bool(option.state & State_KeyboardFocusChange);
+    }
+
     static void paintFocus(const QStyleOption& option, QPainter& painter) {
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(mixed(option.palette.color(QPalette::Highlight),
-                             option.palette.color(QPalette::WindowText), 0.5));
+        painter.setPen(option.state & State_Selected
+                           ? option.palette.color(QPalette::HighlightedText) // on the highlight
+                           : mixed(option.palette.color(QPalette::Highlight),
+                                   option.palette.color(QPalette::WindowText), 0.5));
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
         painter.restore();

@@ -30,7 +30,7 @@ ColumnOrders::ColumnOrders(const QString& whatsThis, QWidget* parent)
     m_typed->setWhatsThis(tr("The names of the columns in order: a b c d or r s theta phi, then e and f, "
                              "each once; if there are weights, also p, or cumulative for running sums of "
                              "weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f."));
-    m_typed->setToolTip(m_typed->whatsThis());
+    m_typed->setToolTip(tr("The names of the columns in their order, such as a b c d e f p"));
     m_typed->hide();
     setFocusProxy(m_known);
     auto* layout = new QVBoxLayout(this);

@@ -86,6 +86,7 @@ SavedViewsDialog::SavedViewsDialog(document::Document* document, Canvas canvas, 
     m_list->setAccessibleName(tr("Saved views"));
     m_list->setWhatsThis(
         tr("The views of this fractal. Double-click one to go to it, press F2 to rename it."));
+    setWhatsThis(m_list->whatsThis());
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     auto* column = new QVBoxLayout;
     for (QPushButton* button :
@@ -134,7 +135,6 @@ QPushButton* SavedViewsDialog::addButton(const QString& text, const QString& tip
                                          const std::function<void(const SavedView&)>& operation) {
     auto* button = new QPushButton(text, this);
     button->setToolTip(tip);
-    button->setWhatsThis(tip);
     button->setAutoDefault(false);
     button->setEnabled(false);
     connect(button, &QPushButton::clicked, this, [this, operation] {

@@ -38,6 +38,7 @@ QWidget* pair(NumberField* x, NumberField* y) {
 TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
     : QDialog(parent), m_document(document), m_edit(document) {
     setWindowTitle(tr("Transform"));
+    setWhatsThis(tr("Reflects, shears, scales, rotates and translates the whole fractal by numbers."));
     auto* layout = new QVBoxLayout(this);
     auto* form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

@@ -120,6 +120,11 @@ void TransformationView::create() {
     auto* layout = static_cast<QVBoxLayout*>(this->layout());
     static_cast<QHBoxLayout*>(layout->itemAt(0)->layout())->addWidget(m_order);
     layout->addWidget(m_bar);
+    for (QWidget* part : {static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_order)})
+        if (part->whatsThis().isEmpty())
+            part->setWhatsThis(
+                tr("Points of two fractals that have the same address correspond to each other. "
+                   "A picture on the partner is carried over to this fractal in that way."));
     explainByTips(this);
     setAcceptDrops(true);
 

@@ -3,6 +3,8 @@
 
 #include "widgets/number_text.h"
 
+#include <QLineEdit>
+
 #include <cmath>
 
 namespace view {
@@ -14,7 +16,7 @@ template <class Box> QString withoutUnits(const Box& box, QString text) {
         text.remove(0, prefix.size());
     if (const QString suffix = box.suffix(); !suffix.isEmpty() && text.endsWith(suffix))
         text.chop(suffix.size());
-    return text.trimmed();
+    return text.remove(groupSeparator).trimmed();
 }
 
 std::optional<double> rounded(const std::optional<double>& value, int decimals) {
@@ -29,8 +31,22 @@ std::optional<int> whole(const std::optional<double>& value, int min, int max) {
 
 } // namespace
 
+void TypedExpression::keep(const QString& text, double value) {
+    m_text = isExpression(text) && typedNumber(text) ? text : QString(); // a box may show a word for a value
+    m_value = value;
+}
+
+QString TypedExpression::of(double value) const {
+    return value == m_value ? m_text : QString();
+}
+
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(QLocale::c());
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this](QString text) {
+        int position = 0;
+        if (validate(text, position) == QValidator::Acceptable)
+            m_typed.keep(withoutUnits(*this, text), valueFromText(text));
+    });
 }
 
 QValidator::State NumberBox::validate(QString& text, int& position) const {
@@ -52,14 +68,31 @@ double NumberBox::valueFromText(const QString& text) const {
     return value ? *value : QDoubleSpinBox::valueFromText(text); // a text that stands for the least value
 }
 
+QString NumberBox::textFromValue(double value) const {
+    const QString typed = m_typed.of(value);
+    return typed.isEmpty() ? QDoubleSpinBox::textFromValue(value) : typed;
+}
+
+WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this](QString text) {
+        int position = 0;
+        if (validate(text, position) == QValidator::Acceptable)
+            m_typed.keep(withoutUnits(*this, text), valueFromText(text));
+    });
+}
+
 QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     QString plain = text;
-    int at = position;
+    const bool isGrouped = text.contains(groupSeparator); // and stays so until the value is shown again
+    plain.remove(groupSeparator);
+    int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
     if (state == QValidator::Acceptable || !isExpression(typed)) {
-        text = plain;
-        position = at;
+        if (!isGrouped) {
+            text = plain;
+            position = at;
+        }
         return state;
     }
     return whole(typedNumber(typed), minimum(), maximum()) ? QValidator::Acceptable
@@ -69,7 +102,13 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
 int WholeNumberBox::valueFromText(const QString& text) const {
     const QString typed = withoutUnits(*this, text);
     const auto value = isExpression(typed) ? whole(typedNumber(typed), minimum(), maximum()) : std::nullopt;
-    return value ? *value : QSpinBox::valueFromText(text);
+    return value ? *value : QSpinBox::valueFromText(QString(text).remove(groupSeparator));
+}
+
+QString WholeNumberBox::textFromValue(int value) const {
+    const QString typed = m_typed.of(value);
+    if (!typed.isEmpty()) return typed;
+    return isGroupSeparatorShown() ? groupedNumber(value) : QSpinBox::textFromValue(value);
 }
 
 } // namespace view

@@ -6,24 +6,48 @@
 
 namespace view {
 
+// An expression that was typed, and the value that it gave.
+class TypedExpression {
+public:
+    void keep(const QString& text, double value); // a plain number, which is no expression, forgets it
+    QString of(double value) const;               // empty when it gave another value, or there is none
+
+private:
+    QString m_text;
+    double m_value = 0;
+};
+
 // Spin boxes that take what number fields take: a comma as the decimal point, and expressions such as 1/2 or
-// sqrt(3)/6, which their value replaces. What is unfinished changes nothing, and Enter takes it back.
+// sqrt(3)/6, which are shown as long as the box has the value that they gave. What is unfinished changes
+// nothing, and Enter takes it back.
 class NumberBox : public QDoubleSpinBox {
 public:
     explicit NumberBox(QWidget* parent = nullptr);
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override; // as many decimals as the box has
+    QString textFromValue(double value) const override;
+    QString typedText() const { return m_typed.of(value()); } // empty when it was a plain number
+
+private:
+    TypedExpression m_typed;
 };
 
-// Takes expressions whose value is whole.
+// Takes expressions whose value is whole. Groups of digits, where they are shown, are those of
+// groupedNumber().
 class WholeNumberBox : public QSpinBox {
 public:
-    using QSpinBox::QSpinBox;
+    explicit WholeNumberBox(QWidget* parent = nullptr);
+
+    QString typedText() const { return m_typed.of(value()); } // empty when it was a plain number
 
 protected:
     QValidator::State validate(QString& text, int& position) const override;
     int valueFromText(const QString& text) const override;
+    QString textFromValue(int value) const override;
+
+private:
+    TypedExpression m_typed;
 };
 
 } // namespace view

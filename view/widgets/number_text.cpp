@@ -75,11 +75,10 @@ QString fullNumber(double value) {
 }
 
 QString groupedNumber(double value) {
-    constexpr QChar narrowSpace(0x202f); // no line ends there
     QString text = QString::number(value, 'f', 0);
     if (std::abs(value) < 9999.5) return text;
     for (qsizetype at = text.size() - 3; at > (value < 0 ? 1 : 0); at -= 3)
-        text.insert(at, narrowSpace);
+        text.insert(at, groupSeparator);
     return text;
 }
 

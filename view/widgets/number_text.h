@@ -19,6 +19,7 @@ QString fullNumber(double value);
 // A whole number to read, with narrow spaces between groups of three digits from ten thousand on: a comma or
 // a point there means something else in the next language.
 QString groupedNumber(double value);
+constexpr QChar groupSeparator(0x202f); // no line ends there
 
 // Where a number may lie, ends included unless `open`.
 struct NumberRange {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/tooltips.h"
 
+#include "widgets/number_box.h"
+#include "widgets/number_field.h"
+#include "widgets/number_text.h"
 #include "widgets/tooltip_text.h"
 
 #include <QAbstractButton>
@@ -26,7 +29,8 @@ QString plainName(QString text) {
 }
 
 QString nameOf(const QWidget& widget) {
-    if (const QAction* action = actionOf(widget)) return plainName(action->text());
+    if (const QAction* action = actionOf(widget); action && !action->text().isEmpty())
+        return plainName(action->text());
     if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
     const auto* button = qobject_cast<const QAbstractButton*>(&widget);
     return button ? plainName(button->text()) : QString();
@@ -46,18 +50,37 @@ QString sentence(const QString& tip) {
     return ends ? tip : tip + u'.';
 }
 
+// Of a field that shows an expression: the expression and its value.
+QString equationOf(const QWidget& widget) {
+    const auto equation = [](const QString& typed, double value) {
+        return typed.isEmpty() ? QString() : typed + QStringLiteral(" = ") + fullNumber(value);
+    };
+    if (const auto* field = dynamic_cast<const NumberField*>(&widget))
+        return equation(field->typedText(), field->value());
+    if (const auto* box = dynamic_cast<const NumberBox*>(&widget))
+        return equation(box->typedText(), box->value());
+    if (const auto* box = dynamic_cast<const WholeNumberBox*>(&widget))
+        return equation(box->typedText(), box->value());
+    return {};
+}
+
 } // namespace
 
 QString composedTip(const QWidget& widget) {
     QString tip = widget.toolTip();
-    if (tip.isEmpty()) return {};
+    const QString equation = equationOf(widget);
+    if (tip.isEmpty()) return tooltipText(equation);
     const QString name = nameOf(widget), keys = shortcutOf(widget);
     if (const QAction* action = actionOf(widget); action && tip == name) tip = action->statusTip();
     if (tip.isEmpty()) tip = name;
+    if (const QString known = QStringLiteral(" (%1)").arg(keys); !keys.isEmpty() && tip.endsWith(known))
+        tip.chop(known.size());                   // it stands beside the name
     const bool isRich = Qt::mightBeRichText(tip); // its maker has escaped it
     QString head;
     if (!name.isEmpty()) head = QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped());
     if (!keys.isEmpty()) head += QStringLiteral("&nbsp;&nbsp;") + keys.toHtmlEscaped();
+    if (!equation.isEmpty())
+        head += (head.isEmpty() ? QString() : QStringLiteral("<br>")) + equation.toHtmlEscaped();
     if (tip == name) return head;
     const QString body = isRich ? tip : sentence(tip).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
     return head.isEmpty() ? (isRich ? tip : tooltipText(sentence(tip)))

@@ -36,6 +36,7 @@ void explainPart(QToolButton* button, const QLineEdit& field) {
     const bool clears = action && action->objectName().startsWith(u"_q_");
     if (button->accessibleName().isEmpty())
         button->setAccessibleName(clears ? WhatsThis::tr("Clear") : field.accessibleName());
+    if (button->toolTip().isEmpty()) button->setToolTip(button->accessibleName());
     if (button->whatsThis().isEmpty()) button->setWhatsThis(field.whatsThis());
 }
 
@@ -44,14 +45,22 @@ QString sentence(const QString& tip) {
     return ends ? tip : tip + u'.';
 }
 
-// What the panel is for in which something is, after what it does itself.
+// What the panel, bar or dialog is for in which something is, after what it does itself.
 QString withPanel(const QString& tip, const QWidget* widget) {
     for (; widget; widget = widget->parentWidget())
         if (const auto* panel = qobject_cast<const QDockWidget*>(widget);
             panel && !panel->whatsThis().isEmpty())
             return WhatsThis::tr("%1 Panel “%2”: %3", "what it does, panel, what the panel is for")
                 .arg(sentence(tip), panel->windowTitle(), panel->whatsThis());
+        else if (!widget->whatsThis().isEmpty())
+            return sentence(tip) + u' ' + widget->whatsThis();
     return tip;
+}
+
+// Nothing, or no more than its tip.
+bool saysLittle(const QWidget& widget) {
+    const QString text = widget.whatsThis();
+    return text.isEmpty() || sentence(text) == sentence(widget.toolTip());
 }
 
 } // namespace
@@ -71,12 +80,13 @@ void explainByTips(QWidget* root) {
         for (auto* button : field->findChildren<QToolButton*>())
             explainPart(button, *field);
     for (auto* widget : root->findChildren<QWidget*>()) {
-        if (!widget->whatsThis().isEmpty()) continue;
+        if (!saysLittle(*widget)) continue;
         const auto* button = qobject_cast<QToolButton*>(widget);
         const bool acts = button && button->defaultAction();
-        widget->setWhatsThis(acts                          ? button->defaultAction()->whatsThis()
-                             : widget->toolTip().isEmpty() ? QString()
-                                                           : withPanel(widget->toolTip(), widget));
+        widget->setWhatsThis(acts ? button->defaultAction()->whatsThis()
+                             : widget->toolTip().isEmpty()
+                                 ? QString()
+                                 : withPanel(widget->toolTip(), widget->parentWidget()));
     }
 }
 

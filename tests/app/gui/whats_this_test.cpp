@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "support/every_window.h"
 #include "support/own_settings.h"
+#include "widgets/tooltip_text.h"
 #include "widgets/tooltips.h"
 
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QHelpEvent>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSet>
+#include <QSpinBox>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
@@ -48,10 +56,19 @@ private slots:
     void everythingExplainsItself();
     void tipsAreNameShortcutAndOneSentence();
     void whatsThisSaysMoreThanTheTip();
+    void everyTipIsOneSentence();
+    void iconsAreNamed();
+    void digitsStandInGroups();
     void everythingHasAName();
     void everyTextIsTranslated();
 
 private:
+    // Those that are pressed, typed in, chosen from or dragged.
+    static bool isButtonOrField(const QWidget* control) {
+        return qobject_cast<const QAbstractButton*>(control) || qobject_cast<const QLineEdit*>(control) ||
+               qobject_cast<const QAbstractSpinBox*>(control) || qobject_cast<const QComboBox*>(control) ||
+               qobject_cast<const QAbstractSlider*>(control);
+    }
     static QList<QAction*> actionsOf(const QWidget* window) {
         QList<QAction*> found;
         for (QAction* action : window->findChildren<QAction*>())
@@ -132,6 +149,77 @@ void WhatsThisTest::whatsThisSaysMoreThanTheTip() {
             !action->statusTip().isEmpty() && action->whatsThis().size() <= action->statusTip().size() + 10)
             meagre << action->text();
     QVERIFY2(meagre.isEmpty(), qPrintable(meagre.join(u'\n')));
+}
+
+// After the name and the shortcut, if they are known; and the longer explanation is longer.
+void WhatsThisTest::everyTipIsOneSentence() {
+    static const QRegularExpression between(QStringLiteral("[.!?][\\s]+\\p{Lu}"));
+    const EveryWindow windows;
+    QStringList wrong;
+    int tips = 0;
+    for (const QWidget* window : windows.all())
+        for (const QWidget* control : EveryWindow::controls(window)) {
+            const QString tip = view::plainText(control->toolTip());
+            // What is disabled says why.
+            if (tip.isEmpty() || !control->isEnabledTo(window) || !isButtonOrField(control)) continue;
+            ++tips;
+            const QString where = EveryWindow::describe(control) + QStringLiteral(": ") + tip;
+            const QString shown = view::composedTip(*control);
+            if (tip.contains(between)) wrong << QStringLiteral("more than a sentence: ") + where;
+            if (!shown.contains(QLatin1String("<b>"))) wrong << QStringLiteral("no name: ") + where;
+            if (view::plainText(control->whatsThis()).size() <= tip.size() + 1)
+                wrong << QStringLiteral("What's This says no more: ") + where;
+        }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    QVERIFY2(tips > 60, qPrintable(QString::number(tips)));
+}
+
+void WhatsThisTest::iconsAreNamed() {
+    const EveryWindow windows;
+    QStringList wrong;
+    int icons = 0;
+    for (const QWidget* window : windows.all())
+        for (QWidget* control : EveryWindow::controls(window)) {
+            const auto* button = qobject_cast<const QAbstractButton*>(control);
+            if (!button || button->icon().isNull()) continue;
+            const auto* tool = qobject_cast<const QToolButton*>(button);
+            const bool showsText =
+                !button->text().isEmpty() && (!tool || tool->toolButtonStyle() != Qt::ToolButtonIconOnly);
+            if (showsText) continue;
+            ++icons;
+            const QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(control);
+            if (button->toolTip().isEmpty())
+                wrong << QStringLiteral("no tip: ") + EveryWindow::describe(button);
+            if (!seen || seen->text(QAccessible::Name).trimmed().isEmpty())
+                wrong << QStringLiteral("no name: ") + EveryWindow::describe(button);
+        }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    QVERIFY2(icons > 20, qPrintable(QString::number(icons)));
+}
+
+// In what is read, not typed: no five digits before a decimal point stand together.
+void WhatsThisTest::digitsStandInGroups() {
+    static const QRegularExpression run(QStringLiteral("(?<![\\d.,])\\d{5,}"));
+    const EveryWindow windows;
+    QStringList wrong;
+    int labels = 0, boxes = 0;
+    for (const QWidget* window : windows.all()) {
+        for (const auto* label : window->findChildren<QLabel*>()) {
+            if (label->text().contains(u'/')) continue; // a path, or a version
+            ++labels;
+            if (label->text().contains(run))
+                wrong << EveryWindow::describe(label) + QStringLiteral(": ") + label->text();
+        }
+        for (auto* box : window->findChildren<QSpinBox*>())
+            if (box->isGroupSeparatorShown()) {
+                ++boxes;
+                box->setValue(123'456);
+                if (!box->text().contains(QStringLiteral("123\u202f456")))
+                    wrong << EveryWindow::describe(box);
+            }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    QVERIFY2(labels > 60 && boxes >= 2, qPrintable(QStringLiteral("%1 %2").arg(labels).arg(boxes)));
 }
 
 void WhatsThisTest::everythingHasAName() {

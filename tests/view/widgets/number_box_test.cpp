@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/number_box.h"
 
+#include "widgets/tooltips.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QFocusEvent>
 #include <QLocale>
 #include <QSignalSpy>
 #include <QTest>
@@ -15,11 +20,14 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale(QLocale::German)); } // must not matter
 
     void expressionsAreTyped();
+    void whatWasTypedStaysWhileTheValueIsIts();
+    void theNumberIsStatedBesideTheExpression();
     void whatIsUnfinishedChangesNothing();
     void valuesAreRoundedToTheDecimals();
     void unitsStay();
     void aCommaIsADecimalPoint();
     void wholeNumbersAreComputed();
+    void digitsStandInGroups();
     void otherNumbersAreNotWhole();
     void tooLargeNumbersAreRefused();
 
@@ -41,10 +49,57 @@ void NumberBoxTest::expressionsAreTyped() {
     QCOMPARE(box.value(), 0.75);
     QCOMPARE(changed.size(), 1);
     QTest::keyClick(&box, Qt::Key_Return);
-    QCOMPARE(box.text(), QStringLiteral("0.750"));
+    QCOMPARE(box.text(), QStringLiteral("3/4")); // as it was typed
     type(box, QStringLiteral("sqrt(3)/6"));
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 0.289);
+}
+
+void NumberBoxTest::whatWasTypedStaysWhileTheValueIsIts() {
+    NumberBox box;
+    box.setRange(0, 10);
+    box.setDecimals(3);
+    box.setKeyboardTracking(false);
+    type(box, QStringLiteral("cos(36°)"));
+    QFocusEvent left(QEvent::FocusOut, Qt::TabFocusReason);
+    QApplication::sendEvent(&box, &left);
+    QCOMPARE(box.value(), 0.809);
+    QCOMPARE(box.text(), QStringLiteral("cos(36°)"));
+    box.setValue(0.809); // the document says the same
+    QCOMPARE(box.text(), QStringLiteral("cos(36°)"));
+    box.setValue(0.81);
+    QCOMPARE(box.text(), QStringLiteral("0.810"));
+
+    type(box, QStringLiteral("7/2"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.text(), QStringLiteral("7/2"));
+    QTest::keyClick(&box, Qt::Key_Up);
+    QCOMPARE(box.text(), QStringLiteral("4.500"));
+    type(box, QStringLiteral("3.5")); // a plain number with that value
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.text(), QStringLiteral("3.500"));
+}
+
+void NumberBoxTest::theNumberIsStatedBesideTheExpression() {
+    NumberBox box;
+    box.setRange(0, 10);
+    box.setAccessibleName(QStringLiteral("Width"));
+    box.setToolTip(QStringLiteral("How wide it is"));
+    QVERIFY(!view::composedTip(box).contains(u'='));
+    type(box, QStringLiteral("1/2"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(view::composedTip(box), QStringLiteral("<p><b>Width</b><br>1/2 = 0.5<br>How wide it is.</p>"));
+    QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(&box);
+    QVERIFY(seen && seen->valueInterface());
+    QCOMPARE(seen->valueInterface()->currentValue().toDouble(), 0.5);
+    box.setToolTip({});
+    QCOMPARE(view::composedTip(box), QStringLiteral("1/2 = 0.5"));
+    WholeNumberBox whole;
+    whole.setRange(0, 10);
+    type(whole, QStringLiteral("2*3"));
+    QCOMPARE(view::composedTip(whole), QStringLiteral("2*3 = 6"));
+    whole.setValue(7);
+    QVERIFY(view::composedTip(whole).isEmpty());
 }
 
 void NumberBoxTest::whatIsUnfinishedChangesNothing() {
@@ -82,7 +137,7 @@ void NumberBoxTest::unitsStay() {
     type(box, QStringLiteral("25.4/2"));
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 12.7);
-    QCOMPARE(box.text(), QStringLiteral("12.70 mm"));
+    QCOMPARE(box.text(), QStringLiteral("25.4/2 mm"));
 }
 
 void NumberBoxTest::aCommaIsADecimalPoint() {
@@ -102,7 +157,29 @@ void NumberBoxTest::wholeNumbersAreComputed() {
     type(box, QStringLiteral("1920*2"));
     QCOMPARE(box.value(), 3840);
     QTest::keyClick(&box, Qt::Key_Return);
-    QCOMPARE(box.text(), QStringLiteral("3840"));
+    QCOMPARE(box.text(), QStringLiteral("1920*2"));
+    QTest::keyClick(&box, Qt::Key_Up);
+    QCOMPARE(box.text(), QStringLiteral("3841"));
+}
+
+void NumberBoxTest::digitsStandInGroups() {
+    WholeNumberBox box;
+    box.setLocale(QLocale::c());
+    box.setRange(1, 9'000'000);
+    box.setGroupSeparatorShown(true);
+    box.setValue(1'234'567);
+    QCOMPARE(box.text(), QStringLiteral("1\u202f234\u202f567"));
+    box.setValue(9'999);
+    QCOMPARE(box.text(), QStringLiteral("9999"));
+    type(box, QStringLiteral("123456"));
+    QCOMPARE(box.value(), 123'456);
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.text(), QStringLiteral("123\u202f456"));
+    QTest::keyClick(&box, Qt::Key_End);
+    QTest::keyClicks(&box, QStringLiteral("7")); // beside the groups
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.value(), 1'234'567);
+    QCOMPARE(box.text(), QStringLiteral("1\u202f234\u202f567"));
 }
 
 void NumberBoxTest::otherNumbersAreNotWhole() {

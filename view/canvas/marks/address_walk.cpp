@@ -80,16 +80,25 @@ std::vector<std::vector<ifs::Vector<2>>> addressWalk(const document::Fractal& fr
 }
 
 void AddressWalk::paintOver(QPainter& painter, const CanvasScene& canvas, const OverlayStyle& style) {
-    if (canvas.handles().target() != HandleTarget::Branch) return;
-    const ifs::Word& word = canvas.handles().branch();
     const document::Fractal& fractal = canvas.document().fractal();
-    const auto walk = addressWalk(fractal, word);
+    const document::System2* system = document::system2(fractal);
+    std::vector<ifs::Polygon> walk;
+    ifs::Word word;
+    if (canvas.handles().target() == HandleTarget::Branch) {
+        word = canvas.handles().branch();
+        walk = addressWalk(fractal, word);
+    } else {
+        for (const document::OutlineShape* cylinder : canvas.marks().cylinderWalk()) {
+            walk.push_back(cylinder->points);
+            word.push_back(cylinder->listed.back());
+        }
+    }
     std::vector<QPolygonF> images;
     for (std::size_t k = 0; k < walk.size(); ++k) {
-        images.push_back(nearView(pixelsOf(canvas.camera(), walk[k])));
         const auto index = std::size_t(word[k]);
-        const attractor::Rgba face =
-            mapColour(fractal.appearance, document::system2(fractal)->maps[index].id, index);
+        if (!system || index >= system->maps.size()) break; // maps may have gone since the analysis
+        images.push_back(nearView(pixelsOf(canvas.camera(), walk[k])));
+        const attractor::Rgba face = mapColour(fractal.appearance, system->maps[index].id, index);
         const QColor colour(face.red, face.green, face.blue);
         const bool isLast = k + 1 == walk.size();
         QPainterPath path;

@@ -11,7 +11,7 @@ namespace view {
 
 // The branch that was clicked as a walk along its address: the image of the cage under w₁, in it that under
 // w₁w₂, and so on, each in the colour of its last map and with its word, the last one filled. Shown while the
-// branch tool has a branch.
+// branch tool has a branch; with other tools, the cylinder that was clicked, as images of the hull.
 class AddressWalk : public SceneMark {
 protected:
     void paintOver(QPainter& painter, const CanvasScene& canvas, const OverlayStyle& style) override;

@@ -45,6 +45,7 @@ public:
     HandleModel& handles() { return m_handles; }
     const HandleModel& handles() const { return m_handles; }
     TransientMarks& marks() { return m_marks; }
+    const TransientMarks& marks() const { return m_marks; }
     CanvasNotes& notes() { return m_notes; }
     GridItem& grid() const { return *m_grid; }
     SymmetryItem& symmetry() const { return *m_symmetryItem; }

@@ -68,8 +68,16 @@ void TransientMarks::showRubber(const std::vector<ifs::Vector<2>>& clicked,
                             pointer ? std::optional(pixelOf(m_camera, *pointer)) : std::nullopt);
 }
 
-void TransientMarks::showOutlines(std::vector<document::OutlineShape> shapes) {
+void TransientMarks::showOutlines(std::vector<document::OutlineShape> shapes,
+                                  std::vector<document::OutlineShape> outer) {
+    m_cylinders.setShapes(shapes, std::move(outer));
     m_analysisItem->setShapes(std::move(shapes));
+}
+
+bool TransientMarks::chooseCylinderAt(const QPointF& position) {
+    const bool isAnother = m_cylinders.chooseAt(m_camera, position);
+    if (isAnother) m_analysisItem->update();
+    return isAnother;
 }
 
 void TransientMarks::showTrail(const std::vector<ifs::Vector<2>>& points) {

@@ -3,6 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "canvas/geometry/snapping.h"
+#include "canvas/scene/cylinder_choice.h"
 
 #include <QFont>
 #include <QRectF>
@@ -11,10 +12,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-namespace document {
-struct OutlineShape;
-}
 
 namespace view {
 
@@ -42,8 +39,11 @@ public:
     void setFont(const QFont& font);
     void showBand(const QRectF& band); // that selects, in pixels; empty: none
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
-    void showOutlines(std::vector<document::OutlineShape> shapes); // of an analysis
-    void showTrail(const std::vector<ifs::Vector<2>>& points);     // of a chaos game, the newest last
+    // Of an analysis; `outer` contain the cylinders among the shapes.
+    void showOutlines(std::vector<document::OutlineShape> shapes, std::vector<document::OutlineShape> outer);
+    bool chooseCylinderAt(const QPointF& position); // in pixels; whether another is chosen, or none any more
+    std::vector<const document::OutlineShape*> cylinderWalk() const { return m_cylinders.walk(); }
+    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
 
 private:
     attractor::Camera m_camera;
@@ -51,6 +51,7 @@ private:
     std::vector<ifs::Vector<2>> m_clicked;
     std::optional<ifs::Vector<2>> m_rubberEnd;
     std::vector<ifs::Vector<2>> m_trail;
+    CylinderChoice m_cylinders;
     std::unique_ptr<AnalysisItem> m_analysisItem;
     std::unique_ptr<TrailItem> m_trailItem;
     std::unique_ptr<RubberItem> m_rubberItem;

@@ -192,6 +192,7 @@ void ExportDialog::createSvgOptions() {
     m_points->setRange(1, int(io::SvgFormat::maxPoints));
     m_points->setValue(int(io::SvgFormat().points));
     m_points->setSingleStep(10'000);
+    m_points->setGroupSeparatorShown(true);
     m_points->setAccessibleName(tr("Number of points"));
     m_points->setWhatsThis(tr("How many dots of the chaos game are drawn."));
     m_autoDepth = new QCheckBox(tr("&Automatic depth"), m_options);

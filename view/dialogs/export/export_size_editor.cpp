@@ -51,6 +51,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
       m_named(new QComboBox(this)),
       m_lock(new QToolButton(this)),
       m_resolution(new WholeNumberBox(this)) {
+    setWhatsThis(tr("The size of the picture, in pixels or on paper."));
     m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
     m_unit->setAccessibleName(tr("Unit of length"));
     m_unit->setWhatsThis(tr("Pixels, or a length on paper at the given resolution."));

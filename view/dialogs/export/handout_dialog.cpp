@@ -44,6 +44,8 @@ HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent
       m_formulas(new QCheckBox(tr("&Formulas"), this)),
       m_nameLine(new QCheckBox(tr("&Line for name and date"), this)) {
     setWindowTitle(tr("Print a Handout"));
+    setWhatsThis(
+        tr("Prints entries of the file for a class: with pictures and formulas, or as blank worksheets."));
     auto* layout = new QVBoxLayout(this);
     createEntries(*document);
     createOptions();

@@ -482,7 +482,7 @@ template <int Dim> void Facts::addHull() {
         tr("Vertices of the computed hull; each is a point of the attractor. If the exact hull has "
            "infinitely many, as many are computed as the tolerance requires."),
         isKnown, [](const Analysis& analysis, Format) {
-            return QString::number(factsIn<Dim>(analysis).hull->vertices.size());
+            return groupedNumber(double(factsIn<Dim>(analysis).hull->vertices.size()));
         });
     add(tr("Hull error bound"),
         Dim == 2 ? tr("The attractor extends at most this far beyond the polygon; certified.")

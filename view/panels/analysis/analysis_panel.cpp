@@ -132,7 +132,6 @@ QWidget* AnalysisPanel::makeOutlines() {
     const auto add = [&](Outline kind, const QString& text, const QString& tip, int row, int column) {
         auto* box = new QCheckBox(text, m_outlines);
         box->setToolTip(tip);
-        box->setWhatsThis(tip + u'.');
         connect(box, &QCheckBox::toggled, this,
                 [this, kind](bool checked) { m_bridge->setOutlined(kind, checked); });
         m_outlineBoxes[kind] = box;
@@ -145,7 +144,7 @@ QWidget* AnalysisPanel::makeOutlines() {
     add(Outline::FixedPoints, tr("Fixed points"), tr("Mark the fixed point of each map in its colour"), 3, 0);
     add(Outline::Cylinders, tr("Cylinders"),
         tr("Outline the hulls of all pieces with addresses of the same length, each in the colour of its "
-           "first map"),
+           "first map; click one to see its address"),
         3, 1);
     auto* depth = new QWidget(m_outlines);
     auto* line = new QHBoxLayout(depth);
@@ -155,7 +154,6 @@ QWidget* AnalysisPanel::makeOutlines() {
     m_depth->setAccessibleName(tr("Length of the addresses"));
     m_depth->setToolTip(tr("The number of symbols in the addresses of the cylinders; fewer if there would be "
                            "thousands of cylinders"));
-    m_depth->setWhatsThis(m_depth->toolTip() + u'.');
     auto* label = new QLabel(tr("Address length"), depth);
     label->setBuddy(m_depth);
     line->addWidget(label);
@@ -176,7 +174,7 @@ void AnalysisPanel::addOutlineAction(QAction* action, const QString& text) {
     const auto follow = [box, action] {
         box->setEnabled(action->isEnabled());
         box->setToolTip(action->toolTip());
-        box->setWhatsThis(action->statusTip() + u'.');
+        box->setWhatsThis(action->whatsThis());
     };
     follow();
     connect(box, &QCheckBox::toggled, action, &QAction::setChecked);

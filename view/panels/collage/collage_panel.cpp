@@ -85,9 +85,10 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     row->addWidget(heading(tr("Agreement"), this));
     m_compared->addItems({tr("of the collage"), tr("of the attractor"), tr("not shown")});
     m_compared->setAccessibleName(tr("Agreement"));
-    m_compared->setToolTip(
+    m_compared->setToolTip(tr("What is compared with the target on the canvas"));
+    m_compared->setWhatsThis(
         tr("What is compared with the target: the images of the target under the maps, or the "
-           "attractor. Agreement is grey, excess red, and what is missing blue"));
+           "attractor. Agreement is grey, excess red, and what is missing blue."));
     row->addWidget(m_compared, 1);
     layout->addLayout(row);
     layout->addWidget(m_numbers);

@@ -153,8 +153,10 @@ void TargetBox::createShape(QGridLayout& grid) {
     m_shape = new QComboBox(m_controls);
     m_shape->addItems({tr("Automatic"), tr("Dark pixels"), tr("Opaque pixels")});
     m_shape->setAccessibleName(tr("Shape"));
-    m_shape->setToolTip(tr("Which pixels belong to the shape. Automatic takes the opaque pixels if any part "
-                           "of the picture is transparent, otherwise the dark ones"));
+    m_shape->setToolTip(tr("Which pixels belong to the shape"));
+    m_shape->setWhatsThis(
+        tr("Which pixels belong to the shape. Automatic takes the opaque pixels if any part "
+           "of the picture is transparent, otherwise the dark ones."));
     add(0, tr("Shape:"), m_shape);
     m_inverted = new QCheckBox(tr("Invert"), m_controls);
     m_inverted->setToolTip(tr("Trace the background instead"));

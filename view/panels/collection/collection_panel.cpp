@@ -31,6 +31,8 @@ namespace {
 
 const QString foldersKey = QStringLiteral("collection/folders");
 const QString favouritesKey = QStringLiteral("collection/favourites");
+constexpr int lowest =
+    64; // pixels of the list: on small screens with large letters the picture needs the rest
 constexpr std::chrono::milliseconds patience{400}; // before reading is worth a word
 
 } // namespace
@@ -85,6 +87,7 @@ void CollectionPanel::createGrid() {
                             "right-click it to add it to the file instead."));
     m_grid->setViewMode(QListView::IconMode);
     m_grid->setMovement(QListView::Static);
+    m_grid->setMinimumHeight(lowest);
     m_grid->setResizeMode(QListView::Adjust);
     m_grid->setSpacing(2);
     m_grid->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -188,7 +191,7 @@ QWidget* CollectionPanel::createProgress() {
     stop->setIconSize({18, 18});
     stop->setAutoRaise(true);
     stop->setAccessibleName(tr("Stop reading"));
-    stop->setToolTip(tr("Stop reading this folder. Files that were already read stay in the list."));
+    stop->setToolTip(tr("Stop reading this folder; files that were already read stay in the list"));
     stop->setStatusTip(stop->toolTip());
     layout->addWidget(stop);
     row->hide();

@@ -36,6 +36,7 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
       m_problem(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Comment of “%1”").arg(titleText(fractal.name)));
+    setWhatsThis(tr("Comments are stored with the entry in the file and do not change the fractal."));
     m_header->setAccessibleName(tr("Title"));
     m_header->setToolTip(tr("Written on the first line of the entry, for example its title or author."));
     m_lines->setAccessibleName(tr("Comment lines"));

@@ -36,6 +36,8 @@ using document::EntryId;
 
 namespace {
 
+constexpr int lowest =
+    64; // pixels of the list: on small screens with large letters the picture needs the rest
 constexpr qsizetype maxAtOnce = 1000; // entries that are given ids and names while the window waits
 
 bool isReadable(const Entry& entry) {
@@ -98,6 +100,7 @@ EntriesPanel::EntriesPanel(document::Document* document, QWidget* parent)
 void EntriesPanel::createList() {
     m_filtered->setSourceModel(m_model);
     m_list->setModel(m_filtered);
+    m_list->setMinimumHeight(lowest);
     m_list->setAccessibleName(tr("Entries"));
     m_list->setWhatsThis(
         tr("The fractals in the file. Click one to edit it, drag it to move it, press F2 to rename it."));

@@ -100,7 +100,7 @@ void ExportsPanel::createActions() {
     connect(m_folder, &QAction::triggered, this, &ExportsPanel::openFolder);
     m_remove = addAction(
         QStringLiteral("remove"), tr("&Cancel Export"),
-        tr("Cancel the selected exports and remove them from the list. Files already written are kept."));
+        tr("Cancel the selected exports and remove them from the list; files already written are kept."));
     m_remove->setShortcut(QKeySequence::Delete);
     connect(m_remove, &QAction::triggered, this, [this] {
         for (const QString& id : selectedIds())

@@ -81,6 +81,7 @@ LessonCard::LessonCard(QWidget* parent)
     layout->addWidget(m_title);
     layout->addWidget(m_scroll, 1);
     layout->addLayout(buttons);
+    setWhatsThis(tr("A lesson in progress: the text of the current step, and buttons to go to the others."));
     explainByTips(this);
     connect(m_back, &QPushButton::clicked, this, &LessonCard::backRequested);
     connect(m_next, &QPushButton::clicked, this,

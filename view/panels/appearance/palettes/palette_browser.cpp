@@ -55,6 +55,7 @@ QIcon previewOf(const attractor::Palette& palette) {
 PaletteBrowser::PaletteBrowser(const attractor::Palette& present, QWidget* parent)
     : QDialog(parent), m_present(present), m_favourites(stored(favouritesKey).toStringList()) {
     setWindowTitle(tr("Palettes"));
+    setWhatsThis(tr("All palettes: search them, mark favourites, and adjust the one that is selected."));
     m_model = new QStandardItemModel(this);
     m_filtered = new PaletteFilter(this);
     auto* layout = new QVBoxLayout(this);

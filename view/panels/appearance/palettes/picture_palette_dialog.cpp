@@ -116,6 +116,7 @@ PicturePaletteDialog::PicturePaletteDialog(const QImage& picture, QWidget* paren
       m_canvas(new LinePicture(m_picture, this)),
       m_colours(new WholeNumberBox(this)) {
     setWindowTitle(tr("Palette from Picture"));
+    setWhatsThis(tr("Makes a palette of the colours of a picture, or of those along a line in it."));
     m_colours->setRange(2, int(attractor::maxPictureColours));
     m_colours->setValue(usualColours);
     m_colours->setAccessibleName(tr("Colours"));
