@@ -156,8 +156,7 @@ public:
     void operator()(animation::Keys<animation::Look>& keys) const {
         Fractal entry = m_entry;
         if (auto& animation = std::get<Shape<Dim>>(entry.shape).animation) animation->motions.clear();
-        const AnimatedFrame shown = frameAt(entry, animation::moment(m_frame));
-        addKey(keys, m_frame, animation::lookOf(shown.fractal.appearance));
+        addKey(keys, m_frame, lookOf(frameAt(entry, animation::moment(m_frame)).fractal));
     }
     void operator()(animation::Keys<animation::CameraPose<Dim>>& keys) const {
         const auto* seen = m_camera ? std::get_if<animation::CameraPose<Dim>>(&*m_camera) : nullptr;
@@ -201,6 +200,7 @@ public:
     }
     void operator()(const animation::Look& look) const {
         m_entry.appearance = animation::withLook(m_entry.appearance, look);
+        m_entry.inSpace = look.inSpace.value_or(m_entry.inSpace);
     }
     void operator()(const animation::CameraPose<Dim>&) const {}
 
@@ -362,6 +362,7 @@ Pasted withKeysPasted(Fractal entry, std::span<const CopiedKey> keys, int frame)
                     if (!shape.cage || shape.cage->rest.size() != key->value.size()) return;
                 auto added = *key;
                 added.frame = at;
+                if constexpr (Dim == 2 && std::is_same_v<Value, animation::Look>) added.value.inSpace.reset();
                 present.push_back(std::move(added));
                 putInOrder(present);
                 result.keys.push_back({copied.at.track, at});
