@@ -69,6 +69,33 @@ private slots:
         QCOMPARE(exposurePilots(fractal).back(), moment(10'000));
     }
 
+    // Between a pilot before a jump and one behind it, a picture that stays would grow brighter or darker.
+    void jumpsLieBetweenPilots() {
+        using animation::Ease;
+        Shape<2> shape;
+        const ifs::MapId id = ifs::append(shape.system, ifs::affineMap(.5, 0, 0, .5, 0, 0), 1);
+        const animation::MapPose<2> pose{shape.system.maps[0].map, 1};
+        animation::Animation<2>& animation = shape.animation.emplace();
+        animation.length = 12;
+        const auto pilotsOf = [&](const animation::Keys<animation::MapPose<2>>& keys) {
+            animation.maps = {{id, keys}};
+            Fractal fractal;
+            fractal.shape = shape;
+            return exposurePilots(fractal);
+        };
+        QCOMPARE(pilotsOf({{0, pose, {Ease::Kind::Hold}}, {6, pose, {}}}),
+                 (std::vector<Moment>{moment(0), moment(5, 2), moment(5), moment(11, 2), moment(6), moment(9),
+                                      moment(12)}));
+        animation.loop = Loop::Cycle;
+        QCOMPARE(pilotsOf({{4, pose, {}}, {6, pose, {Ease::Kind::Hold}}}), // until frame 4
+                 (std::vector<Moment>{moment(0), moment(3, 2), moment(3), moment(7, 2), moment(4), moment(5),
+                                      moment(6), moment(9), moment(12)}));
+        for (const auto& [frame, ease] : {std::pair(12, Ease::Kind::Both), std::pair(6, Ease::Kind::Hold)}) {
+            const auto pilots = pilotsOf({{0, pose, {}}, {frame, pose, {ease}}}); // until the end
+            QCOMPARE(pilots[pilots.size() - 3], moment(11));
+        }
+    }
+
     void exposuresGoGeometrically() {
         const std::vector<Moment> pilots{moment(0), moment(2), moment(4)};
         const BetweenPilots at = betweenPilots(pilots, moment(5, 2));
