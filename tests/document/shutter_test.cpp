@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/shutter.h"
 
+#include "animation/motion_presets.h"
+#include "attractor/render/banded_rendering.h"
+#include "document/fractal_geometry.h"
+#include "ifs/canonical_systems.h"
+
 #include <QtTest>
 
 #include <cmath>
@@ -113,6 +118,43 @@ private slots:
         QVERIFY(std::abs(half.whitePoint - 6) < 1e-12);
         QVERIFY(std::abs(half.gain - std::sqrt(2)) < 1e-12);
         QVERIFY(interpolated(from, to, 0) == from);
+    }
+
+    // Pictures of few samples measure an exposure that trembles; what is interpolated follows it evenly.
+    void exposuresDoNotFlicker() {
+        constexpr int frames = 96;
+        Fractal fractal;
+        Shape<2>& shape = fractal.shape.emplace<Shape<2>>();
+        shape.system = canonical::system<2>(canonical::maple(), {});
+        shape.animation.emplace();
+        shape.animation->length = frames;
+        shape.animation->loop = Loop::Cycle;
+        shape.animation->motions = {animation::swayOf<2>(animation::swayPresets()[1], {}, {0, -1})};
+        const auto measured = [&](const Moment& at) {
+            attractor::RenderRequest request = renderRequest(
+                frameAt(fractal, at).fractal, attractor::cameraOf(attractor::View{{0, 2.5}, 11}, {80, 60}));
+            request.samples = 5'000;
+            return *attractor::BandedRendering(request).measuredExposure();
+        };
+        const std::vector<Moment> pilots = exposurePilots(fractal);
+        std::vector<double> each, smooth; // logarithms of what a picture is divided by
+        for (int frame = 0; frame < frames; ++frame) {
+            const BetweenPilots at = betweenPilots(pilots, moment(frame));
+            const attractor::Exposure one = measured(moment(frame));
+            const attractor::Exposure other =
+                interpolated(measured(pilots[at.before]), measured(pilots[at.after]), at.share);
+            each.push_back(std::log(one.meanDensity * one.whitePoint));
+            smooth.push_back(std::log(other.meanDensity * other.whitePoint));
+            QVERIFY(std::abs(each.back() - smooth.back()) < 0.3); // the same brightness on the whole
+        }
+        const auto trembling = [](const std::vector<double>& levels) {
+            double sum = 0;
+            for (std::size_t i = 2; i < levels.size(); ++i)
+                sum += std::abs(levels[i] - 2 * levels[i - 1] + levels[i - 2]);
+            return sum / double(levels.size() - 2);
+        };
+        const QString found = QStringLiteral("%1, %2").arg(trembling(smooth)).arg(trembling(each));
+        QVERIFY2(trembling(smooth) < 0.4 * trembling(each), qPrintable(found));
     }
 };
 
