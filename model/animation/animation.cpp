@@ -59,10 +59,7 @@ public:
         moveBranches(); // about the places of the code at rest
         moveMaps();
         moveCage();
-        if (!m_animation.look.empty()) {
-            const Look look = along(wayAt(m_animation.look, m_clock));
-            m_pose.appearance = withLook(std::move(m_pose.appearance), look);
-        }
+        if (!m_animation.look.empty()) moveLook();
         if (!m_animation.camera.empty()) m_pose.camera = along(wayAt(m_animation.camera, m_clock));
         for (const Motion<Dim>& motion : m_animation.motions)
             apply(motion);
@@ -103,6 +100,22 @@ private:
             m_pose.cage->current = along<Dim>(way, *m_pose.cage);
     }
 
+    void moveLook() {
+        Look look;
+        if (Dim == 3 && !std::ranges::all_of(m_animation.look, saysHowInSpace)) {
+            Keys<Look> keys = m_animation.look;
+            for (Key<Look>& key : keys)
+                if (!saysHowInSpace(key)) key.value.inSpace = m_pose.inSpace;
+            look = along(wayAt(keys, m_clock));
+        } else {
+            look = along(wayAt(m_animation.look, m_clock));
+        }
+        m_pose.appearance = withLook(std::move(m_pose.appearance), look);
+        if (look.inSpace) m_pose.inSpace = *look.inSpace;
+    }
+
+    static bool saysHowInSpace(const Key<Look>& key) { return key.value.inSpace.has_value(); }
+
     void apply(const Motion<Dim>& motion) {
         animation::moveMaps<Dim>(motion, m_clock.moment, m_clock.length, m_pose.system);
         const double angle = orbitAngle<Dim>(motion, m_clock.moment, m_clock.length);
@@ -131,11 +144,15 @@ bool isValid(const attractor::OrbitCamera& camera) {
     return camera.target.allFinite() && isPositive(camera.height) && camera.fieldOfView > 0 &&
            camera.fieldOfView < 180 && std::abs(camera.orientation.norm() - 1) <= 1e-9;
 }
+bool isValid(const attractor::SpaceAppearance& look) {
+    return std::isfinite(look.lightAzimuth) && std::isfinite(look.lightElevation) && look.fog >= 0 &&
+           look.fog <= attractor::SpaceAppearance::maxFog && (!look.clip || isUsable(*look.clip));
+}
 bool isValid(const Look& look) {
     const auto& stops = look.palette.stops;
     return isPositive(look.brightness) && isPositive(look.gamma) && isPositive(look.contrast) &&
-           look.vibrancy >= 0 && look.vibrancy <= 1 && stops.size() >= 2 && stops.front().position == 0 &&
-           stops.back().position == 1 &&
+           look.vibrancy >= 0 && look.vibrancy <= 1 && (!look.inSpace || isValid(*look.inSpace)) &&
+           stops.size() >= 2 && stops.front().position == 0 && stops.back().position == 1 &&
            std::ranges::is_sorted(stops, {}, &attractor::Palette::Stop::position);
 }
 template <int Dim> bool isValid(const ifs::AffineMap<Dim>& map) {
@@ -156,6 +173,8 @@ template <int Dim, class Value> bool areValid(const Keys<Value>& keys, int lengt
             if (!isValid<Dim>(keys[i].value) || keys[i].value.size() != keys[0].value.size()) return false;
         } else {
             if (!isValid(keys[i].value)) return false;
+            if constexpr (Dim == 2 && std::is_same_v<Value, Look>)
+                if (keys[i].value.inSpace) return false;
         }
     }
     return true;

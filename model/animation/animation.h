@@ -31,6 +31,7 @@ template <int Dim> struct Pose {
     attractor::Appearance appearance{};
     std::optional<CameraPose<Dim>> camera{}; // nullopt: no key says
     double orbit = 0;                        // degrees by which a camera in space has gone round: orbited()
+    attractor::SpaceAppearance inSpace{};
 };
 
 template <int Dim> struct MapTrack {

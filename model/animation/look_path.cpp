@@ -15,6 +15,7 @@ namespace {
 
 using attractor::colourOf, attractor::oklab;
 using attractor::LinearColour, attractor::Oklab, attractor::Palette, attractor::Rgba;
+using attractor::SpaceAppearance, attractor::SpaceClip;
 
 Rgba mixed(const LinearColour& from, const LinearColour& to, double share) {
     const Oklab a = oklab(from), b = oklab(to);
@@ -51,11 +52,36 @@ double evenly(double from, double to, double share) {
     return from == to ? from : (1 - share) * from + share * to;
 }
 
+// Between two planes, or two half-spaces on the same side; else the first.
+SpaceClip mixed(const SpaceClip& from, const SpaceClip& to, double share) {
+    if (std::isfinite(from.lowest) != std::isfinite(to.lowest) ||
+        std::isfinite(from.highest) != std::isfinite(to.highest))
+        return from;
+    SpaceClip clip{from.normal, evenly(from.lowest, to.lowest, share),
+                   evenly(from.highest, to.highest, share)};
+    for (int i = 0; i < 3; ++i)
+        clip.normal[i] = evenly(from.normal[i], to.normal[i], share);
+    return isUsable(clip) ? clip : from;
+}
+
+std::optional<SpaceAppearance> mixed(const std::optional<SpaceAppearance>& from,
+                                     const std::optional<SpaceAppearance>& to, double share) {
+    if (!from || !to) return from;
+    SpaceAppearance result = *from;
+    result.lightAzimuth += share * std::remainder(to->lightAzimuth - from->lightAzimuth, 360);
+    result.lightElevation = evenly(from->lightElevation, to->lightElevation, share);
+    result.fog = evenly(from->fog, to->fog, share);
+    if (from->clip && to->clip) result.clip = mixed(*from->clip, *to->clip, share);
+    return result;
+}
+
 } // namespace
 
-Look lookOf(const attractor::Appearance& appearance) {
-    return {appearance.colourBy,   appearance.palette, appearance.plain,    appearance.background,
-            appearance.brightness, appearance.gamma,   appearance.contrast, appearance.vibrancy};
+Look lookOf(const attractor::Appearance& appearance,
+            const std::optional<attractor::SpaceAppearance>& inSpace) {
+    return {appearance.colourBy,   appearance.palette,    appearance.plain,
+            appearance.background, appearance.brightness, appearance.gamma,
+            appearance.contrast,   appearance.vibrancy,   inSpace};
 }
 
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look) {
@@ -80,7 +106,8 @@ Look between(const Look& from, const Look& to, double share) {
             byFactor(from.brightness, to.brightness, share),
             byFactor(from.gamma, to.gamma, share),
             byFactor(from.contrast, to.contrast, share),
-            evenly(from.vibrancy, to.vibrancy, share)};
+            evenly(from.vibrancy, to.vibrancy, share),
+            mixed(from.inSpace, to.inSpace, share)};
 }
 
 Palette cycled(const Palette& palette, double share) {

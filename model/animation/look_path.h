@@ -2,6 +2,9 @@
 #pragma once
 
 #include "attractor/request/appearance.h"
+#include "attractor/request/space_appearance.h"
+
+#include <optional>
 
 namespace animation {
 
@@ -11,20 +14,23 @@ struct Look {
     attractor::Palette palette;
     attractor::Rgba plain;
     attractor::Rgba background;
-    double brightness = 20; // > 0
-    double gamma = 2.2;     // > 0
-    double contrast = 1;    // > 0
-    double vibrancy = 1;    // 0 … 1
+    double brightness = 20;                              // > 0
+    double gamma = 2.2;                                  // > 0
+    double contrast = 1;                                 // > 0
+    double vibrancy = 1;                                 // 0 … 1
+    std::optional<attractor::SpaceAppearance> inSpace{}; // nullopt: as the entry has it
 
     friend bool operator==(const Look&, const Look&) = default;
 };
 
-Look lookOf(const attractor::Appearance& appearance);
+Look lookOf(const attractor::Appearance& appearance,
+            const std::optional<attractor::SpaceAppearance>& inSpace = {});
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look);
 
 // Between two looks, exact at both ends: colours in Oklab, those of palettes at every position where one of
 // them has a stop; brightness, gamma and contrast by constant factors; vibrancy evenly; what the colours
-// stand for changes at the end.
+// stand for changes at the end. In space the light turns the shorter way, and it, the fog and the planes of
+// the clip move evenly; the kind of look, and a clip that only one of them has, change at the end.
 Look between(const Look& from, const Look& to, double share);
 
 // The palette gone round by a share of a cycle, 0 ≤ … < 1: once to its end and back, so that no colour meets

@@ -26,13 +26,18 @@ template <int Dim> AnimatedFrame frameOf(const Fractal& fractal, const animation
     const animation::Animation<Dim> animation = *std::exchange(shape.animation, std::nullopt);
     if constexpr (Dim == 2)
         if (!shape.cage && turnsCage<Dim>(animation)) shape.cage = canonicalCage(frame.fractal);
-    animation::Pose<Dim> pose =
-        animation.at(moment, {std::move(shape.system), std::move(shape.cage), std::move(shape.moved),
-                              std::move(frame.fractal.appearance)});
+    animation::Pose<Dim> pose = animation.at(moment, {std::move(shape.system),
+                                                      std::move(shape.cage),
+                                                      std::move(shape.moved),
+                                                      std::move(frame.fractal.appearance),
+                                                      {},
+                                                      0,
+                                                      frame.fractal.inSpace});
     shape.system = std::move(pose.system);
     shape.cage = std::move(pose.cage);
     shape.moved = std::move(pose.moved);
     frame.fractal.appearance = std::move(pose.appearance);
+    frame.fractal.inSpace = pose.inSpace;
     frame.orbit = pose.orbit;
     if constexpr (Dim == 2)
         frame.view = pose.camera;
@@ -104,6 +109,17 @@ AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment) {
     if (plane(fractal)) return frameOf<2>(fractal, moment);
     if (space(fractal)) return frameOf<3>(fractal, moment);
     return {fractal};
+}
+
+animation::Look lookOf(const Fractal& fractal) {
+    return space(fractal) ? animation::lookOf(fractal.appearance, fractal.inSpace)
+                          : animation::lookOf(fractal.appearance);
+}
+
+Fractal withLook(Fractal fractal, const animation::Look& look) {
+    fractal.appearance = animation::withLook(std::move(fractal.appearance), look);
+    if (look.inSpace) fractal.inSpace = *look.inSpace;
+    return fractal;
 }
 
 std::vector<animation::Moment> moments(const AnimationFacts& facts, int count) {

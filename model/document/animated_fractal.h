@@ -33,6 +33,10 @@ struct AnimatedFrame {
 // A fractal that is not animated is the same at every moment.
 AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment);
 
+// What a key of the look holds, in space with how it looks there.
+animation::Look lookOf(const Fractal& fractal);
+Fractal withLook(Fractal fractal, const animation::Look& look);
+
 // Evenly spaced moments from the first frame to the last one; `count` ≥ 2.
 std::vector<animation::Moment> moments(const AnimationFacts& facts, int count);
 

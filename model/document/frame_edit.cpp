@@ -75,7 +75,8 @@ public:
         }
         if (after.cage != before.cage) putCage(after.cage);
         if (after.moved != before.moved) putBranches(before.moved, after.moved);
-        if (!(m_after.appearance == m_before.appearance)) putAppearance();
+        if (!(m_after.appearance == m_before.appearance && m_after.inSpace == m_before.inSpace))
+            putAppearance();
         return std::move(m_entry);
     }
 
@@ -169,10 +170,9 @@ private:
     }
 
     void putAppearance() {
-        const animation::Look before = animation::lookOf(m_before.appearance);
-        animation::Look after = animation::lookOf(m_after.appearance);
-        attractor::Appearance& kept = m_entry.fractal.appearance;
-        animation::Look still = animation::lookOf(kept);
+        const animation::Look before = lookOf(m_before);
+        animation::Look after = lookOf(m_after);
+        animation::Look still = lookOf(m_entry.fractal);
         if (!(after == before)) {
             if (after.palette == before.palette) after.palette = m_keyed.appearance.palette;
             if (m_animation.look.empty())
@@ -180,7 +180,8 @@ private:
             else
                 write(m_animation.look, std::move(after));
         }
-        kept = animation::withLook(m_after.appearance, still);
+        m_entry.fractal.appearance = m_after.appearance;
+        m_entry.fractal = withLook(std::move(m_entry.fractal), still);
     }
 
     FrameEdit m_entry;

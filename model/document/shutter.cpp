@@ -27,25 +27,34 @@ Moment momentAt(const AnimationFacts& facts, int frame, ShutterAngle angle, int 
                              facts.length);
 }
 
-template <class Keys> void addFrames(std::vector<int>& frames, const Keys& keys) {
-    for (const auto& key : keys)
-        frames.push_back(key.frame);
+// The frames of keys, and the last ones before what they show jumps: where a key holds its value, and in a
+// cycle at the end, where frame 0 follows.
+template <class Keys>
+void addFrames(std::vector<int>& frames, const Keys& keys, const AnimationFacts& facts) {
+    constexpr auto hold = animation::Ease::Kind::Hold;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        frames.push_back(keys[i].frame);
+        if (i > 0 && keys[i - 1].ease.kind == hold) frames.push_back(keys[i].frame - 1);
+    }
+    if (facts.loop != animation::Loop::Cycle || keys.size() < 2) return;
+    const int first = keys.front().frame;
+    if (keys.back().frame == facts.length)
+        frames.push_back(facts.length - 1);
+    else if (keys.back().ease.kind == hold)
+        frames.push_back(first > 0 ? first - 1 : facts.length - 1);
 }
 
-template <int Dim> std::vector<int> keyFrames(const animation::Animation<Dim>& animation) {
+template <int Dim>
+std::vector<int> keyFrames(const animation::Animation<Dim>& animation, const AnimationFacts& facts) {
     std::vector<int> frames{0, animation.length};
-    addFrames(frames, animation.cage);
+    addFrames(frames, animation.cage, facts);
     for (const auto& track : animation.maps)
-        addFrames(frames, track.keys);
+        addFrames(frames, track.keys, facts);
     for (const auto& track : animation.branches)
-        addFrames(frames, track.keys);
-    addFrames(frames, animation.look);
-    addFrames(frames, animation.camera);
+        addFrames(frames, track.keys, facts);
+    addFrames(frames, animation.look, facts);
+    addFrames(frames, animation.camera, facts);
     return frames;
-}
-
-template <int Dim> bool hasCameraAtEnd(const animation::Animation<Dim>& animation) {
-    return !animation.camera.empty() && animation.camera.back().frame == animation.length;
 }
 
 // Ascending, each once, evenly thinned where there are very many.
@@ -83,16 +92,11 @@ std::vector<Moment> shutterEdges(const AnimationFacts& facts, int frame, Shutter
 std::vector<Moment> exposurePilots(const Fractal& fractal) {
     const auto facts = animationFacts(fractal);
     if (!facts) return {animation::moment(0)};
-    const std::vector<int> frames =
-        plane(fractal) ? keyFrames(*plane(fractal)->animation) : keyFrames(*space(fractal)->animation);
+    const std::vector<int> frames = plane(fractal) ? keyFrames(*plane(fractal)->animation, *facts)
+                                                   : keyFrames(*space(fractal)->animation, *facts);
     std::vector<Moment> moments;
     for (const int frame : frames)
         moments.push_back(animation::moment(frame));
-    // In a cycle the camera's key at the end is never shown, because frame 0 is; an endless zoom jumps there.
-    const bool jumps = plane(fractal) ? hasCameraAtEnd(*plane(fractal)->animation)
-                                      : hasCameraAtEnd(*space(fractal)->animation);
-    if (facts->loop == animation::Loop::Cycle && jumps)
-        moments.push_back(animation::moment(facts->length - 1));
     for (int part = 1; part < partsOfMotions && facts->motions > 0; ++part)
         moments.push_back(animation::moment(std::int64_t(facts->length) * part, partsOfMotions));
     const std::vector<Moment> ends = inOrder(std::move(moments));

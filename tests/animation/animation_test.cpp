@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -334,6 +335,59 @@ private slots:
         QCOMPARE(half.stops.size(), palette.stops.size());
         QCOMPARE(cycled(palette, 0.3).stops.front().position, 0.0);
         QCOMPARE(cycled(palette, 0.3).stops.back().position, 1.0);
+    }
+
+    void looksInSpaceMix() {
+        using attractor::LookInSpace, attractor::SpaceAppearance, attractor::SpaceClip;
+        constexpr double open = std::numeric_limits<double>::infinity();
+        SpaceAppearance first, last;
+        first.lightAzimuth = 170.1;
+        last.lightAzimuth = -160.3; // 29.6° on
+        first.lightElevation = 1.0 / 3;
+        last.lightElevation = 2.0 / 3;
+        first.fog = 0.1;
+        last.fog = 0.7;
+        last.look = LookInSpace::Ink;
+        last.colourBy = attractor::SolidColour::Height;
+        first.clip = SpaceClip{{1, 0, 0}, -1, 3};
+        last.clip = SpaceClip{{0, 1, 0}, 0, 1};
+        const Look from = lookOf({}, first), to = lookOf({}, last);
+        QVERIFY(*between(from, to, 0).inSpace == first);
+        QVERIFY(*between(from, to, 1).inSpace == last);
+        const SpaceAppearance half = *between(from, to, 0.5).inSpace;
+        QVERIFY(std::abs(half.lightAzimuth - 184.9) < 1e-9);
+        QVERIFY(std::abs(half.lightElevation - 0.5) < 1e-12);
+        QVERIFY(std::abs(half.fog - 0.4) < 1e-12);
+        QVERIFY(half.look == LookInSpace::Stone && !half.colourBy); // these change at the end
+        QVERIFY((*half.clip == SpaceClip{{0.5, 0.5, 0}, -0.5, 2}));
+        QVERIFY(*between(from, from, 0.3).inSpace == first); // in every bit
+        // Between planes that nothing leads through, and where only one is there, the first stays.
+        first.clip = SpaceClip{{1, 0, 0}, 0, open};
+        for (const auto& clip : {std::optional(SpaceClip{{1, 0, 0}, 0, 1}), std::optional<SpaceClip>(),
+                                 std::optional(SpaceClip{{-1, 0, 0}, 0, open})}) {
+            last.clip = clip;
+            QVERIFY(between(lookOf({}, first), lookOf({}, last), 0.5).inSpace->clip == first.clip);
+        }
+    }
+
+    // Keys that do not say how it looks in space have what the entry has, and what they have is valid.
+    void keysInSpaceMayLeaveItToTheEntry() {
+        Pose<3> still;
+        still.inSpace.fog = 2;
+        Animation<3> animation;
+        animation.length = 10;
+        Look later = lookOf({}, still.inSpace);
+        later.inSpace->fog = 4;
+        animation.look = {{0, lookOf({}), {Ease::Kind::Linear}}, {10, later, {}}};
+        QVERIFY(isValid(animation));
+        QCOMPARE(animation.at(moment(0), still).inSpace.fog, 2.0);
+        QCOMPARE(animation.at(moment(5), still).inSpace.fog, 3.0);
+        QCOMPARE(animation.at(moment(10), still).inSpace.fog, 4.0);
+        animation.look[1].value.inSpace->fog = 101;
+        QVERIFY(!isValid(animation));
+        Animation<2> flat;
+        flat.look = {{0, later, {}}};
+        QVERIFY(!isValid(flat));
     }
 
     void motionsKeepTheirPivots() {

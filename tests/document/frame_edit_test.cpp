@@ -71,6 +71,7 @@ private slots:
     void branchesAreKeyed();
     void looksAreKeyed();
     void inSpaceAsInThePlane();
+    void looksInSpaceAreKeyed();
     void theCameraInSpaceIsThatOfTheFrame();
     void dragsBecomeKeys();
     void dragsGoOnWhileTimeRuns();
@@ -232,6 +233,37 @@ void FrameEditTest::inSpaceAsInThePlane() {
     QVERIFY(edit.isKeyed);
     QCOMPARE(system3(frameAt(edit.fractal, animation::moment(10)).fractal)->maps[1].map.translation.z(), 2.0);
     QCOMPARE(system3(frameAt(edit.fractal, animation::moment(0)).fractal)->maps[1].map.translation.z(), 0.0);
+}
+
+void FrameEditTest::looksInSpaceAreKeyed() {
+    Shape<3> shape;
+    ifs::append<3>(shape.system, {0.5 * ifs::Matrix<3>::Identity(), ifs::Vector<3>(1, 0, 0)}, 1);
+    shape.animation.emplace().length = length;
+    Fractal entry;
+    entry.shape = shape;
+    const auto dim = [](Fractal& shown) { shown.inSpace.fog = 3; };
+    const auto fogAt = [](const Fractal& fractal, int frame) {
+        return frameAt(fractal, animation::moment(frame)).fractal.inSpace.fog;
+    };
+    const FrameEdit forAll = edited(entry, 10, dim); // no keys: for all times
+    QVERIFY(!forAll.isKeyed);
+    QCOMPARE(fogAt(forAll.fractal, 0), 3.0);
+    const Fractal track = withKey(entry, {Track::Kind::Look}, 0, std::nullopt);
+    const FrameEdit later = edited(track, 10, dim);
+    QVERIFY(later.isKeyed);
+    QCOMPARE(fogAt(later.fractal, 0), 0.0);
+    QVERIFY(fogAt(later.fractal, 5) > 0 && fogAt(later.fractal, 5) < 3);
+    QCOMPARE(fogAt(later.fractal, 10), 3.0);
+    QCOMPARE(later.fractal.inSpace, entry.inSpace);
+    // The last keys leave what the first of them had.
+    const Fractal without =
+        withoutKeys(later.fractal, std::vector<KeyAt>{{{Track::Kind::Look}, 0}, {{Track::Kind::Look}, 10}});
+    QCOMPARE(without.inSpace.fog, 0.0);
+    // What is copied in space has no place in the plane.
+    const auto copied = copiedKeys(later.fractal, std::vector<KeyAt>{{{Track::Kind::Look}, 10}});
+    const Pasted pasted = withKeysPasted(still(), copied, 3);
+    QCOMPARE(pasted.keys.size(), std::size_t(1));
+    QVERIFY(animation::isValid(animationOf(pasted.fractal)));
 }
 
 void FrameEditTest::theCameraInSpaceIsThatOfTheFrame() {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/shutter.h"
 
+#include "animation/motion_presets.h"
+#include "attractor/render/banded_rendering.h"
+#include "document/fractal_geometry.h"
+#include "ifs/canonical_systems.h"
+
 #include <QtTest>
 
 #include <cmath>
@@ -69,6 +74,33 @@ private slots:
         QCOMPARE(exposurePilots(fractal).back(), moment(10'000));
     }
 
+    // Between a pilot before a jump and one behind it, a picture that stays would grow brighter or darker.
+    void jumpsLieBetweenPilots() {
+        using animation::Ease;
+        Shape<2> shape;
+        const ifs::MapId id = ifs::append(shape.system, ifs::affineMap(.5, 0, 0, .5, 0, 0), 1);
+        const animation::MapPose<2> pose{shape.system.maps[0].map, 1};
+        animation::Animation<2>& animation = shape.animation.emplace();
+        animation.length = 12;
+        const auto pilotsOf = [&](const animation::Keys<animation::MapPose<2>>& keys) {
+            animation.maps = {{id, keys}};
+            Fractal fractal;
+            fractal.shape = shape;
+            return exposurePilots(fractal);
+        };
+        QCOMPARE(pilotsOf({{0, pose, {Ease::Kind::Hold}}, {6, pose, {}}}),
+                 (std::vector<Moment>{moment(0), moment(5, 2), moment(5), moment(11, 2), moment(6), moment(9),
+                                      moment(12)}));
+        animation.loop = Loop::Cycle;
+        QCOMPARE(pilotsOf({{4, pose, {}}, {6, pose, {Ease::Kind::Hold}}}), // until frame 4
+                 (std::vector<Moment>{moment(0), moment(3, 2), moment(3), moment(7, 2), moment(4), moment(5),
+                                      moment(6), moment(9), moment(12)}));
+        for (const auto& [frame, ease] : {std::pair(12, Ease::Kind::Both), std::pair(6, Ease::Kind::Hold)}) {
+            const auto pilots = pilotsOf({{0, pose, {}}, {frame, pose, {ease}}}); // until the end
+            QCOMPARE(pilots[pilots.size() - 3], moment(11));
+        }
+    }
+
     void exposuresGoGeometrically() {
         const std::vector<Moment> pilots{moment(0), moment(2), moment(4)};
         const BetweenPilots at = betweenPilots(pilots, moment(5, 2));
@@ -86,6 +118,43 @@ private slots:
         QVERIFY(std::abs(half.whitePoint - 6) < 1e-12);
         QVERIFY(std::abs(half.gain - std::sqrt(2)) < 1e-12);
         QVERIFY(interpolated(from, to, 0) == from);
+    }
+
+    // Pictures of few samples measure an exposure that trembles; what is interpolated follows it evenly.
+    void exposuresDoNotFlicker() {
+        constexpr int frames = 96;
+        Fractal fractal;
+        Shape<2>& shape = fractal.shape.emplace<Shape<2>>();
+        shape.system = canonical::system<2>(canonical::maple(), {});
+        shape.animation.emplace();
+        shape.animation->length = frames;
+        shape.animation->loop = Loop::Cycle;
+        shape.animation->motions = {animation::swayOf<2>(animation::swayPresets()[1], {}, {0, -1})};
+        const auto measured = [&](const Moment& at) {
+            attractor::RenderRequest request = renderRequest(
+                frameAt(fractal, at).fractal, attractor::cameraOf(attractor::View{{0, 2.5}, 11}, {80, 60}));
+            request.samples = 5'000;
+            return *attractor::BandedRendering(request).measuredExposure();
+        };
+        const std::vector<Moment> pilots = exposurePilots(fractal);
+        std::vector<double> each, smooth; // logarithms of what a picture is divided by
+        for (int frame = 0; frame < frames; ++frame) {
+            const BetweenPilots at = betweenPilots(pilots, moment(frame));
+            const attractor::Exposure one = measured(moment(frame));
+            const attractor::Exposure other =
+                interpolated(measured(pilots[at.before]), measured(pilots[at.after]), at.share);
+            each.push_back(std::log(one.meanDensity * one.whitePoint));
+            smooth.push_back(std::log(other.meanDensity * other.whitePoint));
+            QVERIFY(std::abs(each.back() - smooth.back()) < 0.3); // the same brightness on the whole
+        }
+        const auto trembling = [](const std::vector<double>& levels) {
+            double sum = 0;
+            for (std::size_t i = 2; i < levels.size(); ++i)
+                sum += std::abs(levels[i] - 2 * levels[i - 1] + levels[i - 2]);
+            return sum / double(levels.size() - 2);
+        };
+        const QString found = QStringLiteral("%1, %2").arg(trembling(smooth)).arg(trembling(each));
+        QVERIFY2(trembling(smooth) < 0.4 * trembling(each), qPrintable(found));
     }
 };
 

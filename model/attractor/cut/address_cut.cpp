@@ -213,13 +213,14 @@ public:
 
     AddressCut cut(const std::stop_token& stop) {
         // First the measure in view, coarsely; then the cut, whose threshold is a power of two so that words
-        // keep their identity while the view moves a little.
+        // keep their identity while the view or a map moves a little. Where all is in view, rounding does not
+        // decide between two of them.
         const Nodes coarse = leaves(m_settings.words / 16.0, Threshold::Relative, stop);
         double visible = 0;
         for (const Node<Real>& node : coarse)
             visible += node.probability;
         double threshold = 1;
-        while (threshold > 0 && threshold > visible / m_settings.words)
+        while (threshold > 0 && threshold > visible / m_settings.words * (1 + rounding))
             threshold /= 2;
         m_exact = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
         m_atBorder = m_settings.samples > 0 ? atBorder / m_settings.samples * visible : 1;
@@ -238,6 +239,7 @@ private:
     static constexpr std::size_t maxWaiting = 1U << 20;  // words of the next level before refining it
     static constexpr std::size_t maxShown = 1U << 16;    // words wholly in view, unless there are more maps
     static constexpr std::size_t childrenPerLook = 8192; // between two looks at the stop token
+    static constexpr double rounding = 1e-9;             // of a sum of probabilities, at most
     static constexpr double minSize = 0.25;              // cells; below, splitting shows nothing new
     static constexpr double atBorder = 512;              // samples a word may have of which some fall outside
     static constexpr double minSamples = 32; // samples for which a first-order map is worth its while

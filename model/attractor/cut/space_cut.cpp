@@ -33,12 +33,13 @@ public:
 
     SpaceCut cut(const std::stop_token& stop) {
         // First the measure in view, coarsely; then the cut, whose threshold is a power of two so that words
-        // keep their identity while the view moves a little.
+        // keep their identity while the view or a map moves a little. Where all is in view, rounding does not
+        // decide between two of them.
         double visible = 0;
         for (const Node& node : leaves(16.0 / m_settings.words, stop))
             visible += node.probability;
         double threshold = 1;
-        while (threshold > 0 && threshold > visible / m_settings.words)
+        while (threshold > 0 && threshold > visible / m_settings.words * (1 + rounding))
             threshold /= 2;
         m_enough = m_settings.samples > 0 ? minSamples / m_settings.samples * visible : 0;
         m_oneColour = std::max(m_enough, m_settings.colours.minShare() * visible);
@@ -52,8 +53,9 @@ public:
 private:
     static constexpr std::size_t maxWords = 1U << 16;
     static constexpr std::size_t maxLooks = 1U << 22;
-    static constexpr double maxBend = 0.25; // cells
-    static constexpr double minSize = 0.25; // cells; below, splitting shows nothing new
+    static constexpr double maxBend = 0.25;  // cells
+    static constexpr double minSize = 0.25;  // cells; below, splitting shows nothing new
+    static constexpr double rounding = 1e-9; // of a sum of probabilities, at most
     static constexpr double minSamples = 32;
 
     Node root() const {

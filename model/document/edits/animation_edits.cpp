@@ -6,6 +6,7 @@
 #include "document/fractal_geometry.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace document {
@@ -97,27 +98,42 @@ template <class Value> void putInOrder(animation::Keys<Value>& keys) {
 
 template <int Dim> std::vector<TrackKeys> tracksOfShape(const Shape<Dim>& shape) {
     std::vector<TrackKeys> result;
-    animation::Animation<Dim> animation = shape.animation.value_or(animation::Animation<Dim>());
-    const auto add = [&](Track track) {
+    const animation::Animation<Dim> still;
+    const animation::Animation<Dim>& animation = shape.animation ? *shape.animation : still;
+    const auto add = [&](Track track, const auto* keys) {
         TrackKeys& added = result.emplace_back(TrackKeys{std::move(track), {}});
-        visitKeys<Dim>(animation, added.track, [&](const auto& keys) {
-            for (const auto& key : keys)
-                added.keys.push_back({key.frame, key.ease});
-        });
+        if (!keys) return;
+        for (const auto& key : *keys)
+            added.keys.push_back({key.frame, key.ease});
     };
-    if (Dim == 2 || shape.cage) add({Track::Kind::Cage});
-    for (const auto& map : shape.system.maps)
-        add({Track::Kind::Map, {map.id}});
+    if (Dim == 2 || shape.cage) add({Track::Kind::Cage}, &animation.cage);
+    std::unordered_map<ifs::MapId, const animation::MapTrack<Dim>*> moving;
+    for (const auto& track : animation.maps)
+        moving.emplace(track.map, &track);
+    for (const auto& map : shape.system.maps) {
+        const auto known = moving.find(map.id);
+        add({Track::Kind::Map, {map.id}}, known == moving.end() ? nullptr : &known->second->keys);
+    }
     std::vector<std::vector<ifs::MapId>> words;
     for (const auto& branch : shape.moved)
         words.push_back(branch.word);
     for (const auto& track : animation.branches)
         if (!named(shape.moved, track.word)) words.push_back(track.word);
-    for (const auto& word : words)
-        add({Track::Kind::Branch, word});
-    add({Track::Kind::Look});
-    add({Track::Kind::Camera});
+    for (const auto& word : words) {
+        const auto* known = named(animation.branches, word);
+        add({Track::Kind::Branch, word}, known ? &known->keys : nullptr);
+    }
+    add({Track::Kind::Look}, &animation.look);
+    add({Track::Kind::Camera}, &animation.camera);
     return result;
+}
+
+template <int Dim> bool areTracksAlike(const Shape<Dim>& a, const Shape<Dim>& b) {
+    constexpr auto id = &ifs::WeightedMap<Dim>::id;
+    constexpr auto word = &MovedBranch<Dim>::word;
+    return a.cage.has_value() == b.cage.has_value() && a.animation == b.animation &&
+           std::ranges::equal(a.system.maps, b.system.maps, {}, id, id) &&
+           std::ranges::equal(a.moved, b.moved, {}, word, word);
 }
 
 // What the keys alone show, and the entry itself: what a first key needs to be there.
@@ -156,8 +172,7 @@ public:
     void operator()(animation::Keys<animation::Look>& keys) const {
         Fractal entry = m_entry;
         if (auto& animation = std::get<Shape<Dim>>(entry.shape).animation) animation->motions.clear();
-        const AnimatedFrame shown = frameAt(entry, animation::moment(m_frame));
-        addKey(keys, m_frame, animation::lookOf(shown.fractal.appearance));
+        addKey(keys, m_frame, lookOf(frameAt(entry, animation::moment(m_frame)).fractal));
     }
     void operator()(animation::Keys<animation::CameraPose<Dim>>& keys) const {
         const auto* seen = m_camera ? std::get_if<animation::CameraPose<Dim>>(&*m_camera) : nullptr;
@@ -201,6 +216,7 @@ public:
     }
     void operator()(const animation::Look& look) const {
         m_entry.appearance = animation::withLook(m_entry.appearance, look);
+        m_entry.inSpace = look.inSpace.value_or(m_entry.inSpace);
     }
     void operator()(const animation::CameraPose<Dim>&) const {}
 
@@ -230,6 +246,12 @@ int firstFrameOf(std::span<const KeyAt> keys) {
 
 std::vector<TrackKeys> tracksOf(const Fractal& entry) {
     return inItsDimension(entry, []<int Dim>(const Shape<Dim>& shape) { return tracksOfShape<Dim>(shape); });
+}
+
+bool areTracksAlike(const Fractal& a, const Fractal& b) {
+    if (plane(a) && plane(b)) return areTracksAlike(*plane(a), *plane(b));
+    if (space(a) && space(b)) return areTracksAlike(*space(a), *space(b));
+    return a.shape.index() == b.shape.index();
 }
 
 Timing timingOf(const Fractal& entry) {
@@ -362,6 +384,7 @@ Pasted withKeysPasted(Fractal entry, std::span<const CopiedKey> keys, int frame)
                     if (!shape.cage || shape.cage->rest.size() != key->value.size()) return;
                 auto added = *key;
                 added.frame = at;
+                if constexpr (Dim == 2 && std::is_same_v<Value, animation::Look>) added.value.inSpace.reset();
                 present.push_back(std::move(added));
                 putInOrder(present);
                 result.keys.push_back({copied.at.track, at});

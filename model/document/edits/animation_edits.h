@@ -35,6 +35,8 @@ struct TrackKeys {
     friend bool operator==(const TrackKeys&, const TrackKeys&) = default;
 };
 std::vector<TrackKeys> tracksOf(const Fractal& entry);
+// Whether tracks, keys, motions and timing of both are the same, told without listing them.
+bool areTracksAlike(const Fractal& a, const Fractal& b);
 
 // When an animation plays; of an entry without one, as a new one begins.
 struct Timing {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/morph_edits.h"
 
+#include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 
 #include <algorithm>
@@ -61,12 +62,10 @@ MorphOutcome morphedIn(const Fractal& from, const Fractal& to, int length,
     const auto pairs = animation::correspondence<Dim>(begin, end, overActive<Dim>(pins, begin, end));
     if (!pairs) return {{}, MorphFlaw::Measure};
     animation::Morph<Dim> morph = animation::morph<Dim>(begin, end, *pairs, length);
-    const animation::Look before = animation::lookOf(from.appearance),
-                          after = animation::lookOf(to.appearance);
+    const animation::Look before = lookOf(from), after = lookOf(to);
     if (!(before == after)) morph.animation.look = {{0, before, {}}, {length, after, {}}};
-    Fractal fractal;
+    Fractal fractal = withLook(Fractal(), before);
     fractal.name = from.name + u'-' + to.name;
-    fractal.appearance = animation::withLook({}, before);
     fractal.shape = Shape<Dim>{std::move(morph.system), {}, {}, std::move(morph.animation)};
     return {std::move(fractal), {}, overListed<Dim>(pairs->pairs, begin, end)};
 }

@@ -51,8 +51,11 @@ SpaceExport FrameDrawing::spaceFrame(int frame, const std::stop_token& stop) {
     SpaceExport picture = m_source->spaceAt(animation::moment(frame));
     if (attractor::showsCloud(picture.look)) picture.exposure = exposureAt(frame, stop);
     picture.moments = momentsOf<attractor::SpaceRequest>(frame, [&](const animation::Moment& moment) {
-        attractor::SpaceRequest request = m_source->spaceAt(moment).request;
-        request.appearance = picture.request.appearance;
+        attractor::SpaceRequest request = picture.request; // its look
+        const attractor::SpaceRequest then = m_source->spaceAt(moment).request;
+        request.system = then.system;
+        request.cage = then.cage;
+        request.camera = then.camera;
         return request;
     });
     return picture;
@@ -117,7 +120,9 @@ bool FrameDrawing::isTransparent(int frame) const {
 }
 
 bool FrameDrawing::isTransparent(const std::vector<int>& frames) const {
-    const std::size_t looked = isPlane() ? frames.size() : std::min<std::size_t>(frames.size(), 1);
+    const auto* solid = document::space(m_source->entry());
+    const bool isSteady = solid && solid->animation->look.empty(); // and a frame in space takes its time
+    const std::size_t looked = isSteady ? std::min<std::size_t>(frames.size(), 1) : frames.size();
     return std::any_of(frames.begin(), frames.begin() + std::ptrdiff_t(looked),
                        [this](int frame) { return isTransparent(frame); });
 }

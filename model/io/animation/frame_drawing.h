@@ -53,7 +53,7 @@ public:
     Picture draw(int frame, const Progress& progress, const std::stop_token& stop);
 
     bool isTransparent(int frame) const; // some of it may be
-    // Whether any frame is: in space all have the background of the first.
+    // Whether any frame is.
     bool isTransparent(const std::vector<int>& frames) const;
 
 private:

@@ -88,7 +88,10 @@ QByteArrayList lookLines(const Look& look) {
     const Look usual; // as before these were known
     if (look.contrast != usual.contrast) lines << metadataLine("look contrast", formatNumber(look.contrast));
     if (look.vibrancy != usual.vibrancy) lines << metadataLine("look vibrancy", formatNumber(look.vibrancy));
-    return lines;
+    if (!look.inSpace) return lines;
+    if (look.inSpace->look == attractor::SpaceAppearance().look) // one line at least
+        lines << metadataLine("look space-look", nameOf(look.inSpace->look));
+    return lines << spaceComments(*look.inSpace, "look ");
 }
 
 template <int Dim, class Value> QByteArrayList keyLines(const Keys<Value>& keys) {
@@ -267,6 +270,7 @@ private:
         look.palette.name = key.paletteName.value_or(std::string());
         const attractor::Palette* builtIn = attractor::findPalette(look.palette.name);
         if (look.palette.stops.empty() && builtIn != nullptr) look.palette = *builtIn;
+        if (key.inSpace && fits(Dim == 3)) look.inSpace = key.inSpace->appearance();
         fits(key.values.empty() && isGradient(look.palette.stops));
         return look;
     }

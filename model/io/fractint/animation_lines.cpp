@@ -174,6 +174,11 @@ bool AnimationLines::readLook(const QByteArrayList& values) {
         look.palette.stops.push_back({*position, *colour});
         return true;
     }
+    SpaceComments inSpace = key->inSpace.value_or(SpaceComments());
+    if (inSpace.read(what, values.mid(1))) {
+        key->inSpace = std::move(inSpace);
+        return true;
+    }
     if (values.size() != 2) return false;
     if (what == "colour-by") {
         const auto colourBy = colourByNamed(values[1]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "animation/animation.h"
+#include "io/fractint/space_comments.h"
 
 #include <QByteArray>
 #include <QByteArrayList>
@@ -23,6 +24,7 @@ public:
             std::vector<double> values;
             animation::Look look;
             std::optional<std::string> paletteName;
+            std::optional<SpaceComments> inSpace; // of a look
         };
         struct Track {
             enum class Of { Cage, Map, Branch, Look, Camera };

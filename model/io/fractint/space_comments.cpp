@@ -73,23 +73,26 @@ std::optional<SolidColour> solidColourNamed(const QByteArray& name) {
     return valueIn<SolidColour>(colourNames, name);
 }
 
-QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance) {
+QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance, const QByteArray& before) {
     const attractor::SpaceAppearance standard;
     QByteArrayList lines;
-    if (appearance.look != standard.look) lines << metadataLine("space-look", nameOf(appearance.look));
-    if (appearance.colourBy) lines << metadataLine("solid-colour", nameOf(*appearance.colourBy));
+    const auto add = [&](const char* key, const QByteArrayList& values) {
+        lines << metadataLines(before + key, values);
+    };
+    if (appearance.look != standard.look) add("space-look", {nameOf(appearance.look)});
+    if (appearance.colourBy) add("solid-colour", {nameOf(*appearance.colourBy)});
     if (appearance.lightAzimuth != standard.lightAzimuth ||
         appearance.lightElevation != standard.lightElevation)
-        lines << metadataLines(
-            "light", {formatNumber(appearance.lightAzimuth), formatNumber(appearance.lightElevation)});
-    if (appearance.fog != standard.fog) lines << metadataLine("fog", formatNumber(appearance.fog));
+        add("light", {formatNumber(appearance.lightAzimuth), formatNumber(appearance.lightElevation)});
+    if (appearance.fog != standard.fog) add("fog", {formatNumber(appearance.fog)});
     if (!appearance.clip) return lines;
     const attractor::SpaceClip& clip = *appearance.clip;
     QByteArrayList normal;
     for (int i = 0; i < 3; ++i)
         normal << formatNumber(clip.normal[i]);
-    return lines << metadataLines("clip-normal", normal)
-                 << metadataLines("clip-range", {bound(clip.lowest), bound(clip.highest)});
+    add("clip-normal", normal);
+    add("clip-range", {bound(clip.lowest), bound(clip.highest)});
+    return lines;
 }
 
 bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {

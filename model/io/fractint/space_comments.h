@@ -18,8 +18,8 @@ std::optional<attractor::LookInSpace> lookInSpaceNamed(const QByteArray& name);
 const char* nameOf(attractor::SolidColour colour);
 std::optional<attractor::SolidColour> solidColourNamed(const QByteArray& name);
 
-// None where everything is as in a new entry.
-QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance);
+// None where everything is as in a new entry. `before` is put before the key of every line.
+QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance, const QByteArray& before = {});
 
 // Collects the lines of one entry.
 class SpaceComments {

@@ -6,6 +6,7 @@
 #include "support/window_on_x.h"
 
 #include <QDockWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QToolBar>
 #include <QToolButton>
@@ -23,6 +24,8 @@ private slots:
     void aKeyIsMadeAndPlayed();
     void windInOneClick();
     void diamondsAreDragged();
+    void altTakesLaterKeysAlong();
+    void aRightClickChangesTheEase();
 
 private:
     view::TimelinePanel& panel() const { return *window().findChild<view::TimelinePanel*>(); }
@@ -30,7 +33,10 @@ private:
     QPoint inTracks(const QPoint& at) const { return tracks().viewport()->mapToGlobal(at); }
     std::vector<int> framesOf(std::size_t row) const;
     std::size_t cageKeys() const { return panel().timeline().tracks().front().keys.size(); }
+    std::vector<animation::Ease::Kind> easesOf(std::size_t row) const;
+    QPoint onKey(int frame) const { return inTracks(tracks().keyPosition(0, frame)); }
     void openTimeline();
+    void openKeys(); // of the cage, at frames 0, 12 and 24; the playhead is elsewhere
 };
 
 void RealTimelineTest::openTimeline() {
@@ -102,6 +108,28 @@ std::vector<int> RealTimelineTest::framesOf(std::size_t row) const {
     return frames;
 }
 
+std::vector<animation::Ease::Kind> RealTimelineTest::easesOf(std::size_t row) const {
+    std::vector<animation::Ease::Kind> eases;
+    for (const auto& key : panel().timeline().tracks()[row].keys)
+        eases.push_back(key.ease.kind);
+    return eases;
+}
+
+void RealTimelineTest::openKeys() {
+    openTimeline();
+    click(named<QPushButton>(panel(), QStringLiteral("Make Keys")));
+    QTRY_VERIFY(panel().showsTracks());
+    for (const int frame : {12, 24}) {
+        hand().clickAt(inTracks(tracks().rulerPosition(frame)));
+        QTRY_COMPARE(panel().timeline().frame(), frame);
+        hand().clickAt(inTracks(tracks().toggleOf(0)));
+        QTRY_COMPARE(framesOf(0).back(), frame);
+    }
+    hand().clickAt(inTracks(tracks().rulerPosition(40)));
+    QTRY_COMPARE(panel().timeline().frame(), 40);
+    QCOMPARE(framesOf(0), (std::vector<int>{0, 12, 24}));
+}
+
 // Moved, copied with Ctrl, selected in a band, and deleted.
 void RealTimelineTest::diamondsAreDragged() {
     openTimeline();
@@ -128,6 +156,38 @@ void RealTimelineTest::diamondsAreDragged() {
     QTRY_COMPARE(framesOf(0), std::vector<int>{0});
     hand().key("Control+z");
     QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 24, 36}));
+}
+
+void RealTimelineTest::altTakesLaterKeysAlong() {
+    openKeys();
+    const int before = steps();
+    hand().hold("Alt");
+    hand().drag(onKey(12), {onKey(15), onKey(18)});
+    hand().letUp("Alt");
+    QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 18, 30}));
+    QCOMPARE(steps(), before + 1);
+    photograph(QStringLiteral("timeline-ripple.png"));
+    hand().key("Control+z");
+    QTRY_COMPARE(framesOf(0), (std::vector<int>{0, 12, 24}));
+    QCOMPARE(document().undoStack()->index(), before);
+}
+
+void RealTimelineTest::aRightClickChangesTheEase() {
+    using Kind = animation::Ease::Kind;
+    openKeys();
+    const std::vector<Kind> eases = easesOf(0);
+    QVERIFY(eases[1] != Kind::Hold);
+    const int before = steps();
+    hand().clickAt(onKey(12), support::XInput::Right);
+    QTRY_VERIFY(qobject_cast<QMenu*>(QApplication::activePopupWidget()));
+    photograph(QStringLiteral("timeline-menu.png"));
+    chooseFrom(qobject_cast<QMenu*>(QApplication::activePopupWidget()), QStringLiteral("Hold"));
+    QTRY_COMPARE(steps(), before + 1);
+    QVERIFY((easesOf(0) == std::vector<Kind>{eases[0], Kind::Hold, eases[2]})); // of this key alone
+    QTRY_VERIFY(!QApplication::activePopupWidget());
+    hand().key("Control+z");
+    QTRY_VERIFY(easesOf(0) == eases);
+    QCOMPARE(document().undoStack()->index(), before);
 }
 
 int main(int argc, char** argv) {

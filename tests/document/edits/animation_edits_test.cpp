@@ -94,6 +94,24 @@ void AnimationEditsTest::rowsAreWhatCanMove() {
         QVERIFY(row.keys.empty());
     QCOMPARE(timingOf(sierpinskiTriangle()), (Timing{{24, 1}, 48, animation::Loop::Off}));
     QVERIFY(tracksOf(Fractal()).empty()); // could not be read
+    Fractal moved = animated();
+    system2(moved)->maps[1].map.translation.x() += 1;
+    moved.appearance.gamma = 3;
+    QVERIFY(areTracksAlike(animated(), moved));
+    for (const auto& change :
+         {+[](Shape<2>& shape) { shape.animation.reset(); },
+          +[](Shape<2>& shape) { shape.animation->length += 1; },
+          +[](Shape<2>& shape) { std::swap(shape.system.maps[0], shape.system.maps[1]); },
+          +[](Shape<2>& shape) { shape.system.maps.pop_back(); },
+          +[](Shape<2>& shape) {
+              shape.moved.push_back({{ifs::MapId(1)}, {}});
+          },
+          +[](Shape<2>& shape) { shape.animation->cage[1].ease.kind = animation::Ease::Kind::Hold; }}) {
+        Fractal other = animated();
+        change(*plane(other));
+        QVERIFY(!areTracksAlike(animated(), other));
+    }
+    QVERIFY(areTracksAlike(Fractal(), Fractal()) && !areTracksAlike(Fractal(), moved));
     Fractal unread;
     QCOMPARE(withTiming(unread, {{24, 1}, 24, animation::Loop::Off}), unread);
 }

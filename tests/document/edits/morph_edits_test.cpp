@@ -21,6 +21,7 @@ private slots:
     void endsAreThoseOfTheEntries();
     void endsInSpaceAreThoseOfTheEntries();
     void looksAreLedOn();
+    void looksInSpaceAreLedOn();
     void whatCannotBeIsSaid();
 };
 
@@ -126,6 +127,31 @@ void MorphEditsTest::looksAreLedOn() {
     QVERIFY(lookAt(length) == animation::lookOf(to.appearance));
     QVERIFY(std::abs(lookAt(length / 2).brightness - 6) < 1e-9);
     QVERIFY(plane(*morphed(from, from, length, {}).fractal)->animation->look.empty());
+}
+
+void MorphEditsTest::looksInSpaceAreLedOn() {
+    Fractal from, to;
+    from.shape = Shape<3>{systems::tetrahedron()};
+    to.shape = Shape<3>{canonical::system<3>(canonical::fern3(), {0.1, 0.7, 0.1, 0.1})};
+    from.inSpace.look = attractor::LookInSpace::Ink;
+    from.inSpace.lightAzimuth = 10.1;
+    from.inSpace.fog = 1;
+    to.inSpace.lightAzimuth = 50.3;
+    to.inSpace.clip = attractor::SpaceClip{{0, 0, 1}, 0.1, 0.7};
+    const MorphOutcome outcome = morphed(from, to, length, {});
+    QVERIFY(outcome.fractal);
+    QVERIFY(animation::isValid(*space(*outcome.fractal)->animation));
+    const auto inSpaceAt = [&](int frame) {
+        return frameAt(*outcome.fractal, animation::moment(frame)).fractal.inSpace;
+    };
+    QVERIFY(inSpaceAt(0) == from.inSpace);
+    QVERIFY(inSpaceAt(length) == to.inSpace);
+    QVERIFY(std::abs(inSpaceAt(length / 2).lightAzimuth - 30.2) < 1e-9);
+    QVERIFY(std::abs(inSpaceAt(length / 2).fog - 0.5) < 1e-12);
+    // Where both look the same, no key is needed for it.
+    const Fractal same = *morphed(from, from, length, {}).fractal;
+    QVERIFY(space(same)->animation->look.empty());
+    QVERIFY(frameAt(same, animation::moment(length / 2)).fractal.inSpace == from.inSpace);
 }
 
 void MorphEditsTest::whatCannotBeIsSaid() {

@@ -181,6 +181,27 @@ private slots:
                                    "track map 1",
                                    "key 0 linear",
                                    "value 0.5 0 0 0 0.5 0 0 0 0.5 0 0 0 1",
+                                   "track look",
+                                   "key 0 linear",
+                                   "look colour-by map",
+                                   "look palette Fern",
+                                   "look plain #ebebebff",
+                                   "look background #00000000",
+                                   "look brightness 4",
+                                   "look gamma 2",
+                                   "look space-look stone",
+                                   "look solid-colour height",
+                                   "look light 10.5 -20",
+                                   "look fog 0.5",
+                                   "look clip-normal 0 0 1",
+                                   "look clip-range 0.25 -",
+                                   "key 5 linear",
+                                   "look colour-by map",
+                                   "look palette Fern",
+                                   "look plain #ebebebff",
+                                   "look background #00000000",
+                                   "look brightness 4",
+                                   "look gamma 2",
                                    "track camera",
                                    "key 0 linear",
                                    "value 0 0 0 1 0 0 0 2 40 1",
@@ -197,6 +218,12 @@ private slots:
         const auto& animation = document::space(*file.entries.first().fractal)->animation;
         QVERIFY(animation.has_value());
         QCOMPARE(animation->camera[0].value.projection, attractor::OrbitCamera::Projection::Perspective);
+        const auto& inSpace = animation->look[0].value.inSpace;
+        QVERIFY(inSpace && inSpace->clip);
+        QCOMPARE(inSpace->lightAzimuth, 10.5);
+        QCOMPARE(inSpace->fog, 0.5);
+        QCOMPARE(inSpace->clip->lowest, 0.25);
+        QVERIFY(!animation->look[1].value.inSpace); // as in files that do not know it
         QCOMPARE(io::writeFractint(file), text);
         QCOMPARE(*fileOf(io::writeEntry(*file.entries.first().fractal, "\n")).entries.first().fractal,
                  *file.entries.first().fractal);
@@ -258,6 +285,8 @@ private slots:
         row("look stop 0 #ff0000ff", "look stop 0.5 #ff0000ff");
         row("look brightness 4", "look brightness -4");
         row("look gamma 2", "look glow 2");
+        row("look gamma 2", "look fog 1"); // in the plane
+        row("look gamma 2", "look light 10");
         row("look contrast 1.5", "look contrast 0");
         row("look vibrancy 0", "look vibrancy 1.5");
         row("value 0 1.5 10 1", "value 0 1.5 0 1");

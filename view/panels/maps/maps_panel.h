@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <map>
+#include <optional>
 #include <utility>
 
 class QAction;
@@ -91,7 +92,7 @@ private:
     void moveRowTo(int from, int to);
     void moveSelection(int before);
     void chooseColour(const QModelIndex& index);
-    document::Rows selectedRows() const;
+    const document::Rows& selectedRows() const;
     void keepSelection();
     void restoreSelection();
     void followDimension();
@@ -128,7 +129,8 @@ private:
     QAction* m_bake;
     QList<QAction*> m_weightActions;
     std::map<Columns, QToolButton*> m_columnToggles;
-    std::vector<ifs::MapId> m_kept; // selected before the model was reset
+    mutable std::optional<document::Rows> m_selectedRows; // until the selection changes
+    std::vector<ifs::MapId> m_kept;                       // selected before the model was reset
     int m_keptColumn = MapsModel::A;
     int m_dimension = 0; // of the maps that the columns are made for
 };

@@ -73,7 +73,9 @@ void Timeline::follow(const document::Change& change) {
 }
 
 void Timeline::read() {
-    const document::Fractal& entry = m_document->entryFractal();
+    const auto before = std::exchange(m_read, m_document->currentEntry().fractal);
+    const document::Fractal& entry = *m_read;
+    if (before && document::areTracksAlike(*before, entry)) return; // of 50 000 maps, a list takes its time
     m_maps = mapIds(entry);
     m_tracks = document::tracksOf(entry);
     if (m_tracks.size() > manyMaps)

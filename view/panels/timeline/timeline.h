@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -97,7 +98,8 @@ private:
     document::Document* m_document;
     Playback m_playback;
     std::function<document::SeenCamera()> m_camera;
-    std::vector<ifs::MapId> m_maps; // of the entry, in its order
+    std::shared_ptr<const document::Fractal> m_read; // the entry that the following is of
+    std::vector<ifs::MapId> m_maps;                  // in its order
     std::vector<document::TrackKeys> m_tracks;
     std::vector<QString> m_motions;
     document::Timing m_timing;

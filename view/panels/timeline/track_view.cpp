@@ -458,6 +458,11 @@ QString TrackView::rulerText(int frame) const {
     return view::rulerText(frame, m_timeline->timing().rate, rulerUnit());
 }
 
+RulerPlace TrackView::rulerPlace() const {
+    const QRectF area(namesWidth(), 0, viewport()->width() - namesWidth(), rowHeight() - 1);
+    return {area, xOf(0), m_scale, m_timeline->timing(), rulerUnit()};
+}
+
 void TrackView::setFlawedFrame(std::optional<double> frame) {
     m_flawed = frame;
     viewport()->update();
@@ -470,17 +475,7 @@ void TrackView::paintRuler(QPainter& painter) const {
     painter.setPen(faded(ink, 0.25));
     painter.drawLine(ruler.bottomLeft(), ruler.bottomRight());
     painter.setClipRect(ruler.adjusted(namesWidth(), 0, 0, 0));
-    const double wanted = fontMetrics().horizontalAdvance(QStringLiteral("0000.0")) / m_scale;
-    const int step = rulerStep(wanted, m_timeline->timing().rate, rulerUnit());
-    const int length = m_timeline->timing().length;
-    const int first = std::max(0, frameAt(namesWidth()) / step * step);
-    for (int frame = first; frame <= length && xOf(frame) < ruler.width(); frame += step) {
-        painter.setPen(faded(ink, 0.35));
-        painter.drawLine(QPointF(xOf(frame), ruler.bottom() - 4), QPointF(xOf(frame), ruler.bottom()));
-        painter.setPen(faded(ink, 0.75));
-        const QRectF room(xOf(frame) - 40, 0, 80, ruler.height() - 4);
-        painter.drawText(room, Qt::AlignCenter, rulerText(frame));
-    }
+    paintRulerMarks(painter, rulerPlace(), playheadFlag(), m_timeline->tracks(), palette());
     if (m_flawed) paintFlaw(painter, QPointF(xOf(*m_flawed), 1), rowHeight() - 2, palette());
     painter.setClipping(false);
 }
@@ -565,20 +560,23 @@ void TrackView::paintKeys(QPainter& painter, int row) const {
     }
 }
 
+QRectF TrackView::playheadFlag() const {
+    const double half = fontMetrics().horizontalAdvance(rulerText(m_timeline->frame())) / 2.0 + 5;
+    return {xOf(m_timeline->frame()) - half, 2, 2 * half, double(rowHeight() - 6)};
+}
+
 void TrackView::paintPlayhead(QPainter& painter) const {
     const double x = xOf(m_timeline->frame());
     if (x < namesWidth()) return;
     const QColor colour = palette().color(QPalette::Highlight);
     painter.setPen(QPen(colour, 1.5));
     painter.drawLine(QPointF(x, rowHeight() - 6), QPointF(x, viewport()->height()));
-    const QString text = rulerText(m_timeline->frame());
-    const double half = fontMetrics().horizontalAdvance(text) / 2.0 + 5;
-    const QRectF flag(x - half, 2, 2 * half, rowHeight() - 6);
+    const QRectF flag = playheadFlag();
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawRoundedRect(flag, 3, 3);
     painter.setPen(palette().color(QPalette::HighlightedText));
-    painter.drawText(flag, Qt::AlignCenter, text);
+    painter.drawText(flag, Qt::AlignCenter, rulerText(m_timeline->frame()));
 }
 
 void TrackView::resizeEvent(QResizeEvent*) {

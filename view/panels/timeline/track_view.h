@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/edits/animation_edits.h"
-#include "panels/timeline/ruler_scale.h"
+#include "panels/timeline/ruler_marks.h"
 
 #include <QAbstractScrollArea>
 #include <QPointF>
@@ -28,6 +28,9 @@ public:
     QPoint keyPosition(int row, int frame) const;
     QPoint rulerPosition(int frame) const;
     QPoint toggleOf(int row) const; // the diamond in front
+
+    RulerPlace rulerPlace() const;
+    QRectF playheadFlag() const; // the number of the frame, which covers the ruler
 
     double pixelsPerFrame() const { return m_scale; }
     void fitLength();                                 // all frames into the width

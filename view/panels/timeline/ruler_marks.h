@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/edits/animation_edits.h"
+#include "panels/timeline/ruler_scale.h"
+
+#include <QRectF>
+#include <QString>
+
+#include <vector>
+
+class QFont;
+class QPainter;
+class QPalette;
+
+// What a ruler shows: labels, ticks between them, and ticks where there are keys.
+namespace view {
+
+// What is seen of a ruler, in pixels.
+struct RulerPlace {
+    QRectF area;
+    double start = 0; // x of frame 0
+    double scale = 1; // for one frame
+    document::Timing timing;
+    RulerUnit unit = RulerUnit::Frames;
+};
+
+struct RulerLabel {
+    int frame = 0;
+    QString text;
+    QRectF room; // around the frame; that of no two labels meets
+};
+
+// Those that are in sight, with the ones that the edges cut.
+std::vector<RulerLabel> rulerLabels(const RulerPlace& place, const QFont& font);
+
+// Labels that meet `covered` are left out. A tick is bold at the frames where any track has a key.
+void paintRulerMarks(QPainter& painter, const RulerPlace& place, const QRectF& covered,
+                     const std::vector<document::TrackKeys>& tracks, const QPalette& palette);
+
+} // namespace view
