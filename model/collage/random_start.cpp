@@ -73,7 +73,7 @@ public:
     }
 
     std::vector<ifs::AffineMap<2>> maps(std::size_t count) {
-        const std::size_t leader = m_constraints.isStem(0) ? 1 : 0;
+        const std::size_t leader = count > 1 && m_constraints.isStem(0) ? 1 : 0;
         std::vector<ifs::AffineMap<2>> result(count);
         result[leader] = m_leader = leading(leader);
         m_back = m_leader.linear.inverse();
