@@ -27,8 +27,8 @@ public:
         begin(std::move(supply), std::move(demand));
     }
 
-    std::vector<Way> solved() && {
-        while (improve()) {}
+    std::vector<Way> solved(const std::stop_token& stop) && {
+        while (!stop.stop_requested() && improve()) {}
         return std::move(m_ways);
     }
 
@@ -163,7 +163,7 @@ void settle(std::vector<Way>& ways, std::vector<double> supply, std::vector<doub
 } // namespace
 
 std::vector<Shipment> transport(const std::vector<double>& supply, const std::vector<double>& demand,
-                                const Eigen::MatrixXd& cost) {
+                                const Eigen::MatrixXd& cost, const std::stop_token& stop) {
     if (supply.empty() || demand.empty()) return {};
     // Amounts that differ a little in every source keep the simplex from going round in circles; the tree
     // that it ends with is the best one for the amounts themselves, which settle() puts back.
@@ -174,7 +174,7 @@ std::vector<Shipment> transport(const std::vector<double>& supply, const std::ve
         nudged[i] += more;
         sink.back() += more;
     }
-    std::vector<Way> ways = NetworkSimplex(nudged, sink, cost).solved();
+    std::vector<Way> ways = NetworkSimplex(nudged, sink, cost).solved(stop);
     settle(ways, supply, demand);
     std::vector<Shipment> shipments;
     for (const Way& way : ways)

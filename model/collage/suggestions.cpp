@@ -143,6 +143,11 @@ private:
     std::map<std::size_t, std::vector<Candidate>> m_pools;               // by the number of maps, best first
 };
 
+// Every other of the starts of each number of maps, whatever the batches.
+bool isLed(std::uint64_t start) {
+    return (start * 0x9E3779B97F4A7C15 >> 40) % 2 == 0;
+}
+
 // E/(1 − s), so that maps near the identity, whose collage is good and whose attractor is not, do not win.
 double score(double error, const Target& target, const Maps& maps) {
     return error * target.grid.cell / (1 - contraction(maps));
@@ -164,17 +169,19 @@ void Search::keepPromisingCounts() {
 }
 
 Candidate Search::begun(std::uint64_t start, int count, CollageFit& fit) const {
-    Maps maps = randomStart(m_coarse, count, m_options.constraints, m_options.seed, start);
-    fit.improve(maps, {m_options.constraints, 25, 15, 0.75, 0.9});
+    Maps maps = isLed(start) ? ledStart(m_coarse, count, m_options.constraints, m_options.seed, start)
+                             : randomStart(m_coarse, count, m_options.constraints, m_options.seed, start);
+    fit.improve(maps, {m_options.constraints, 25, isLed(start) ? 0 : 15, 0.75, maxNorm});
     return {fromGrid(m_coarse.grid, maps), score(fit.error(maps), m_coarse, maps), start, {}};
 }
 
 void Search::goOn(Candidate& candidate, CollageFit& fit) const {
     Maps maps = inGrid(m_medium.grid, candidate.maps);
-    fit.improve(maps, {m_options.constraints, 15, 0, 0.9, 0.9});
-    candidate.score = score(fit.error(maps), m_medium, maps);
+    fit.improve(maps, {m_options.constraints, 15, 0, maxNorm, maxNorm});
+    fit.error(maps);
     candidate.weights = ifs::shares(fit.shares(), 0.01);
     candidate.maps = fromGrid(m_medium.grid, maps);
+    candidate.score = visibleError(m_medium, attractorAgreement(m_medium, candidate.maps));
 }
 
 void Search::batch(std::size_t first, std::size_t count) {

@@ -9,7 +9,10 @@
 #include <QDir>
 #include <QTest>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <random>
 
 using namespace collage;
 
@@ -50,6 +53,45 @@ std::vector<Entry> collection() {
     return entries;
 }
 
+double between(std::mt19937& random, double least, double greatest) {
+    return least + (greatest - least) * random() * 0x1p-32;
+}
+
+// Turned by `angle`, scaled by `scale`, and narrower or wider along x by `width`; mirrored if that is
+// negative.
+ifs::AffineMap<2> placed(double scale, double angle, double width, double x, double y) {
+    const double a = scale * std::cos(angle), b = scale * std::sin(angle);
+    return ifs::affineMap(width * a, -b, width * b, a, x, y);
+}
+
+// A stem, what is above the lowest leaves, and a leaf on either side.
+Entry randomFern(unsigned seed) {
+    std::mt19937 random(seed);
+    const double scale = between(random, 0.76, 0.87), bend = between(random, -0.09, 0.09);
+    std::vector<ifs::AffineMap<2>> maps{ifs::affineMap(0, 0, 0, between(random, 0.1, 0.2), 0, 0),
+                                        placed(scale, bend, 1, 0, 1 - scale)};
+    for (const double side : {1.0, -1.0}) {
+        const double size = between(random, 0.22, 0.36), angle = between(random, 0.6, 1.2);
+        const double width = between(random, 0.7, 1.1) * (side < 0 && seed % 2 == 1 ? -1 : 1);
+        maps.push_back(placed(size, side * angle, width, 0, between(random, 0.05, 0.2)));
+    }
+    return {QStringLiteral("fern %1").arg(seed), maps, {0.02, 0.74, 0.12, 0.12}};
+}
+
+// What is inside its outermost turn, and one part, or two, of that.
+Entry randomSpiral(unsigned seed) {
+    std::mt19937 random(seed);
+    const double scale = between(random, 0.82, 0.9), turn = between(random, 0.3, 0.8);
+    std::vector<ifs::AffineMap<2>> maps{placed(scale, seed % 4 < 2 ? turn : -turn, 1, 0, 0)};
+    std::vector<double> probabilities{scale * scale};
+    for (unsigned part = 0; part <= seed % 2; ++part) {
+        const double size = between(random, 0.2, 0.35), angle = between(random, 0, 6);
+        maps.push_back(part == 0 ? placed(size, angle, 1, 1, 0) : placed(size, angle, 1, -0.6, 0.4));
+        probabilities.push_back(size * size);
+    }
+    return {QStringLiteral("spiral %1").arg(seed), maps, probabilities};
+}
+
 } // namespace
 
 class SuggestionsTest : public QObject {
@@ -85,6 +127,51 @@ private slots:
         QVERIFY(contraction(best.maps) <= 0.9 + 1e-9);
         QVERIFY(best.collage.bound.has_value());
         QVERIFY(support::near(std::accumulate(best.weights.begin(), best.weights.end(), 0.0), 1, 1e-9));
+    }
+
+    // One of their maps is near the identity, so that random starts hardly ever meet it.
+    void fernsAndSpiralsAreFound_data() {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<bool>("areFerns");
+        QTest::addColumn<double>("mean"); // of all, pixels of 256
+        QTest::newRow("ferns") << 8 << true << 0.55;
+        QTest::newRow("spirals") << 4 << false << 0.45;
+    }
+    void fernsAndSpiralsAreFound() {
+        QFETCH(int, count);
+        QFETCH(bool, areFerns);
+        QFETCH(double, mean);
+        double sum = 0;
+        for (int seed = 1; seed <= count; ++seed) {
+            const Entry entry = areFerns ? randomFern(unsigned(seed)) : randomSpiral(unsigned(seed));
+            const auto maps = drawings::fitted(entry.maps, entry.probabilities);
+            const Mask mask = drawings::chaosGame(maps, entry.probabilities, 256, 400'000);
+            const Suggestions found = suggestions(mask, options(int(maps.size()), 256));
+            const double here = found.list.front().attractor.mean;
+            qInfo("%s: %.2f", qPrintable(entry.name), here);
+            QVERIFY2(here <= 1.5, qPrintable(entry.name));
+            sum += here;
+        }
+        QVERIFY2(sum <= mean * count, qPrintable(QString::number(sum / count)));
+    }
+
+    // Two turns of a ring that shrink it by a tenth are a good collage, and their attractor is a point. Of
+    // what is found, too, other systems have the better collages.
+    void nearIdentitiesDoNotWin() {
+        const Mask mask = drawings::all(256)[1].mask;
+        const Target ring = target(mask, 1, 0.25);
+        const std::vector near{placed(0.9, 1, 1, 0, 0), placed(0.9, 2, 1, 0, 0)};
+        const Suggestions found = suggestions(mask, options(2, 128));
+        QVERIFY(found.list.size() > 1);
+        const Suggestion& best = found.list.front();
+        QVERIFY(best.collage.images.mean > collageMeasure(ring, near).images.mean);
+        QVERIFY(std::ranges::any_of(found.list, [&](const Suggestion& other) {
+            return other.collage.images.mean < best.collage.images.mean;
+        }));
+        for (const Suggestion& one : found.list)
+            QVERIFY(contraction(one.maps) <= 0.9 + 1e-9);
+        const double apart = attractorAgreement(ring, near).mean;
+        QVERIFY2(best.attractor.mean < apart / 8, qPrintable(QString::number(best.attractor.mean)));
     }
 
     void resultsAreDistinct() {
@@ -161,6 +248,25 @@ private slots:
             QVERIFY(!found.list.empty());
             QVERIFY2(found.list.front().attractor.mean < 0.5,
                      qPrintable(QString::number(found.list.front().attractor.mean)));
+        }
+    }
+
+    // Every attractor is the collage that its maps make of it, to within a pixel of 256, and the bound holds.
+    // A sample, or all.
+    void attractorsAreCollagesOfThemselves() {
+        const std::vector<Entry> entries = collection();
+        const bool isWhole = qEnvironmentVariableIsSet("BARYCAGE_WHOLE_COLLECTION");
+        const Grid picture{-0.5, 0.5, 1.0 / 256, 256, 256};
+        for (std::size_t i = 0; i < entries.size(); i += isWhole ? 1 : 6) {
+            const auto maps = drawings::fitted(entries[i].maps, entries[i].probabilities);
+            const Target own = target(attractorMask(picture, maps), 1, 0.25);
+            const CollageMeasure measure = collageMeasure(own, maps);
+            const Agreement attractor = attractorAgreement(own, maps);
+            const QByteArray name = entries[i].name.toUtf8();
+            QVERIFY2(measure.images.hausdorff <= 1.5, name.constData());
+            QVERIFY2(measure.images.mean <= 0.15, name.constData());
+            QVERIFY2(attractor.mean <= 0.01, name.constData());
+            QVERIFY2(measure.bound && *measure.bound >= attractor.hausdorff, name.constData());
         }
     }
 

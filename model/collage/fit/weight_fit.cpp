@@ -137,7 +137,7 @@ Eigen::VectorXd simplexMinimum(const Eigen::MatrixXd& q, const Eigen::VectorXd& 
 }
 
 std::vector<double> fittedWeights(const Density& density, std::span<const ifs::AffineMap<2>> maps,
-                                  double blur) {
+                                  double blur, const std::stop_token& stop) {
     const auto count = Eigen::Index(maps.size());
     Field measure(density.height, density.width);
     for (Eigen::Index i = 0; i < measure.size(); ++i)
@@ -145,12 +145,15 @@ std::vector<double> fittedWeights(const Density& density, std::span<const ifs::A
     if (!(measure.sum() > 0)) return std::vector<double>(maps.size(), 1.0 / double(count));
     measure /= measure.sum();
     std::vector<Field> images;
-    for (const ifs::AffineMap<2>& map : maps)
+    for (const ifs::AffineMap<2>& map : maps) {
+        if (stop.stop_requested()) return {};
         images.push_back(blurred(image(measure, map), blur));
+    }
     const Field goal = blurred(measure, blur);
     Eigen::MatrixXd q(count, count);
     Eigen::VectorXd c(count);
     for (Eigen::Index i = 0; i < count; ++i) {
+        if (stop.stop_requested()) return {};
         c[i] = images[std::size_t(i)].cwiseProduct(goal).sum();
         for (Eigen::Index k = 0; k < count; ++k)
             q(i, k) = images[std::size_t(i)].cwiseProduct(images[std::size_t(k)]).sum();
@@ -160,7 +163,7 @@ std::vector<double> fittedWeights(const Density& density, std::span<const ifs::A
 }
 
 std::optional<double> measureBound(const Density& density, std::span<const ifs::AffineMap<2>> maps,
-                                   std::span<const double> weights) {
+                                   std::span<const double> weights, const std::stop_token& stop) {
     const double mass = std::accumulate(density.mass.begin(), density.mass.end(), 0.0);
     double contraction = 0; // on average
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -173,6 +176,7 @@ std::optional<double> measureBound(const Density& density, std::span<const ifs::
         inside.push_back(inGrid(grid, map));
     TransportBound bound(density.width, density.height);
     for (std::size_t k = 0; k < density.mass.size(); ++k) {
+        if (k % std::size_t(density.width) == 0 && stop.stop_requested()) return std::nullopt;
         if (density.mass[k] == 0) continue;
         const double share = density.mass[k] / mass;
         const auto width = std::size_t(density.width);
@@ -181,7 +185,8 @@ std::optional<double> measureBound(const Density& density, std::span<const ifs::
         for (std::size_t i = 0; i < maps.size(); ++i)
             bound.addSupply({share * weights[i], inside[i](centre), inside[i].linear.squaredNorm() / 12});
     }
-    return std::move(bound).cost() / (1 - contraction);
+    const double cost = std::move(bound).cost(stop);
+    return stop.stop_requested() ? std::nullopt : std::optional(cost / (1 - contraction));
 }
 
 } // namespace collage

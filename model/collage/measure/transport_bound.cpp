@@ -83,7 +83,8 @@ Level coarser(const Level& fine, double& cost) {
     return level;
 }
 
-double transportCost(const std::vector<Lump>& supply, const std::vector<Lump>& demand) {
+double transportCost(const std::vector<Lump>& supply, const std::vector<Lump>& demand,
+                     const std::stop_token& stop) {
     if (supply.empty() || demand.empty()) return 0;
     const auto amounts = [](const std::vector<Lump>& lumps) {
         std::vector<double> masses;
@@ -100,7 +101,7 @@ double transportCost(const std::vector<Lump>& supply, const std::vector<Lump>& d
             cost(i, k) = distance(supply[std::size_t(i)], demand[std::size_t(k)]);
     const auto [from, mass] = amounts(supply);
     double sum = 0;
-    for (const auto& shipment : animation::transport(from, amounts(demand).first, cost))
+    for (const auto& shipment : animation::transport(from, amounts(demand).first, cost, stop))
         sum += shipment.amount * cost(Eigen::Index(shipment.from), Eigen::Index(shipment.to));
     return mass * sum;
 }
@@ -120,7 +121,7 @@ void TransportBound::add(std::vector<Lump>& to, const Lump& lump) const {
     there = together(there, lump);
 }
 
-double TransportBound::cost() && {
+double TransportBound::cost(const std::stop_token& stop) && {
     double cost = 0;
     Level level{m_width, m_height, {}};
     for (std::size_t k = 0; k < m_supply.size(); ++k) {
@@ -128,7 +129,7 @@ double TransportBound::cost() && {
         level.squares.push_back(settled(one, cost));
     }
     std::vector<Lump> supply, demand;
-    for (;;) {
+    while (!stop.stop_requested()) {
         supply.clear();
         demand.clear();
         for (const Square& square : level.squares) {
@@ -138,7 +139,7 @@ double TransportBound::cost() && {
         if (supply.size() + demand.size() <= maxLumps || level.squares.size() == 1) break;
         level = coarser(level, cost);
     }
-    return cost + transportCost(supply, demand);
+    return cost + transportCost(supply, demand, stop);
 }
 
 } // namespace collage

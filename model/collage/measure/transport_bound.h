@@ -3,6 +3,7 @@
 
 #include "ifs/system/affine_map.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace collage {
@@ -23,8 +24,8 @@ public:
     void addSupply(const Lump& lump) { add(m_supply, lump); }
     void addDemand(const Lump& lump) { add(m_demand, lump); }
 
-    // Both must have the same mass; once only.
-    double cost() &&;
+    // Both must have the same mass; once only. Any number when stopped.
+    double cost(const std::stop_token& stop = {}) &&;
 
 private:
     void add(std::vector<Lump>& to, const Lump& lump) const;

@@ -25,6 +25,7 @@ struct Text {
 
 constexpr double margin = 0.25;     // around the target, a share of its longer side
 constexpr double maxNorm = 0.9;     // of a map that a fit moves
+constexpr double weightBlur = 2;    // pixels
 constexpr double newScale = 0.3;    // of a map that is added
 constexpr int addedSide = 128;      // cells along the longer side of the target where one is
 constexpr double cageMargin = 0.02; // of the size of the attractor, around it
@@ -174,25 +175,28 @@ std::optional<Fractal> withAttractorRefined(const Fractal& fractal, const Traced
     return withMaps(fractal, *before, maps);
 }
 
-std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPicture& traced) {
+std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPicture& traced,
+                                         const std::stop_token& stop) {
     const auto maps = collageMaps(fractal);
     if (!maps) return std::nullopt;
     const std::vector<double> weights =
-        ifs::shares(collage::fittedWeights(densityOf(traced), maps->maps), 1e-4);
+        ifs::shares(collage::fittedWeights(densityOf(traced), maps->maps, weightBlur, stop), 1e-4);
+    if (stop.stop_requested()) return std::nullopt;
     Fractal result = fractal;
     for (std::size_t k = 0; k < weights.size(); ++k)
         system2(result)->maps[maps->index[k]].weight = weights[k];
     return result == fractal ? std::nullopt : std::optional(std::move(result));
 }
 
-std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced) {
+std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced,
+                                  const std::stop_token& stop) {
     const auto maps = collageMaps(fractal);
     if (!maps) return std::nullopt;
     const std::vector<double> all = ifs::probabilities(*system2(fractal));
     std::vector<double> weights;
     for (const std::size_t index : maps->index)
         weights.push_back(all[index]);
-    return collage::measureBound(densityOf(traced), maps->maps, weights);
+    return collage::measureBound(densityOf(traced), maps->maps, weights, stop);
 }
 
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners) {

@@ -44,10 +44,12 @@ std::optional<Fractal> withAttractorRefined(const Fractal& fractal, const Traced
                                             const CollageFitOptions& options,
                                             const std::stop_token& stop = {});
 // The weights with which the maps reproduce the shades of the picture: dark, or opaque, is dense.
-std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPicture& traced);
+std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPicture& traced,
+                                         const std::stop_token& stop = {});
 // By how many pixels the shades of the attractor must be moved, on average and at most, to become those of
 // the picture; nullopt when there is an obstacle, or the maps do not contract on average.
-std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced);
+std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced,
+                                  const std::stop_token& stop = {});
 // A cage of so many corners, 3 or more, under which the outline of the attractor follows that of the target.
 // Needs no placement that can be undone: it is made anew.
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners);

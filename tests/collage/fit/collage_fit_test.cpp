@@ -10,6 +10,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 using namespace collage;
@@ -143,6 +145,34 @@ private slots:
         QVERIFY(std::abs(mirrored / all - 1.0 / 3) < 0.05);
         for (const int quarter : byQuarter)
             QVERIFY(std::abs(quarter / all - 0.25) < 0.05);
+    }
+
+    // One map carries the target nearly into itself, and the others do not lie where that one does.
+    void ledStartsHaveALeader() {
+        const Target l = mapleTarget();
+        Constraints stem;
+        stem.first = FirstMap::Stem;
+        for (std::uint64_t start = 0; start < 50; ++start) {
+            const Maps maps = ledStart(l, 4, {}, 7, start);
+            QCOMPARE(maps.size(), std::size_t{4});
+            QCOMPARE(ledStart(l, 4, {}, 7, start), maps);
+            QVERIFY(ledStart(l, 4, {}, 8, start) != maps);
+            const double scale = ifs::spectralNorm<2>(maps[0].linear);
+            QVERIFY(scale >= 0.7 - 1e-9 && scale <= 0.9 + 1e-9);
+            double outside = 0; // the share of the leader's image that is far from the target
+            for (std::size_t k = 0; k < l.cells.size(); ++k) {
+                const ifs::Vector<2> place = maps[0]({l.columns[k], l.rows[k]});
+                const int x = int(std::clamp(place.x(), 0.0, l.grid.width - 1.0));
+                const int y = int(std::clamp(place.y(), 0.0, l.grid.height - 1.0));
+                if (l.features.square[l.mask.index(x, y)] > 100) outside += 1.0 / double(l.cells.size());
+            }
+            QVERIFY2(outside < 0.05, qPrintable(QString::number(outside)));
+            for (const std::size_t i : {1U, 2U, 3U})
+                QVERIFY(ifs::spectralNorm<2>(maps[i].linear) <= 0.5 + 1e-9);
+            const Maps withStem = ledStart(l, 4, stem, 7, start);
+            QVERIFY(std::abs(ifs::determinant<2>(withStem[0].linear)) < 1e-9);
+            QVERIFY(ifs::spectralNorm<2>(withStem[1].linear) >= 0.7 - 1e-9);
+        }
     }
 
     void similaritiesStaySimilarities() {

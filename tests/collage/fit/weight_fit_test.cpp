@@ -224,6 +224,17 @@ private slots:
         QVERIFY(!measureBound({4, 4, std::vector<double>(16)}, maps, std::vector<double>{0.9, 0.1}));
     }
 
+    void aStopEndsTheFit() {
+        std::stop_source source;
+        const std::vector<double> weights{0.2, 0.3, 0.5};
+        const Density density = sierpinskiMeasure(weights);
+        QCOMPARE(fittedWeights(density, triangle, 2, source.get_token()).size(), std::size_t{3});
+        QVERIFY(measureBound(density, triangle, weights, source.get_token()));
+        source.request_stop();
+        QVERIFY(fittedWeights(density, triangle, 2, source.get_token()).empty());
+        QVERIFY(!measureBound(density, triangle, weights, source.get_token()));
+    }
+
     void equalImagesShareTheirWeight() {
         const Eigen::MatrixXd q = Eigen::MatrixXd::Ones(3, 3);
         const Eigen::VectorXd p = simplexMinimum(q, Eigen::VectorXd::Ones(3));

@@ -235,9 +235,9 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
             return Result{{}, document::withAttractorRefined(*fractal, *traced, options, stop)};
         };
     case Task::FitWeights:
-        return [=](const std::stop_token&) {
-            auto fitted = document::withWeightsFitted(*fractal, *traced);
-            const auto bound = document::shadesBound(fitted ? *fitted : *fractal, *traced);
+        return [=](const std::stop_token& stop) {
+            auto fitted = document::withWeightsFitted(*fractal, *traced, stop);
+            const auto bound = document::shadesBound(fitted ? *fitted : *fractal, *traced, stop);
             return Result{{}, std::move(fitted), bound};
         };
     case Task::FitCage:

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -161,6 +162,9 @@ QWidget* FitBox::makeProgress() {
     auto* cancel = new QPushButton(tr("Cancel"), m_busy);
     cancel->setToolTip(tr("Stop without changing anything"));
     connect(cancel, &QPushButton::clicked, this, &FitBox::cancelled);
+    m_escape = new QShortcut(QKeySequence(Qt::Key_Escape), parentWidget());
+    m_escape->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(m_escape, &QShortcut::activated, this, &FitBox::cancelled);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
     return m_busy;
@@ -212,6 +216,7 @@ void FitBox::setProgress(const std::optional<double>& share) {
     m_progress->setRange(0, share && *share < 0 ? 0 : 100); // below 0: nobody knows how long it takes
     if (share && *share >= 0) m_progress->setValue(int(100 * *share));
     m_busy->setVisible(m_isBusy);
+    m_escape->setEnabled(m_isBusy);
     enableTasks();
 }
 

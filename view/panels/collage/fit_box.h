@@ -12,6 +12,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QProgressBar;
 class QPushButton;
+class QShortcut;
 class QSpinBox;
 class QToolButton;
 
@@ -60,6 +61,7 @@ private:
     QSpinBox* m_corners = nullptr;
     QWidget* m_busy = nullptr;
     QProgressBar* m_progress = nullptr;
+    QShortcut* m_escape = nullptr; // of the whole panel, while something is under way
     std::vector<QPushButton*> m_tasks;
     bool m_isPossible = false;
     bool m_isBusy = false;

@@ -113,6 +113,65 @@ private slots:
         QVERIFY(guarantee->isHidden());
     }
 
+    void escapeStopsAFit_data() {
+        QTest::addColumn<QString>("fit");
+        for (const char* fit : {"Fit Weights", "Refine Maps", "Suggest"})
+            QTest::newRow(fit) << QString::fromLatin1(fit);
+    }
+    void escapeStopsAFit() {
+        QFETCH(QString, fit);
+        m_panel->target()->read(write(QStringLiteral("large.png"), encoded(leaf(512), "PNG")));
+        settle();
+        takeRoughMaps();
+        const document::Fractal before = m_document->fractal();
+        const int stepsBefore = steps();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
+        push(fit.toLatin1().constData());
+        QVERIFY(!m_panel->isSettled());
+        auto* button = named<QPushButton>(QStringLiteral("Cancel"));
+        QVERIFY(button->isVisible());
+        m_panel->activateWindow();
+        QTRY_VERIFY(m_panel->isActiveWindow());
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_Escape);
+        QVERIFY(m_panel->isSettled());
+        QVERIFY(!button->isVisible());
+        QCOMPARE(steps(), stepsBefore);
+        QVERIFY(m_document->fractal() == before);
+        push(fit.toLatin1().constData()); // begins anew
+        QVERIFY(!m_panel->isSettled());
+        push("Cancel");
+    }
+
+    // What is chosen in the panel binds the maps that are refined, too.
+    void constraintsHoldForRefinements_data() {
+        QTest::addColumn<QString>("fit");
+        QTest::newRow("maps") << QStringLiteral("Refine Maps");
+        QTest::newRow("attractor") << QStringLiteral("Refine Attractor");
+    }
+    void constraintsHoldForRefinements() {
+        QFETCH(QString, fit);
+        traceLeaf();
+        tick("Similarities only");
+        tick("No mirror images");
+        tick("First map a stem");
+        named<QComboBox>(QStringLiteral("Angles"))->setCurrentIndex(2); // 90°
+        take({ifs::affineMap(0.1, 0, 0, 0.6, 0, 0), ifs::affineMap(0.4, 0, 0, 0.4, 0, 0.3),
+              ifs::affineMap(0, -0.35, 0.35, 0, 0.06, -0.05), ifs::affineMap(0.3, 0, 0, 0.3, 0, -0.3)});
+        const document::System2 before = system();
+        push(fit.toLatin1().constData());
+        settle();
+        QVERIFY(!(system() == before));
+        QVERIFY(std::abs(ifs::determinant<2>(system().maps[0].map.linear)) < 1e-9);
+        for (const std::size_t i : {1U, 2U, 3U}) {
+            const ifs::Matrix<2>& a = system().maps[i].map.linear;
+            const double scale = std::sqrt(std::abs(ifs::determinant<2>(a)));
+            QVERIFY(scale > 0 && ifs::determinant<2>(a) > 0);
+            QVERIFY(std::abs(a(0, 0) - a(1, 1)) < 1e-6 && std::abs(a(0, 1) + a(1, 0)) < 1e-6);
+            QVERIFY(std::min(std::abs(a(0, 0)), std::abs(a(0, 1))) < 1e-6 * scale);
+        }
+    }
+
     void constraintsHoldForSuggestions() {
         traceLeaf();
         tick("Similarities only");
