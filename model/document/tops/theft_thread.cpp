@@ -151,7 +151,7 @@ std::shared_ptr<const attractor::Frame> TheftThread::State::drawTo(const TheftJo
                         lastLaid.toPicture == laid.toPicture && lastBackground == to->appearance.background;
     if (isSame && (points <= maxPoints || points <= lastTo->samples)) return lastTo;
     attractor::Frame frame = frameOf(job.to, points);
-    const attractor::CoupledSystem identity(coupling.entries->toAttractor, maps,
+    const attractor::CoupledSystem identity(coupling.entries->toAttractor, coupling.entries->toAttractor,
                                             ifs::determinantWeights<2>(maps));
     attractor::TheftRequest request;
     request.camera = job.to.camera;

@@ -168,8 +168,8 @@ RasterPicture readExr(const QByteArray& bytes, qint64 maxPixels) {
     try {
         Stream stream(bytes);
         return {imageOf(stream, *header), size, Unreadable};
-    } catch (const std::bad_alloc&) {
-        throw;
+    } catch (const std::bad_alloc&) { // the library throws it of strange headers, too
+        return {{}, size, Unreadable};
     } catch (const std::exception&) {
         return {{}, size, Damaged};
     }
