@@ -38,7 +38,8 @@ using document::EntryId;
 using document::KeptTheft;
 
 constexpr std::chrono::milliseconds restPause{400};
-constexpr double resolution = 1.0 / 256;        // of an attractor's size, at which continuity is measured
+constexpr double resolution = 1.0 / 256; // of an attractor's size, at which continuity is measured
+constexpr double overlayOpacity = 0.5;
 constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
 
 // Other files are the window's business.
@@ -213,6 +214,8 @@ void TransformationView::connectBar() {
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
     connect(m_bar, &TransformationBar::stacked, this,
             [this](bool on) { arrange(on ? Qt::Vertical : Qt::Horizontal); });
+    connect(m_bar, &TransformationBar::overlaid, this,
+            [this](bool on) { m_theft->setOverlay(on ? overlayOpacity : 0); });
     connect(m_bar, &TransformationBar::exportWanted, this, &TransformationView::chooseExport);
     connect(m_bar, &TransformationBar::divideWanted, this, [this] {
         m_document->editFile(
