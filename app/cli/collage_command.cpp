@@ -237,7 +237,8 @@ Command collageCommand(CLI::App& program) {
             ->default_str(standard)
             ->group(group);
     };
-    add("PICTURE", "PICTURE", arguments->picture, "PNG, JPEG, GIF, BMP or PNM; - for standard input", "Files")
+    add("PICTURE", "PICTURE", arguments->picture,
+        "PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM; - for standard input", "Files")
         ->required();
     add("-o,--output", "OUT.ifs", arguments->output, "File to write; - for standard output", "Files")
         ->required();

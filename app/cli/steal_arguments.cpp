@@ -146,7 +146,7 @@ struct OptionGroup {
 void addPictureOptions(CLI::App& command, StealArguments& arguments) {
     const OptionGroup group{command, "Picture"};
     group.add("--picture", "PICTURE", arguments.picture,
-              "Picture on the second entry: PNG, JPEG or another format of pixels");
+              "Picture on the second entry: PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM");
     group.add("--picture-view", "CX,CY,HEIGHT", arguments.pictureView,
               "What the picture shows of the second entry", "all of it, with a margin of 5 %");
     group.add("--size", "WxH", arguments.shown.size,

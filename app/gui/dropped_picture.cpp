@@ -3,7 +3,9 @@
 
 #include "io/file/background.h"
 #include "io/file/save_file.h"
+#include "io/picture/picture_decoder.h"
 #include "io/picture/png_system.h"
+#include "io/raster/raster_system.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
 #include "widgets/wait_for.h"
@@ -16,16 +18,19 @@
 namespace {
 
 bool isPlainPicture(const QString& path, QWidget* window) {
-    static const QStringList others{QStringLiteral("jpg"), QStringLiteral("jpeg"), QStringLiteral("gif"),
-                                    QStringLiteral("bmp"), QStringLiteral("pbm"),  QStringLiteral("pgm"),
-                                    QStringLiteral("ppm")};
+    static const QStringList withoutSystem{QStringLiteral("gif"), QStringLiteral("bmp"),
+                                           QStringLiteral("pbm"), QStringLiteral("pgm"),
+                                           QStringLiteral("ppm"), QStringLiteral("pnm")};
     const QFileInfo file(path);
     const QString suffix = file.suffix().toLower();
-    if (others.contains(suffix)) return true;
-    if (suffix != QLatin1String("png")) return false;
+    if (!io::pictureSuffixes().contains(suffix)) return false;
+    if (withoutSystem.contains(suffix)) return true;
     const QFuture<bool> reading = io::inBackground<bool>([path](QPromise<bool>& isPlain) {
         const io::Loaded loaded = io::loadFile(path);
-        isPlain.addResult(!loaded.failure && io::readPngSystem(loaded.bytes).text.isEmpty());
+        const io::EmbeddedSystem system = io::rasterFormat(loaded.bytes).isEmpty()
+                                              ? io::readPngSystem(loaded.bytes)
+                                              : io::readRasterSystem(loaded.bytes);
+        isPlain.addResult(!loaded.failure && system.text.isEmpty());
     });
     const QString label = QCoreApplication::translate("MainWindow", "Reading “%1”…").arg(file.fileName());
     return view::waitFor(QFuture<void>(reading), label, window) && reading.isResultReadyAt(0) &&

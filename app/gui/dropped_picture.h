@@ -9,6 +9,6 @@ class CollagePanel;
 }
 
 // Makes a dropped file the target of a collage and shows the panel, if it is the only one and a picture and
-// nothing more: its name is that of a picture, and a PNG picture carries no system. False: it is to be
-// opened. Reads a PNG in the background; events are handled meanwhile.
+// nothing more: its name is that of a picture, and it carries no system. False: it is to be opened. Reads
+// the file in the background; events are handled meanwhile.
 bool takeAsTarget(const QStringList& paths, QMainWindow& window, view::CollagePanel& panel);

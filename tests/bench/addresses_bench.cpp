@@ -68,7 +68,8 @@ std::vector<Ratio> tops(int repetitions) {
     request.exposure = Exposure{0, 5, 1};
     Rendering rendering(request);
     Frame frame;
-    const CoupledSystem system(*ifs::SupportFunction<2>::of(ifs::mapsOf(fern)), ifs::mapsOf(systems::maple()),
+    const CoupledSystem system(*ifs::SupportFunction<2>::of(ifs::mapsOf(fern)),
+                               *ifs::SupportFunction<2>::of(ifs::mapsOf(systems::maple())),
                                ifs::probabilities(fern));
     const MipPicture picture = attractor::picture(Pattern::Grid);
     TheftRequest theft;

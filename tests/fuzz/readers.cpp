@@ -11,6 +11,7 @@
 #include "io/lesson/lesson_writer.h"
 #include "io/palette/palette_reader.h"
 #include "io/palette/palette_stops.h"
+#include "io/picture/picture_decoder.h"
 #include "io/picture/png_system.h"
 #include "io/picture/svg_system.h"
 #include "io/raster/raster_system.h"
@@ -217,6 +218,8 @@ void readRaster(const QByteArray& bytes) {
     if (io::rasterFormat(bytes).isEmpty()) return;
     const io::EmbeddedSystem system = io::readRasterSystem(bytes);
     promise(bool(system.failure) == system.text.isEmpty(), "a text or a failure");
+    const io::DecodedPicture picture = io::decodedPicture(bytes);
+    promise(picture.flaw.has_value() == picture.image.isNull(), "a picture or a sentence");
 }
 
 // With checksums: from the header on, each block and the number of its tile.

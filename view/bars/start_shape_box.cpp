@@ -58,9 +58,7 @@ void StartShapeBox::choose(int index) {
         }
         return;
     }
-    const QString path =
-        chooseFileToOpen(this, tr("Choose a Picture to Start From"),
-                         tr("Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)"));
+    const QString path = choosePictureToOpen(this, tr("Choose a Picture to Start From"));
     if (!path.isEmpty()) m_steps->readPicture(path);
     follow(); // until it has been read, and where nothing was chosen
 }

@@ -47,6 +47,10 @@ void TheftBridge::setTheft(const document::KeptTheft& theft) {
     request(false);
 }
 
+void TheftBridge::setOverlay(double opacity) {
+    if (std::exchange(m_overlay, opacity) != opacity) request(false);
+}
+
 void TheftBridge::setPicture(std::shared_ptr<const attractor::MipPicture> picture) {
     m_picture = std::move(picture);
     request(false);
@@ -66,6 +70,7 @@ void TheftBridge::request(bool live) {
     job.mode = m_theft.mode;
     job.view = m_theft.view;
     job.picture = m_picture;
+    job.overlay = m_overlay;
     job.isLive = live;
     m_thread->submit(std::move(job));
 }

@@ -26,6 +26,7 @@ public:
     void setActive(bool active);
     // Of what is kept: the order, the mode, the view.
     void setTheft(const document::KeptTheft& theft);
+    void setOverlay(double opacity);                                       // of the partner over the fractal
     void setPicture(std::shared_ptr<const attractor::MipPicture> picture); // null: none yet
 
     const std::shared_ptr<const attractor::MipPicture>& picture() const { return m_picture; }
@@ -48,6 +49,7 @@ private:
     document::KeptTheft m_theft;
     std::shared_ptr<const attractor::MipPicture> m_picture;
     std::optional<document::CouplingOutcome> m_flaw;
+    double m_overlay = 0;
     bool m_isActive = false;
     bool m_isSubstituting = false;
     std::unique_ptr<document::TheftThread> m_thread; // last: stops before the rest goes

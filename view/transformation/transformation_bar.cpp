@@ -66,6 +66,10 @@ TransformationBar::TransformationBar(QWidget* parent)
     m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
     m_export->setEnabled(false);
     m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
+    m_overlay = flatButton(
+        QString(), tr("Overlay"),
+        tr("Show the partner half transparent over the fractal, where it lies in the same plane"), this);
+    m_overlay->setCheckable(true);
     m_stack = flatButton(QString(), tr("Stack"),
                          tr("Show the two fractals one above the other instead of side by side"), this);
     m_stack->setCheckable(true);
@@ -80,6 +84,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     auto* last = new QHBoxLayout;
     last->addWidget(m_status, 1);
     last->addWidget(m_remedy);
+    last->addWidget(m_overlay);
     last->addWidget(m_stack);
     last->addStrut(m_remedy->sizeHint().height()); // the bar is as high with a message as without
     m_rows = new QVBoxLayout(this);
@@ -93,6 +98,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     connect(m_mode, &QComboBox::activated, this,
             [this](int row) { emit modeChosen(TheftMode(m_mode->itemData(row).toInt())); });
     connect(m_export, &QToolButton::clicked, this, &TransformationBar::exportWanted);
+    connect(m_overlay, &QToolButton::toggled, this, &TransformationBar::overlaid);
     connect(m_stack, &QToolButton::toggled, this, &TransformationBar::stacked);
     connect(m_remedy, &QToolButton::clicked, this, [this] {
         if (m_wanted == Remedy::DivideWords) emit divideWanted();

@@ -43,7 +43,8 @@ signals:
     void starterChosen(document::TheftFamily family);
     void divideWanted();
     void exportWanted();
-    void stacked(bool on); // the canvases one above the other, instead of side by side
+    void overlaid(bool on); // the partner over the fractal, translucent
+    void stacked(bool on);  // the canvases one above the other, instead of side by side
 
 private:
     void addPictures();
@@ -58,6 +59,7 @@ private:
     QToolButton* m_export;
     ElidedLabel* m_status;
     QToolButton* m_remedy;
+    QToolButton* m_overlay;
     QToolButton* m_stack;
     QString m_continuity;
     QString m_problem;

@@ -7,6 +7,7 @@
 #include "document/tops/laid_picture.h"
 #include "io/file/background.h"
 #include "io/file/slow_disk.h"
+#include "io/picture/picture_decoder.h"
 #include "transformation/family_sliders.h"
 #include "transformation/map_order.h"
 #include "transformation/picture_source.h"
@@ -37,18 +38,16 @@ using document::EntryId;
 using document::KeptTheft;
 
 constexpr std::chrono::milliseconds restPause{400};
-constexpr double resolution = 1.0 / 256;        // of an attractor's size, at which continuity is measured
+constexpr double resolution = 1.0 / 256; // of an attractor's size, at which continuity is measured
+constexpr double overlayOpacity = 0.5;
 constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
 
 // Other files are the window's business.
 QString pictureOf(const QMimeData& data) {
-    static const QStringList endings{QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
-                                     QStringLiteral("gif"), QStringLiteral("bmp"), QStringLiteral("pbm"),
-                                     QStringLiteral("pgm"), QStringLiteral("ppm"), QStringLiteral("pnm")};
     const QList<QUrl> urls = data.urls();
     const QString path =
         urls.size() == 1 && urls.first().isLocalFile() ? urls.first().toLocalFile() : QString();
-    return endings.contains(QFileInfo(path).suffix().toLower()) ? path : QString();
+    return io::pictureSuffixes().contains(QFileInfo(path).suffix().toLower()) ? path : QString();
 }
 
 ifs::Tear tearOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunction<2>& to) {
@@ -220,6 +219,8 @@ void TransformationView::connectBar() {
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
     connect(m_bar, &TransformationBar::stacked, this,
             [this](bool on) { arrange(on ? Qt::Vertical : Qt::Horizontal); });
+    connect(m_bar, &TransformationBar::overlaid, this,
+            [this](bool on) { m_theft->setOverlay(on ? overlayOpacity : 0); });
     connect(m_bar, &TransformationBar::exportWanted, this, &TransformationView::chooseExport);
     connect(m_bar, &TransformationBar::divideWanted, this, [this] {
         m_document->editFile(
@@ -354,9 +355,7 @@ void TransformationView::keepPicture() {
 }
 
 void TransformationView::choosePicture() {
-    usePicture(
-        chooseFileToOpen(this, tr("Choose Picture"),
-                         tr("Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)")));
+    usePicture(choosePictureToOpen(this, tr("Choose Picture")));
 }
 
 document::TheftJob TransformationView::job() const {

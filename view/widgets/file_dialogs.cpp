@@ -3,7 +3,9 @@
 
 #include "desktop/settings.h"
 #include "io/file/slow_disk.h"
+#include "io/picture/picture_decoder.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -50,6 +52,16 @@ QString chooseFileToSave(QWidget* parent, const QString& title, const QString& s
 QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,
                          const QString& folder) {
     return remembered(QFileDialog::getOpenFileName(parent, title, beginning(folder), filter));
+}
+
+QString choosePictureToOpen(QWidget* parent, const QString& title) {
+    return chooseFileToOpen(
+        parent, title,
+        QCoreApplication::translate("FileDialogs", "Pictures (%1);;All files (*)").arg(namesOfPictures()));
+}
+
+QString namesOfPictures() {
+    return QStringLiteral("*.") + io::pictureSuffixes().join(QStringLiteral(" *."));
 }
 
 QString chooseFolder(QWidget* parent, const QString& title) {

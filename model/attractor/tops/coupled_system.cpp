@@ -1,18 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/tops/coupled_system.h"
 
+#include "ifs/extent/outline.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace attractor {
 
-CoupledSystem::CoupledSystem(const ifs::SupportFunction<2>& attractor, std::vector<ifs::AffineMap<2>> maps,
+namespace {
+
+// The attractor's hull, to what a search for extreme points finds out in any case.
+ifs::Polygon hullOf(const ifs::SupportFunction<2>& attractor) {
+    const auto* better = attractor.conditioning();
+    const ifs::Outline* known = better ? better->support.outline() : attractor.outline();
+    ifs::Polygon points = known->points();
+    for (ifs::Vector<2>& point : points)
+        if (better) point = better->image.linear * point;
+    return ifs::convexHull(std::move(points), 0);
+}
+
+double squaredDiameter(const ifs::Polygon& hull) {
+    double square = 0;
+    for (const ifs::Vector<2>& p : hull)
+        for (const ifs::Vector<2>& q : hull)
+            square = std::max(square, (p - q).squaredNorm());
+    return square;
+}
+
+// Where one of them is flat, that of the squares of their diameters.
+double wholeRatioOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunction<2>& to) {
+    constexpr double flat = 1e-9;
+    const ifs::Polygon f = hullOf(from), g = hullOf(to);
+    const double areaOfF = ifs::area(f), areaOfG = ifs::area(g);
+    const double squareOfF = squaredDiameter(f), squareOfG = squaredDiameter(g);
+    const bool isFlat = !(areaOfF > flat * squareOfF) || !(areaOfG > flat * squareOfG);
+    const double ratio = isFlat ? squareOfG / squareOfF : areaOfG / areaOfF;
+    return std::isfinite(ratio) && ratio > 0 ? ratio : 1; // of a single point
+}
+
+} // namespace
+
+CoupledSystem::CoupledSystem(const ifs::SupportFunction<2>& attractor, const ifs::SupportFunction<2>& image,
                              std::vector<double> weights)
     : from(attractor.maps()),
-      to(std::move(maps)),
+      to(image.maps()),
       probabilities(std::move(weights)),
       around(attractor),
+      wholeRatio(wholeRatioOf(attractor, image)),
       fromTop(ifs::fixedPoint(from.front()).value_or(from.front().translation)),
       toTop(ifs::fixedPoint(to.front()).value_or(to.front().translation)) {
     for (std::size_t i = 0; i < from.size(); ++i) {

@@ -18,11 +18,12 @@ struct CoupledSystem {
     std::vector<double> probabilities;   // of the maps of F; their sum is 1
     ifs::EnclosingPolygon around;        // the attractor of F
     std::vector<double> areaRatios;      // |det v_i / det w_i|; no numbers where a map is flat
+    double wholeRatio;                   // of the areas of their attractors, as far as hulls tell
     // φ_F and φ_G of the top address of all, in which the first map repeats.
     ifs::Vector<2> fromTop, toTop;
 
-    // As many maps in `maps` as F has.
-    CoupledSystem(const ifs::SupportFunction<2>& attractor, std::vector<ifs::AffineMap<2>> maps,
+    // As many maps in the second as in the first.
+    CoupledSystem(const ifs::SupportFunction<2>& attractor, const ifs::SupportFunction<2>& image,
                   std::vector<double> weights);
 };
 

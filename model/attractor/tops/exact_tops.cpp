@@ -140,7 +140,8 @@ private:
 
     void write(const Open& open, const PixelBox& box) {
         const ifs::Vector<2> image = open.to(m_system.toTop);
-        const double stretch = stretchOf(open.areaRatio, open.to.linear, open.shown.linear / m_pixelsPerUnit);
+        const double stretch = m_system.wholeRatio *
+                               stretchOf(open.areaRatio, open.to.linear, open.shown.linear / m_pixelsPerUnit);
         const Pixels p = pixelsOf(box);
         for (int row = p.firstRow; row <= p.lastRow; ++row)
             for (int column = p.firstColumn; column <= p.lastColumn; ++column) {

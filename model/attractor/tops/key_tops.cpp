@@ -59,7 +59,8 @@ void KeyTops::movePieces(const CoupledSystem& system) {
     for (std::size_t k = 0; k < m_pieces.size(); ++k) {
         const WordTree::Image& image = images[m_sources[k].word];
         m_pieces[k].to = image.to;
-        m_pieces[k].stretch = stretchOf(image.areaRatio, image.to.linear, m_sources[k].from);
+        m_pieces[k].stretch =
+            system.wholeRatio * stretchOf(image.areaRatio, image.to.linear, m_sources[k].from);
     }
 }
 

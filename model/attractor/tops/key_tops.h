@@ -39,7 +39,7 @@ public:
     // What a key is decoded by: its piece is key / samples().size(), its sample the rest.
     struct Piece {
         ifs::AffineMap<2> to;
-        double stretch; // |det v_σ / det w_σ|
+        double stretch; // |det v_σ / det w_σ|, times the ratio of the wholes
         double address, step;
     };
     std::span<const Piece> pieces() const { return m_pieces; }

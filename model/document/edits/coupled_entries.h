@@ -20,7 +20,7 @@ struct CoupledEntries {
     std::vector<double> probabilities;                  // of those of `from`
     std::vector<std::size_t> numbers;                   // their indices in the entry `from`
 
-    attractor::CoupledSystem system() const { return {fromAttractor, toAttractor.maps(), probabilities}; }
+    attractor::CoupledSystem system() const { return {fromAttractor, toAttractor, probabilities}; }
 };
 
 // Why there is no transformation; of the first or the second entry, where it is one of them.

@@ -70,7 +70,7 @@ std::optional<LaidPicture> filtered(const CoupledEntries& entries, const attract
     camera.centre = (box.min + box.max) / 2;
     camera.pixelsPerUnit = scale;
     const auto& maps = entries.toAttractor.maps();
-    const attractor::CoupledSystem back(entries.toAttractor, entries.fromAttractor.maps(),
+    const attractor::CoupledSystem back(entries.toAttractor, entries.fromAttractor,
                                         ifs::determinantWeights<2>(maps));
     attractor::TheftRequest request;
     request.camera = camera;

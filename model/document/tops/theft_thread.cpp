@@ -35,6 +35,16 @@ attractor::Frame frameOf(const TheftJob::Side& side, std::uint64_t points) {
     return frame;
 }
 
+// Both premultiplied.
+std::uint32_t mixed(std::uint32_t above, std::uint32_t below, double opacity) {
+    const double through = 1 - opacity * double(above >> 24) / 255;
+    std::uint32_t pixel = 0;
+    for (const int shift : {0, 8, 16, 24})
+        pixel |= std::uint32_t((above >> shift & 255) * opacity + (below >> shift & 255) * through + 0.5)
+                 << shift;
+    return pixel;
+}
+
 bool isShown(const TheftJob::Side& side) {
     return side.camera.width > 0 && side.camera.height > 0;
 }
@@ -43,9 +53,12 @@ bool isShown(const TheftJob::Side& side) {
 
 struct TheftThread::State {
     State(int threads, std::function<void()> callback)
-        : ready(std::move(callback)), onFrom(threads), onTo(threads), there(threads), thread([this] {
-              serve();
-          }) {}
+        : ready(std::move(callback)),
+          onFrom(threads),
+          onTo(threads),
+          over(threads),
+          there(threads),
+          thread([this] { serve(); }) {}
     ~State() { mailbox.close(); }
 
     void serve();
@@ -57,6 +70,9 @@ struct TheftThread::State {
                                                      std::uint64_t points, const std::stop_token& stop);
     std::shared_ptr<const attractor::Frame> drawTo(const TheftJob& job, const LaidPicture& laid,
                                                    std::uint64_t points, const std::stop_token& stop);
+    bool overlay(attractor::Frame& frame, attractor::TheftRequest request, const LaidPicture& laid,
+                 double opacity, const std::stop_token& stop);
+    attractor::CoupledSystem identity() const; // of G
     void publish(StolenFrames frames, const std::stop_token& stop);
 
     std::function<void()> ready;
@@ -68,7 +84,7 @@ struct TheftThread::State {
     std::shared_ptr<const Fractal> from, to; // of `coupling`
     std::vector<std::size_t> order;
     CouplingOutcome coupling;
-    attractor::DeferredTheft onFrom, onTo, there;
+    attractor::DeferredTheft onFrom, onTo, over, there;
     // The last frame of G, and what it shows: it stays while only F moves.
     std::shared_ptr<const attractor::Frame> lastTo;
     std::vector<ifs::AffineMap<2>> lastMaps;
@@ -135,9 +151,26 @@ std::shared_ptr<const attractor::Frame> TheftThread::State::drawFrom(const Theft
     request.background = from->appearance.background;
     if (!onFrom.draw(coupling.entries->system(), *laid.picture, request, frame.pixels, stop)) return nullptr;
     frame.opaque = request.background.alpha == 255;
+    if (job.overlay > 0 && !overlay(frame, request, laid, job.overlay, stop)) return nullptr;
     const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
     frame.milliseconds = time.count();
     return std::make_shared<const attractor::Frame>(std::move(frame));
+}
+
+// G with its picture where it lies in the plane of F, translucent.
+bool TheftThread::State::overlay(attractor::Frame& frame, attractor::TheftRequest request,
+                                 const LaidPicture& laid, double opacity, const std::stop_token& stop) {
+    std::vector<std::uint32_t> above(frame.pixels.size());
+    request.background = {0, 0, 0, 0};
+    if (!over.draw(identity(), *laid.picture, request, above, stop)) return false;
+    std::ranges::transform(above, frame.pixels, frame.pixels.begin(),
+                           [opacity](std::uint32_t a, std::uint32_t b) { return mixed(a, b, opacity); });
+    return true;
+}
+
+attractor::CoupledSystem TheftThread::State::identity() const {
+    const ifs::SupportFunction<2>& attractor = coupling.entries->toAttractor;
+    return {attractor, attractor, ifs::determinantWeights<2>(attractor.maps())};
 }
 
 // G as it is, through the identity, and the rest of the picture faintly behind it.
@@ -151,14 +184,12 @@ std::shared_ptr<const attractor::Frame> TheftThread::State::drawTo(const TheftJo
                         lastLaid.toPicture == laid.toPicture && lastBackground == to->appearance.background;
     if (isSame && (points <= maxPoints || points <= lastTo->samples)) return lastTo;
     attractor::Frame frame = frameOf(job.to, points);
-    const attractor::CoupledSystem identity(coupling.entries->toAttractor, maps,
-                                            ifs::determinantWeights<2>(maps));
     attractor::TheftRequest request;
     request.camera = job.to.camera;
     request.toPicture = laid.toPicture;
     request.points = points;
     request.background = {0, 0, 0, 0};
-    if (!onTo.draw(identity, *laid.picture, request, frame.pixels, stop)) return nullptr;
+    if (!onTo.draw(identity(), *laid.picture, request, frame.pixels, stop)) return nullptr;
     request.background = to->appearance.background;
     onTo.layUnder(frame.pixels, *laid.picture, request, pictureBehind);
     frame.opaque = true;

@@ -27,6 +27,7 @@ struct TheftJob {
     TheftMode mode = TheftMode::StealColours;
     std::optional<attractor::View> view;                  // as in KeptTheft
     std::shared_ptr<const attractor::MipPicture> picture; // not null
+    double overlay = 0;                                   // opacity of G over F, in the picture of F
     bool isLive = false;                                  // more of the same is to come
 
     friend bool operator==(const TheftJob&, const TheftJob&) = default;

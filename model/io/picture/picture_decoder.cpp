@@ -2,6 +2,10 @@
 #include "io/picture/picture_decoder.h"
 
 #include "io/picture/jpeg_check.h"
+#include "io/raster/exr_reader.h"
+#include "io/raster/raster_system.h"
+#include "io/raster/tiff_reader.h"
+#include "io/raster/webp_reader.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -11,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <zlib.h>
 
 namespace io {
@@ -78,6 +83,14 @@ QString tooLarge(const QSize& size) {
         .arg(size.height());
 }
 
+QString damaged() {
+    return Text::tr("The picture is damaged or incomplete.");
+}
+
+QString animated() {
+    return Text::tr("The picture is animated. Save one of its frames as a picture of its own.");
+}
+
 // Only of these the reader scales the rows as they come.
 bool isReducible(const QByteArray& format, const QSize& size) {
     return (format == "png" || format.startsWith("jp")) && pixelsOf(size) <= maxReducedPixels;
@@ -91,17 +104,17 @@ QSize reduced(const QSize& size) {
 // Why the picture cannot be used, as far as can be told before it is decoded.
 std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes, LargePicture large) {
     const QByteArray format = reader.format();
-    if (!isKnown(format)) return Text::tr("This is not a PNG, JPEG, GIF, BMP or PNM picture.");
+    if (!isKnown(format))
+        return Text::tr("This is not a PNG, JPEG, GIF, BMP, PNM, WebP, TIFF or OpenEXR picture.");
     const QSize size = reader.size();
     const bool isLarge = pixelsOf(size) > maxDecodedPixels;
     if (isLarge && (large == LargePicture::Refused || !isReducible(format, size))) return tooLarge(size);
-    if (isDamaged(bytes, format)) return Text::tr("The picture is damaged or incomplete.");
+    if (isDamaged(bytes, format)) return damaged();
     if (format.startsWith("jp") && jpegFacts(bytes).components > 3)
         return Text::tr(
             "The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB "
             "or grey levels.");
-    if (isAnimated(reader, bytes, format))
-        return Text::tr("The picture is animated. Save one of its frames as a picture of its own.");
+    if (isAnimated(reader, bytes, format)) return animated();
     return std::nullopt;
 }
 
@@ -114,10 +127,49 @@ void allowDecoding() {
     Q_UNUSED(isAllowed)
 }
 
+QString flawOf(const RasterPicture& picture) {
+    switch (picture.flaw) {
+    case RasterPicture::Flaw::TooLarge:
+        return tooLarge(picture.size);
+    case RasterPicture::Flaw::Animated:
+        return animated();
+    case RasterPicture::Flaw::Unreadable:
+        return Text::tr(
+            "The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.");
+    case RasterPicture::Flaw::Damaged:
+        break;
+    }
+    return damaged();
+}
+
+// Of the formats that Qt reads with a plug-in at best; none when the file has another.
+std::optional<RasterPicture> rasterPicture(const QByteArray& bytes) {
+    const QString format = rasterFormat(bytes);
+    if (format == u"webp") return readWebP(bytes, maxDecodedPixels);
+    if (format == u"tiff") return readTiff(bytes, maxDecodedPixels);
+    if (format == u"exr") return readExr(bytes, maxDecodedPixels);
+    return std::nullopt;
+}
+
+DecodedPicture inSrgb(QImage image) {
+    const QColorSpace space = image.colorSpace(), srgb(QColorSpace::SRgb);
+    if (space.isValid() && space != srgb) image.convertToColorSpace(srgb);
+    return {std::move(image), std::nullopt};
+}
+
 } // namespace
 
+const QStringList& pictureSuffixes() {
+    static const QStringList suffixes =
+        QStringLiteral("png jpg jpeg gif bmp pbm pgm ppm pnm webp tif tiff exr").split(u' ');
+    return suffixes;
+}
+
 DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large) {
-    DecodedPicture decoded;
+    if (auto raster = rasterPicture(bytes)) {
+        if (raster->image.isNull()) return {{}, flawOf(*raster)};
+        return inSrgb(std::move(raster->image));
+    }
     QBuffer buffer;
     buffer.setData(bytes);
     buffer.open(QIODevice::ReadOnly);
@@ -127,17 +179,14 @@ DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large) {
     allowDecoding();
     QImageReader reader(&buffer, isKnown(format) ? format : QByteArray("none"));
     reader.setAutoTransform(true);
-    decoded.flaw = flawOf(reader, bytes, large);
-    if (decoded.flaw) return decoded;
+    if (const auto flaw = flawOf(reader, bytes, large)) return {{}, flaw};
     const QSize size = reader.size();
     const bool isLarge = pixelsOf(size) > maxDecodedPixels;
     if (isLarge) reader.setScaledSize(reduced(size));
-    decoded.image = reader.read();
-    if (decoded.image.isNull()) // an interlaced picture is not scaled row by row, and needs too much memory
-        decoded.flaw = isLarge ? tooLarge(size) : Text::tr("The picture is damaged or incomplete.");
-    const QColorSpace space = decoded.image.colorSpace(), srgb(QColorSpace::SRgb);
-    if (space.isValid() && space != srgb) decoded.image.convertToColorSpace(srgb);
-    return decoded;
+    QImage image = reader.read();
+    if (image.isNull()) // an interlaced picture is not scaled row by row, and needs too much memory
+        return {{}, isLarge ? tooLarge(size) : damaged()};
+    return inSrgb(std::move(image));
 }
 
 } // namespace io

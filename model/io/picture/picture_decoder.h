@@ -4,14 +4,15 @@
 #include <QByteArray>
 #include <QImage>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
 namespace io {
 
-// The one decoder of pictures that a user gives. Reads PNG, JPEG, GIF, BMP and PNM, turned upright, in sRGB.
-// Refused are animations, JPEG pictures in CMYK, whose colours depend on the program that reads them,
-// incomplete pictures, and those with more pixels than this. Memory is bounded by these.
+// The one decoder of pictures that a user gives. Reads PNG, JPEG, GIF, BMP, PNM, WebP, TIFF and OpenEXR,
+// turned upright, in sRGB. Refused are animations, JPEG pictures in CMYK, whose colours depend on the program
+// that reads them, incomplete pictures, and those with more pixels than this. Memory is bounded by these.
 inline constexpr qint64 maxDecodedPixels = 32'000'000;
 // Where the size does not matter, a PNG or JPEG picture with up to so many is scaled down to those while it
 // is read, in its proportions.
@@ -22,6 +23,7 @@ struct DecodedPicture {
     QImage image;                // of any pixel format
     std::optional<QString> flaw; // the user's sentence when there is none
 };
+const QStringList& pictureSuffixes(); // of files that may be such pictures, in small letters
 DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused);
 
 } // namespace io

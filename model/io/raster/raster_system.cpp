@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/raster_system.h"
 
+#include "io/raster/file_bytes.h"
 #include "io/text/xml_text.h"
 
 #include <QCoreApplication>
 #include <QXmlStreamReader>
-#include <QtEndian>
 
 #include <cstdint>
 #include <cstring>
@@ -17,49 +17,13 @@ namespace {
 
 constexpr qsizetype maxText = 8 * 1024 * 1024;
 
-// Reads numbers and pieces at any place; what is not there leaves nothing.
-class Bytes {
-public:
-    explicit Bytes(QByteArrayView bytes, bool isBigEndian = false)
-        : m_bytes(bytes), m_isBigEndian(isBigEndian) {}
-
-    template <class Number> std::optional<Number> number(std::uint64_t at) const {
-        if (!has(at, sizeof(Number))) return std::nullopt;
-        const char* from = m_bytes.data() + at;
-        return m_isBigEndian ? qFromBigEndian<Number>(from) : qFromLittleEndian<Number>(from);
-    }
-    std::optional<QByteArrayView> piece(std::uint64_t at, std::uint64_t size) const {
-        if (!has(at, size)) return std::nullopt;
-        return m_bytes.sliced(qsizetype(at), qsizetype(size));
-    }
-    // Up to the next zero.
-    std::optional<QByteArrayView> name(std::uint64_t at) const {
-        constexpr qsizetype maxName = 256;
-        if (!has(at, 1)) return std::nullopt;
-        const QByteArrayView rest =
-            m_bytes.sliced(qsizetype(at)).first(std::min(maxName, m_bytes.size() - qsizetype(at)));
-        const qsizetype size = rest.indexOf('\0');
-        if (size < 0) return std::nullopt;
-        return rest.first(size);
-    }
-
-private:
-    bool has(std::uint64_t at, std::uint64_t size) const {
-        const auto all = std::uint64_t(m_bytes.size());
-        return at <= all && size <= all - at;
-    }
-
-    QByteArrayView m_bytes;
-    bool m_isBigEndian;
-};
-
 // What was found in a picture: nullopt for one that is damaged before it could be found.
 using Text = std::optional<QByteArray>;
 
 // All comments that begin with the mark, up to the pixels.
 Text jpegText(const QByteArray& picture) {
     constexpr std::uint8_t beginOfPixels = 0xda, endOfPicture = 0xd9, comment = 0xfe;
-    const Bytes bytes(picture, true);
+    const FileBytes bytes(picture, true);
     QByteArray text;
     for (std::uint64_t at = 2;;) {
         if (bytes.number<std::uint8_t>(at) != 0xff) return std::nullopt;
@@ -93,7 +57,7 @@ Text systemOfXmp(QByteArrayView packet) {
 }
 
 Text webpText(const QByteArray& picture) {
-    const Bytes bytes(picture);
+    const FileBytes bytes(picture);
     for (std::uint64_t at = 12; at < std::uint64_t(picture.size());) {
         const auto kind = bytes.piece(at, 4);
         const auto size = bytes.number<std::uint32_t>(at + 4);
@@ -109,7 +73,7 @@ Text webpText(const QByteArray& picture) {
 }
 
 // ImageDescription of the first picture. `Offset` is what the file counts in: 32 bits, or 64 of a BigTIFF.
-template <class Offset, class Count> Text tiffText(const Bytes& bytes, std::uint64_t placeOfDirectory) {
+template <class Offset, class Count> Text tiffText(const FileBytes& bytes, std::uint64_t placeOfDirectory) {
     constexpr std::uint16_t description = 270, ascii = 2;
     constexpr std::uint64_t entrySize = 4 + 2 * sizeof(Offset);
     const auto directory = bytes.number<Offset>(placeOfDirectory);
@@ -136,14 +100,14 @@ template <class Offset, class Count> Text tiffText(const Bytes& bytes, std::uint
 
 Text tiffText(const QByteArray& picture) {
     constexpr std::uint16_t big = 43;
-    const Bytes bytes(picture, picture.startsWith("MM"));
+    const FileBytes bytes(picture, picture.startsWith("MM"));
     return bytes.number<std::uint16_t>(2) == big ? tiffText<std::uint64_t, std::uint64_t>(bytes, 8)
                                                  : tiffText<std::uint32_t, std::uint16_t>(bytes, 4);
 }
 
 // The attributes of the first part.
 Text exrText(const QByteArray& picture) {
-    const Bytes bytes(picture);
+    const FileBytes bytes(picture);
     for (std::uint64_t at = 8;;) {
         const auto name = bytes.name(at);
         if (!name) return std::nullopt;

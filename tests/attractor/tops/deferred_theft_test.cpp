@@ -16,7 +16,7 @@ using tops::square;
 namespace {
 
 CoupledSystem coupled(const Maps& from, const Maps& to) {
-    return {tops::attractorOf(from), to, ifs::determinantWeights<2>(from)};
+    return {tops::attractorOf(from), tops::attractorOf(to), ifs::determinantWeights<2>(from)};
 }
 
 attractor::TheftRequest requested() {

@@ -222,6 +222,54 @@ private slots:
         QVERIFY(drawn()->to->pixels != first->to->pixels);
     }
 
+    // Over F, as opaque as asked: at 1, the square of G hides that of F.
+    void theOtherIsLaidOver() {
+        start(TheftFamily::Square);
+        std::binary_semaphore ready(0);
+        document::TheftThread thread(2, [&] { ready.release(); });
+        const attractor::Camera camera{{.5, .5}, 60, 80, 80, attractor::YAxis::Up};
+        document::TheftJob job;
+        job.from = {m_document.sharedFractal(), camera, 0};
+        job.to = {m_partner->document().sharedFractal(), camera, 1};
+        job.mode = TheftMode::TransformPicture;
+        job.picture = wheel();
+        job.isLive = true;
+        const auto drawn = [&](double overlay) {
+            job.overlay = overlay;
+            ++job.from.revision;
+            thread.submit(job);
+            for (;;) { // a finer one of the job before may come first
+                ready.acquire();
+                const auto frames = thread.newest();
+                if (frames->from && frames->from->revision == job.from.revision) return frames;
+            }
+        };
+        const auto without = drawn(0), half = drawn(.5), whole = drawn(1);
+        const auto share = [](const auto& frame, const auto& expected) { // of the pixels inside the squares
+            int equal = 0;
+            for (std::size_t k = 0; k < 40 * 40; ++k) {
+                const std::size_t at = (20 + k / 40) * 80 + 20 + k % 40;
+                bool isEqual = true;
+                for (const int shift : {0, 8, 16})
+                    isEqual =
+                        isEqual && std::abs(int(frame->pixels[at] >> shift & 255) - expected(at, shift)) < 24;
+                equal += isEqual ? 1 : 0;
+            }
+            return equal / 1600.0;
+        };
+        const auto channel = [](const auto& frame, std::size_t at, int shift) {
+            return int(frame->pixels[at] >> shift & 255);
+        };
+        const auto ofG = [&](std::size_t at, int shift) { return channel(whole->to, at, shift); };
+        const auto ofBoth = [&](std::size_t at, int shift) {
+            return (channel(without->from, at, shift) + channel(whole->to, at, shift)) / 2;
+        };
+        QVERIFY(share(without->from, ofG) < .8);
+        QVERIFY(share(whole->from, ofG) > .95);
+        QVERIFY(share(half->from, ofBoth) > .9);
+        QCOMPARE(whole->from->pixels[0], without->from->pixels[0]); // where G is not
+    }
+
     void theGridGoesThroughTheTransformation() {
         start(TheftFamily::Square);
         const auto outcome = document::coupled(m_document.fractal(), m_partner->document().fractal(), {});

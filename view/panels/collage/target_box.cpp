@@ -221,9 +221,7 @@ void TargetBox::fillEntries(QMenu* menu) {
 }
 
 void TargetBox::choose() {
-    const QString path =
-        chooseFileToOpen(this, tr("Choose a Target"),
-                         tr("Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)"));
+    const QString path = choosePictureToOpen(this, tr("Choose a Target"));
     if (!path.isEmpty()) read(path);
 }
 

@@ -31,10 +31,7 @@ namespace view {
 namespace {
 
 bool isPicture(const QString& path) {
-    static const QStringList endings{QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
-                                     QStringLiteral("gif"), QStringLiteral("bmp"), QStringLiteral("pbm"),
-                                     QStringLiteral("pgm"), QStringLiteral("ppm"), QStringLiteral("pnm")};
-    return endings.contains(QFileInfo(path).suffix().toLower());
+    return io::pictureSuffixes().contains(QFileInfo(path).suffix().toLower());
 }
 
 } // namespace
@@ -145,10 +142,10 @@ void GradientEditor::distribute() {
 }
 
 void GradientEditor::chooseAndLoad() {
-    const QString path = chooseFileToOpen(
-        this, tr("Load Palette"),
-        tr("Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;"
-           "All files (*)"));
+    const QString path =
+        chooseFileToOpen(this, tr("Load Palette"),
+                         tr("Palettes and pictures (%1);;All files (*)")
+                             .arg(QStringLiteral("*.gpl *.ggr *.ugr *.gradient *.map ") + namesOfPictures()));
     if (!path.isEmpty()) load(path);
 }
 

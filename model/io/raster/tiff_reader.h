@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/raster/raster_picture.h"
+
+#include <QByteArray>
+
+namespace io {
+
+// The first picture of a TIFF or BigTIFF, with channels of at most 16 bits, as 8 of them; at most so many
+// pixels.
+RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels);
+
+} // namespace io
