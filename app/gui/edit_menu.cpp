@@ -122,7 +122,7 @@ void EditMenu::addFractals() {
     QAction* mutate = add({nullptr, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
                            tr("Breed variations of this fractal, or cross it with another one")},
                           [this] { openMutate(); });
-    disableWhen(transform, &document::planeObstacle);
+    disableWhen(transform, &document::cageObstacle);
     disableWhen(mutate, &document::variationObstacle);
     add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},

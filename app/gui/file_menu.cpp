@@ -83,7 +83,7 @@ void FileMenu::addPictures() {
     addMenu(new LatexMenu(context()));
     QAction* print = add(
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
-        [this] { view::printFractal(context().document, context().canvas->camera(), context().window); });
+        [this] { printPicture(); });
     add({nullptr,
          tr("Print &Handout…"),
          {},
@@ -96,7 +96,7 @@ void FileMenu::addPictures() {
         });
     disableWhen(m_export, &document::cageObstacle);
     disableWhen(copy, &document::cageObstacle);
-    disableWhen(print, &document::planeObstacle);
+    disableWhen(print, &document::cageObstacle);
 }
 
 void FileMenu::fillRecent() {
@@ -135,6 +135,14 @@ void FileMenu::exportPicture() {
     const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };
     if (!m_file->path().isEmpty() && io::answerSoon(isWritable).value_or(false)) dialog->setFolder(folder);
     dialog->show();
+}
+
+void FileMenu::printPicture() {
+    if (context().stage->showsSpace())
+        view::printFractal(context().document, context().stage->space()->navigation().camera(),
+                           context().window);
+    else
+        view::printFractal(context().document, context().canvas->camera(), context().window);
 }
 
 void FileMenu::exportAnimation() {

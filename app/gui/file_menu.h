@@ -19,6 +19,7 @@ private:
     void addPictures();
     void fillRecent();
     void exportPicture();
+    void printPicture();
     void exportAnimation();
     void exportData();
     void copyPicture();

@@ -110,16 +110,20 @@ std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
     return shape ? movedBranches(*shape) : std::vector<ifs::MovedBranch<2>>{};
 }
 
-std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2>& transformation) {
-    const System2* system = system2(fractal);
-    auto moved = system ? ifs::conjugate(transformation, *system) : std::nullopt;
+template <int Dim>
+std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<Dim>& transformation) {
+    const auto* shape = std::get_if<Shape<Dim>>(&fractal.shape);
+    auto moved = shape ? ifs::conjugate(transformation, shape->system) : std::nullopt;
     if (!moved) return std::nullopt;
     Fractal result = fractal;
-    plane(result)->system = *std::move(moved);
-    for (MovedBranch<2>& branch : plane(result)->moved)
+    auto& after = std::get<Shape<Dim>>(result.shape);
+    after.system = *std::move(moved);
+    for (MovedBranch<Dim>& branch : after.moved)
         branch.change = ifs::conjugate(transformation, branch.change).value_or(branch.change);
     return result;
 }
+template std::optional<Fractal> conjugated(const Fractal&, const ifs::AffineMap<2>&);
+template std::optional<Fractal> conjugated(const Fractal&, const ifs::AffineMap<3>&);
 
 ifs::ControlCage<2> canonicalCage(const Fractal& fractal) {
     if (const auto support = supportFunction(fractal))

@@ -36,9 +36,10 @@ template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<
 // Those of an entry in the plane; of others none.
 std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
 
-// The code becomes M∘w∘M⁻¹, and so does what moves its branches; nullopt unless it is a plane system and M
-// can be inverted. The cage stays.
-std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<2>& transformation);
+// The code becomes M∘w∘M⁻¹, and so does what moves its branches; nullopt unless it is a system of that
+// dimension and M can be inverted. The cage stays.
+template <int Dim>
+std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<Dim>& transformation);
 
 // The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat
 // or bent.

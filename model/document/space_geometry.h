@@ -31,6 +31,9 @@ bool isSpaceExtentKnown(const Fractal& fractal);
 // The cage in force if it is stored or its extent is known.
 std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
 
+// The maps of the code as they act on the displayed picture; nullopt while the placement is flat or bent.
+std::optional<System3> effectiveSpaceSystem(const Fractal& fractal);
+
 // max ⟨u, x⟩ over the vertices: what a cage that bends displays is within their hull.
 std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices);
 

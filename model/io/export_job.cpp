@@ -38,6 +38,23 @@ ExportOutcome exportSpace(const SpaceExport& what, const QString& path, const Pr
     return outcome;
 }
 
+QFuture<QImage> drawnBeside(const std::function<QImage(const Progress&, const std::stop_token&)>& draw) {
+    return inBackground<QImage>([draw](QPromise<QImage>& promise) {
+        constexpr int whole = 100;
+        promise.setProgressRange(0, whole);
+        std::stop_source stop;
+        const auto progress = [&](double share) {
+            promise.setProgressValue(int(share * whole));
+            if (promise.isCanceled()) stop.request_stop();
+        };
+        try {
+            promise.addResult(draw(progress, stop.get_token()));
+        } catch (const std::bad_alloc&) {
+            promise.addResult(QImage());
+        }
+    });
+}
+
 } // namespace
 
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress,
@@ -70,19 +87,14 @@ ExportJob::ExportJob(Export what, const QString& path, Progress progress,
                    const std::stop_token& stop) { finished(exportTo(what, path, progress, stop)); }) {}
 
 QFuture<QImage> drawBeside(const PngExport& what) {
-    return inBackground<QImage>([what](QPromise<QImage>& promise) {
-        constexpr int whole = 100;
-        promise.setProgressRange(0, whole);
-        std::stop_source stop;
-        const auto progress = [&](double share) {
-            promise.setProgressValue(int(share * whole));
-            if (promise.isCanceled()) stop.request_stop();
-        };
-        try {
-            promise.addResult(drawPicture(what, progress, stop.get_token()).image);
-        } catch (const std::bad_alloc&) {
-            promise.addResult(QImage());
-        }
+    return drawnBeside([what](const Progress& progress, const std::stop_token& stop) {
+        return drawPicture(what, progress, stop).image;
+    });
+}
+
+QFuture<QImage> drawBeside(const SpaceExport& what) {
+    return drawnBeside([what](const Progress& progress, const std::stop_token& stop) {
+        return drawSpacePicture(what, progress, stop).image;
     });
 }
 

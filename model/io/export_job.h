@@ -48,5 +48,6 @@ private:
 
 // The same for a picture that stays in memory, with per cent as progress; null when there is no room for it.
 QFuture<QImage> drawBeside(const PngExport& what);
+QFuture<QImage> drawBeside(const SpaceExport& what);
 
 } // namespace io

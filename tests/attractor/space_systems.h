@@ -5,6 +5,8 @@
 #include "attractor/samples/prepared_space.h"
 #include "ifs/canonical_systems.h"
 
+#include <array>
+
 // Systems in space; docs/mathematics.md, "Canonical test systems".
 namespace systems {
 
@@ -36,6 +38,25 @@ inline System3 tetrahedron() { // between corners of the unit cube
 
 inline System3 fern3() {
     return canonical::system(canonical::fern3(), canonical::fernWeights);
+}
+
+// Five maps of a body onto pieces that lie on each other: together they have 2.2 times its volume.
+inline System3 heavyOverlaps() {
+    constexpr std::array<std::array<double, 12>, 5> rows{
+        {{-0.560, -0.523, -0.145, 0.624, -0.490, -0.199, 0.167, -0.073, 0.726, -0.195, 0.637, -0.957},
+         {-0.082, -0.458, 0.671, -0.648, -0.270, -0.258, 0.407, -0.663, -0.235, 0.027, 0.347, -0.757},
+         {-0.373, -0.499, 0.148, 0.360, -0.427, -0.558, -0.516, 0.245, -0.481, 0.374, -0.934, 0.811},
+         {-0.371, 0.330, -0.560, -0.575, -0.466, 0.141, -0.349, 0.529, 0.504, 0.253, -0.001, 0.475},
+         {0.254, -0.511, 0.669, -0.387, -0.576, -0.202, -0.691, 0.151, 0.279, 0.493, -0.009, -0.765}}};
+    System3 result;
+    for (const auto& row : rows) {
+        ifs::AffineMap<3> map;
+        for (int k = 0; k < 9; ++k)
+            map.linear(k / 3, k % 3) = row[std::size_t(k)];
+        map.translation = {row[9], row[10], row[11]};
+        ifs::append<3>(result, map);
+    }
+    return result;
 }
 
 // All of the attractor in a picture of the given size.

@@ -13,19 +13,29 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include <initializer_list>
+#include <utility>
+
 namespace view {
 
 namespace {
 
 enum class About { Origin, BoxMiddle, Mean, Typed };
 
-// Two fields side by side, named x and y.
-QWidget* pair(NumberField* x, NumberField* y) {
+enum class AxisChoice { X, Y, Z, Typed };
+
+constexpr std::array<double, TransformDialog::ValueCount> neutral{0, 1, 1, 1,  0, 0, 0, 0,
+                                                                  0, 0, 0, 90, 0, 1, 0};
+
+// Fields side by side, named x, y and z.
+QWidget* row(std::initializer_list<NumberField*> fields) {
     auto* box = new QWidget;
     auto* layout = new QHBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
-    for (NumberField* field : {x, y}) {
-        auto* label = new QLabel(field == x ? TransformDialog::tr("x") : TransformDialog::tr("y"), box);
+    const std::array names{TransformDialog::tr("x"), TransformDialog::tr("y"), TransformDialog::tr("z")};
+    std::size_t k = 0;
+    for (NumberField* field : fields) {
+        auto* label = new QLabel(names[k++], box);
         label->setForegroundRole(QPalette::PlaceholderText);
         layout->addWidget(label);
         layout->addWidget(field, 1);
@@ -36,7 +46,10 @@ QWidget* pair(NumberField* x, NumberField* y) {
 } // namespace
 
 TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
-    : QDialog(parent), m_document(document), m_edit(document) {
+    : QDialog(parent),
+      m_document(document),
+      m_edit(document),
+      m_dimension(document::dimension(document->fractal()) == 3 ? 3 : 2) {
     setWindowTitle(tr("Transform"));
     setWhatsThis(tr("Reflects, shears, scales, rotates and translates the whole fractal by numbers."));
     auto* layout = new QVBoxLayout(this);
@@ -47,19 +60,7 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
 
     form->addRow(tr("Change:"), makeMode());
     form->addRow(tr("About:"), makeAbout());
-    form->addRow(QString(), pair(addField(AboutX, tr("x of the fixed point"), 0, 0.1),
-                                 addField(AboutY, tr("y of the fixed point"), 0, 0.1)));
-    form->addRow(tr("Reflect:"), makeReflection());
-    form->addRow(tr("Shear:"), addField(Shear, tr("Shear along x"), 0, 0.05));
-    form->addRow(tr("Scale:"), pair(addField(ScaleX, tr("Scale in x"), 1, 0.05),
-                                    addField(ScaleY, tr("Scale in y"), 1, 0.05)));
-    m_sameScale = new QCheckBox(tr("Same in x and y"), this);
-    m_sameScale->setChecked(true);
-    m_sameScale->setWhatsThis(tr("Keeps the factor in y equal to that in x."));
-    form->addRow(QString(), m_sameScale);
-    form->addRow(tr("Rotate °:"), addField(Rotation, tr("Rotation in degrees, counter-clockwise"), 0, 5));
-    form->addRow(tr("Translate:"), pair(addField(ShiftX, tr("Translation in x"), 0, 0.1),
-                                        addField(ShiftY, tr("Translation in y"), 0, 0.1)));
+    m_dimension == 2 ? addRows(form) : addSpaceRows(form);
 
     auto* order = new QLabel(tr("Applied in this order, from top to bottom."), this);
     order->setForegroundRole(QPalette::PlaceholderText);
@@ -80,11 +81,53 @@ TransformDialog::TransformDialog(document::Document* document, QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &TransformDialog::reject);
     layout->addWidget(buttons);
 
+    chooseAbout();
+}
+
+void TransformDialog::addRows(QFormLayout* form) {
+    form->addRow(QString(), row({addField(AboutX, tr("x of the fixed point"), 0, 0.1),
+                                 addField(AboutY, tr("y of the fixed point"), 0, 0.1)}));
+    form->addRow(tr("Reflect:"), makeReflection());
+    form->addRow(tr("Shear:"), addField(Shear, tr("Shear along x"), 0, 0.05));
+    form->addRow(tr("Scale:"), row({addField(ScaleX, tr("Scale in x"), 1, 0.05),
+                                    addField(ScaleY, tr("Scale in y"), 1, 0.05)}));
+    form->addRow(QString(), makeSameScale());
+    form->addRow(tr("Rotate °:"), addField(Rotation, tr("Rotation in degrees, counter-clockwise"), 0, 5));
+    form->addRow(tr("Translate:"), row({addField(ShiftX, tr("Translation in x"), 0, 0.1),
+                                        addField(ShiftY, tr("Translation in y"), 0, 0.1)}));
+}
+
+void TransformDialog::addSpaceRows(QFormLayout* form) {
+    form->addRow(QString(), row({addField(AboutX, tr("x of the fixed point"), 0, 0.1),
+                                 addField(AboutY, tr("y of the fixed point"), 0, 0.1),
+                                 addField(AboutZ, tr("z of the fixed point"), 0, 0.1)}));
+    form->addRow(tr("Scale:"), row({addField(ScaleX, tr("Scale in x"), 1, 0.05),
+                                    addField(ScaleY, tr("Scale in y"), 1, 0.05),
+                                    addField(ScaleZ, tr("Scale in z"), 1, 0.05)}));
+    form->addRow(QString(), makeSameScale());
+    form->addRow(tr("Axis:"), makeAxis());
+    form->addRow(QString(), row({addField(AxisX, tr("x of the direction of the axis"), 0, 0.1),
+                                 addField(AxisY, tr("y of the direction of the axis"), 1, 0.1),
+                                 addField(AxisZ, tr("z of the direction of the axis"), 0, 0.1)}));
+    form->addRow(tr("Rotate °:"),
+                 addField(Rotation,
+                          tr("Rotation in degrees, counter-clockwise as seen from the tip of the axis"), 0,
+                          5));
+    form->addRow(tr("Translate:"), row({addField(ShiftX, tr("Translation in x"), 0, 0.1),
+                                        addField(ShiftY, tr("Translation in y"), 0, 0.1),
+                                        addField(ShiftZ, tr("Translation in z"), 0, 0.1)}));
+}
+
+QWidget* TransformDialog::makeSameScale() {
+    m_sameScale = new QCheckBox(m_dimension == 2 ? tr("Same in x and y") : tr("Same in x, y and z"), this);
+    m_sameScale->setChecked(true);
+    m_sameScale->setWhatsThis(m_dimension == 2 ? tr("Keeps the factor in y equal to that in x.")
+                                               : tr("Keeps the factors in x, y and z equal."));
     connect(m_sameScale, &QCheckBox::toggled, this, [this](bool same) {
-        if (same) m_fields[ScaleY]->setValue(m_fields[ScaleX]->value(), m_fields[ScaleX]->typedText());
+        if (same) follow(ScaleX);
         showLive();
     });
-    chooseAbout();
+    return m_sameScale;
 }
 
 QWidget* TransformDialog::makeMode() {
@@ -119,7 +162,9 @@ QWidget* TransformDialog::makeAbout() {
     m_about->addItem(tr("the centre of the picture’s box"), static_cast<int>(About::BoxMiddle));
     m_about->addItem(tr("the mean of the invariant measure"), static_cast<int>(About::Mean));
     m_about->addItem(tr("a point of your choice"), static_cast<int>(About::Typed));
-    const bool hasBox = middleOfBox(m_document->fractal()).has_value();
+    const document::Fractal& fractal = m_document->fractal();
+    const bool hasBox = m_dimension == 2 ? document::middleOfBox<2>(fractal).has_value()
+                                         : document::middleOfBox<3>(fractal).has_value();
     m_about->setCurrentIndex(hasBox ? 1 : 0);
     connect(m_about, &QComboBox::activated, this, &TransformDialog::chooseAbout);
     return m_about;
@@ -134,7 +179,7 @@ QWidget* TransformDialog::makeReflection() {
     m_reflect->setWhatsThis(
         tr("Reflects in a line through the fixed point; the angle is measured from the x axis."));
     NumberField* axis =
-        addField(Axis, tr("Angle of the mirror line in degrees: 0 is horizontal, 90 vertical"), 90, 5);
+        addField(Mirror, tr("Angle of the mirror line in degrees: 0 is horizontal, 90 vertical"), 90, 5);
     axis->setEnabled(false);
     layout->addWidget(m_reflect);
     layout->addWidget(axis, 1);
@@ -145,6 +190,17 @@ QWidget* TransformDialog::makeReflection() {
     return box;
 }
 
+QWidget* TransformDialog::makeAxis() {
+    m_axis = new QComboBox(this);
+    m_axis->setAccessibleName(tr("Axis of the rotation"));
+    m_axis->setWhatsThis(tr("The axis of the rotation; it passes through the fixed point."));
+    m_axis->addItems(
+        {tr("the x axis"), tr("the y axis"), tr("the z axis"), tr("a direction of your choice")});
+    m_axis->setCurrentIndex(static_cast<int>(AxisChoice::Y));
+    connect(m_axis, &QComboBox::activated, this, &TransformDialog::chooseAxis);
+    return m_axis;
+}
+
 NumberField* TransformDialog::addField(Value value, const QString& name, double start, double step) {
     auto* field = new NumberField(this);
     field->setAccessibleName(name);
@@ -152,14 +208,21 @@ NumberField* TransformDialog::addField(Value value, const QString& name, double 
     field->setStep(step);
     field->setValue(start);
     m_fields[value] = field;
-    connect(field, &NumberField::edited, this, [this, value](double number) {
-        const QString typed = m_fields[value]->typedText();
-        if (m_sameScale->isChecked() && value == ScaleX) m_fields[ScaleY]->setValue(number, typed);
-        if (m_sameScale->isChecked() && value == ScaleY) m_fields[ScaleX]->setValue(number, typed);
-        if (value == AboutX || value == AboutY) m_about->setCurrentIndex(static_cast<int>(About::Typed));
+    connect(field, &NumberField::edited, this, [this, value] {
+        follow(value);
         showLive();
     });
     return field;
+}
+
+void TransformDialog::follow(Value edited) {
+    const NumberField* from = m_fields[edited];
+    if (m_sameScale && m_sameScale->isChecked() && edited >= ScaleX && edited <= ScaleZ)
+        for (const Value other : {ScaleX, ScaleY, ScaleZ})
+            if (other != edited && m_fields[other])
+                m_fields[other]->setValue(from->value(), from->typedText());
+    if (edited >= AboutX && edited <= AboutZ) m_about->setCurrentIndex(static_cast<int>(About::Typed));
+    if (edited >= AxisX && edited <= AxisZ) m_axis->setCurrentIndex(static_cast<int>(AxisChoice::Typed));
 }
 
 TransformDialog::Mode TransformDialog::mode() const {
@@ -170,36 +233,60 @@ void TransformDialog::setMode(Mode mode) {
     m_mode->button(static_cast<int>(mode))->setChecked(true);
 }
 
-void TransformDialog::chooseAbout() {
+template <int Dim> std::optional<ifs::Vector<Dim>> TransformDialog::chosenPoint() const {
     const document::Fractal& before = m_edit.before();
-    std::optional<ifs::Vector<2>> point;
     switch (static_cast<About>(m_about->currentData().toInt())) {
     case About::Origin:
-        point = ifs::Vector<2>::Zero();
-        break;
+        return ifs::Vector<Dim>::Zero();
     case About::BoxMiddle:
-        point = middleOfBox(before);
-        break;
+        return document::middleOfBox<Dim>(before);
     case About::Mean:
-        point = displayedMean(before);
-        break;
+        return document::displayedMean<Dim>(before);
     case About::Typed:
+        break;
+    }
+    return std::nullopt;
+}
+
+void TransformDialog::chooseAbout() {
+    if (static_cast<About>(m_about->currentData().toInt()) == About::Typed) {
         m_fields[AboutX]->setFocus();
         return;
     }
-    if (!point) { // no such point: leave the choice at what is shown
-        m_about->setCurrentIndex(static_cast<int>(About::Typed));
+    const auto fill = [this](const auto& point) {
+        if (!point) { // no such point: leave the choice at what is shown
+            m_about->setCurrentIndex(static_cast<int>(About::Typed));
+            return false;
+        }
+        for (int k = 0; k < point->size(); ++k)
+            m_fields[std::size_t(AboutX + k)]->setValue((*point)[k]);
+        return true;
+    };
+    if (m_dimension == 2 ? fill(chosenPoint<2>()) : fill(chosenPoint<3>())) showLive();
+}
+
+void TransformDialog::chooseAxis() {
+    const auto choice = static_cast<AxisChoice>(m_axis->currentIndex());
+    if (choice == AxisChoice::Typed) {
+        m_fields[AxisX]->setFocus();
         return;
     }
-    m_fields[AboutX]->setValue(point->x());
-    m_fields[AboutY]->setValue(point->y());
+    for (int k = 0; k < 3; ++k)
+        m_fields[std::size_t(AxisX + k)]->setValue(k == static_cast<int>(choice) ? 1 : 0);
     showLive();
 }
 
+double TransformDialog::value(Value which) const {
+    return m_fields[which] ? m_fields[which]->value() : neutral[which];
+}
+
+ifs::Vector<3> TransformDialog::vector(Value x) const {
+    return {value(x), value(Value(x + 1)), value(Value(x + 2))};
+}
+
 document::Transformation TransformDialog::transformation() const {
-    const auto value = [this](Value which) { return m_fields[which]->value(); };
-    return {m_reflect->isChecked(),
-            value(Axis),
+    return {m_reflect && m_reflect->isChecked(),
+            value(Mirror),
             value(Shear),
             value(ScaleX),
             value(ScaleY),
@@ -208,39 +295,63 @@ document::Transformation TransformDialog::transformation() const {
             {value(AboutX), value(AboutY)}};
 }
 
-QString TransformDialog::problem() const {
+document::SpaceTransformation TransformDialog::spaceTransformation() const {
+    return {vector(ScaleX), vector(AxisX), value(Rotation), vector(ShiftX), vector(AboutX)};
+}
+
+template <int Dim> ifs::AffineMap<Dim> TransformDialog::map() const {
+    if constexpr (Dim == 2)
+        return affineMap(transformation());
+    else
+        return affineMap(spaceTransformation());
+}
+
+template <int Dim> QString TransformDialog::problemIn() const {
     const document::Fractal& before = m_edit.before();
-    if (document::dimension(before) != 2) return tr("This entry is not a system in the plane.");
-    if (mode() == Mode::Rewrite && !rewritten(before, affineMap(transformation())))
-        return tr("This transformation is too flat to be inverted, so it cannot be written into the code. "
-                  "Choose other scales, or place the picture.");
-    return {};
+    if (document::dimension(before) != Dim)
+        return Dim == 2 ? tr("This entry is not a system in the plane.")
+                        : tr("This entry is not a system in space.");
+    if constexpr (Dim == 3)
+        if (value(Rotation) != 0 && vector(AxisX).isZero(0)) return tr("The axis has no direction.");
+    if (mode() != Mode::Rewrite || document::rewritten(before, map<Dim>())) return {};
+    if (Dim == 3 && ifs::inverse(map<Dim>()))
+        return tr("The cage bends the picture, so only a transformation that scales alike in all directions "
+                  "can be written into the code. Choose equal scales, or place the picture.");
+    return tr("This transformation is too flat to be inverted, so it cannot be written into the code. "
+              "Choose other scales, or place the picture.");
+}
+
+QString TransformDialog::problem() const {
+    return m_dimension == 2 ? problemIn<2>() : problemIn<3>();
+}
+
+template <int Dim> void TransformDialog::preview() {
+    const ifs::AffineMap<Dim> made = map<Dim>();
+    m_edit.preview(mode() == Mode::Place ? tr("Transform the picture") : tr("Transform the code"),
+                   [&](document::Fractal& fractal) {
+                       if (made == ifs::AffineMap<Dim>{}) return;
+                       if (mode() == Mode::Place)
+                           fractal = document::placed(std::move(fractal), made);
+                       else if (auto after = document::rewritten(fractal, made))
+                           fractal = std::move(*after);
+                   });
 }
 
 void TransformDialog::showLive() {
     const QString reason = problem();
     m_problem->setText(reason);
     m_ok->setEnabled(reason.isEmpty());
-    if (!reason.isEmpty()) {
+    if (!reason.isEmpty())
         m_edit.cancel();
-        return;
-    }
-    const ifs::AffineMap<2> map = affineMap(transformation());
-    m_edit.preview(mode() == Mode::Place ? tr("Transform the picture") : tr("Transform the code"),
-                   [&](document::Fractal& fractal) {
-                       if (map == ifs::AffineMap<2>{}) return;
-                       if (mode() == Mode::Place)
-                           fractal = placed(std::move(fractal), map);
-                       else if (auto after = rewritten(fractal, map))
-                           fractal = std::move(*after);
-                   });
+    else
+        m_dimension == 2 ? preview<2>() : preview<3>();
 }
 
 void TransformDialog::startAgain() {
-    const std::array<double, ValueCount> start{0, 1, 1, 0, 0, 0, 0, 0, 90};
-    for (int value = 0; value < ValueCount; ++value)
-        m_fields[value]->setValue(start[static_cast<std::size_t>(value)]);
-    m_reflect->setChecked(false);
+    for (std::size_t value = 0; value < ValueCount; ++value)
+        if (m_fields[value]) m_fields[value]->setValue(neutral[value]);
+    if (m_reflect) m_reflect->setChecked(false);
+    if (m_axis) m_axis->setCurrentIndex(static_cast<int>(AxisChoice::Y));
     chooseAbout();
 }
 

@@ -7,6 +7,7 @@
 #include <QDialog>
 
 #include <array>
+#include <optional>
 
 class QButtonGroup;
 class QCheckBox;
@@ -20,7 +21,8 @@ namespace view {
 class NumberField;
 
 // The whole fractal rotated, scaled, sheared, reflected and translated by typed values, as placement or as
-// new code. Shown live while the dialog is open; OK leaves one undo step, Cancel none.
+// new code; in space rotated about an axis, scaled and translated. Shown live while the dialog is open; OK
+// leaves one undo step, Cancel none.
 class TransformDialog : public QDialog {
     Q_OBJECT
 
@@ -31,31 +33,65 @@ public:
     void setMode(Mode mode);
     Mode mode() const;
 
-    enum Value { Rotation, ScaleX, ScaleY, Shear, ShiftX, ShiftY, AboutX, AboutY, Axis, ValueCount };
-    NumberField* field(Value value) const { return m_fields[value]; }
-    QCheckBox* reflect() const { return m_reflect; }
+    // Shear and Mirror are of the plane; what has a z, and the axis of the rotation, are of space.
+    enum Value {
+        Rotation,
+        ScaleX,
+        ScaleY,
+        ScaleZ,
+        Shear,
+        ShiftX,
+        ShiftY,
+        ShiftZ,
+        AboutX,
+        AboutY,
+        AboutZ,
+        Mirror,
+        AxisX,
+        AxisY,
+        AxisZ,
+        ValueCount
+    };
+    NumberField* field(Value value) const { return m_fields[value]; } // nullptr: of the other dimension
+    QCheckBox* reflect() const { return m_reflect; }                  // nullptr in space
     QComboBox* about() const { return m_about; }
-    QString problem() const; // why the transformation cannot be made; empty when it can
+    QComboBox* axis() const { return m_axis; } // nullptr in the plane
+    QString problem() const;                   // why the transformation cannot be made; empty when it can
     document::Transformation transformation() const;
+    document::SpaceTransformation spaceTransformation() const;
 
     void accept() override;
     void reject() override;
 
 private:
     NumberField* addField(Value value, const QString& name, double start, double step);
+    void addRows(QFormLayout* form);
+    void addSpaceRows(QFormLayout* form);
+    QWidget* makeSameScale();
     QWidget* makeAbout();
     QWidget* makeMode();
     QWidget* makeReflection();
+    QWidget* makeAxis();
+    void follow(Value edited); // what else an edited field changes
     void chooseAbout();
+    void chooseAxis();
+    double value(Value which) const;
+    ifs::Vector<3> vector(Value x) const; // from three fields
+    template <int Dim> ifs::AffineMap<Dim> map() const;
+    template <int Dim> std::optional<ifs::Vector<Dim>> chosenPoint() const;
+    template <int Dim> QString problemIn() const;
+    template <int Dim> void preview();
     void showLive();
     void startAgain();
 
     document::Document* m_document;
     document::LiveEdit m_edit;
+    int m_dimension;
     std::array<NumberField*, ValueCount> m_fields{};
     QCheckBox* m_reflect = nullptr;
     QCheckBox* m_sameScale = nullptr;
     QComboBox* m_about = nullptr;
+    QComboBox* m_axis = nullptr;
     QButtonGroup* m_mode = nullptr;
     QLabel* m_problem = nullptr;
     QPushButton* m_ok = nullptr;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 
 namespace attractor {
 
@@ -44,8 +45,12 @@ private:
 class CoverBuilder {
 public:
     explicit CoverBuilder(const PreparedSpace& system) : m_contracts(system.contracts) {
-        for (const ifs::AffineMap<3>& map : system.maps)
+        double volume = 0;
+        for (const ifs::AffineMap<3>& map : system.maps) {
             m_maps.push_back(system.inBox(map));
+            volume += std::abs(ifs::determinant<3>(map.linear));
+        }
+        m_overlaps = volume > 1;
         m_point = ifs::fixedPoint(m_maps.front()).value_or(Vector<3>::Zero());
         if (!isInBox(m_point)) m_point.setZero();
         // The point that stands for a cell is best in its middle.
@@ -116,6 +121,12 @@ public:
             *cells = thinned(std::move(*cells), width);
             if (cells->points.size() < best->points.size()) best = std::move(cells);
         }
+        // The cells of pieces that lie on each other are there many times.
+        constexpr std::size_t worthFlooding = 4;
+        if (m_overlaps && best->points.size() > worthFlooding) {
+            std::vector<Vector<3>> points = flood(width);
+            if (worthFlooding * points.size() <= best->points.size()) return {std::move(points), width};
+        }
         return *best;
     }
 
@@ -132,6 +143,7 @@ private:
     }
 
     bool m_contracts;
+    bool m_overlaps = false;               // the volumes of the pieces say so
     std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
     Vector<3> m_point;                     // of the attractor
 };

@@ -44,7 +44,8 @@ std::uint64_t memoryFor(const SpaceExport& picture);
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
                            std::stop_token stop = {});
 
-// The same picture in memory, 8 bits per channel, without texts; null when stopped. Not of depths.
+// The same picture in memory, 8 bits per channel, without texts; null when stopped. Depths are as one sees
+// them: near white, far black.
 Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress = {},
                          std::stop_token stop = {});
 

@@ -382,8 +382,8 @@ void LessonTest::fractalsThatAreGoneAreFound() {
         auto* complaint = qobject_cast<QMessageBox*>(shown); // of a folder that is not read yet
         if (complaint && qobject_cast<QFileDialog*>(complaint->parentWidget())) return complaint->reject();
         if (!files) return;
-        files->findChild<QLineEdit*>(u"fileNameEdit"_s)
-            ->setText(renamed); // once more until it has been taken
+        // Once more until it has been taken.
+        files->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(renamed);
         // Not at once: while the complaint that may follow is shown, this timer is to go on.
         QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
     });

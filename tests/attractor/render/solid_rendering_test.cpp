@@ -140,6 +140,19 @@ private slots:
         QVERIFY(found.invented <= found.drawn / 1000);
     }
 
+    // There are more words than can be looked at; what is drawn of them leaves few holes.
+    void heavyOverlapsAreFilled() {
+        const SpaceRequest request = spaceRequest(systems::heavyOverlaps(), 160, 120);
+        SolidRendering rendering(request);
+        QVERIFY(rendering.draw());
+        const auto brute = bruteForce(request, 5'000'000);
+        const Agreement found = agreement(rendering.raster(), brute, pixelsPerUnit(request.camera));
+        qInfo("filled %zu missed %zu farther %zu, drawn %zu", found.filled, found.missed, found.farther,
+              found.drawn);
+        QVERIFY(found.filled > 500);
+        QVERIFY(found.missed <= found.filled / 100);
+    }
+
     // What is drawn are points of the attractor.
     void liesInTheCertifiedHull() {
         for (const char* name : {"menger", "tetrahedron", "fern3"})

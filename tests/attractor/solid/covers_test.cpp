@@ -52,6 +52,19 @@ private slots:
         }
     }
 
+    // A cut of a body whose pieces lie on each other has every cell many times. Its covers have it once, or
+    // only the coarsest would be small enough.
+    void heavyOverlapsHaveFineCovers() {
+        const PreparedSpace prepared = preparedSpace(systems::heavyOverlaps());
+        SpaceSamples samples;
+        drawSamples(prepared, 1, 0, samples);
+        const Covers covers(prepared);
+        const auto known = covers.ofAtMost(Covers::maxPoints);
+        for (const kernels::Cover& cover : known)
+            QVERIFY(farthest(samples, cover) <= 2 * cover.spacing * 1.001);
+        QVERIFY(known.back().spacing <= 1.0F / 16);
+    }
+
     // The counts of cells: 20ⁿ of the sponge, 4ⁿ of the tetrahedron.
     void cellsAreCounted() {
         const auto sizes = [](const systems::System3& system) {

@@ -84,6 +84,7 @@ private:
     void link();
     void makeSymmetric();
     void transform();
+    void transformInSpace();
     void changeDimension();
     void animate();
     void editKeys();
@@ -298,6 +299,20 @@ void RandomEditsTest::makeSymmetric() {
     if (symmetryObstacle(now, std::size_t(12)).isEmpty()) put("symmetry", withSymmetry(now, symmetry));
 }
 
+void RandomEditsTest::transformInSpace() {
+    const auto vector = [this](double reach) {
+        return ifs::Vector<3>(anyIn(-reach, reach), anyIn(-reach, reach), anyIn(-reach, reach));
+    };
+    document::SpaceTransformation change;
+    change.scale = any(2) ? vector(2) : ifs::Vector<3>::Constant(anyIn(0.3, 2));
+    change.axis = vector(1);
+    change.rotation = anyIn(-180, 180);
+    change.translation = vector(3);
+    const Fractal& now = m_document->fractal();
+    if (any(2)) return put("place in space", placed(now, affineMap(change)));
+    put("rewrite in space", rewritten(now, affineMap(change)));
+}
+
 void RandomEditsTest::transform() {
     document::Transformation change;
     change.reflect = any(3) == 0;
@@ -308,7 +323,7 @@ void RandomEditsTest::transform() {
     change.rotation = anyIn(-3, 3);
     change.translation = anyVector(3);
     const Fractal& now = m_document->fractal();
-    if (!document::system2(now)) return;
+    if (document::system3(now)) return transformInSpace();
     if (any(2)) return put("place", placed(now, affineMap(change)));
     put("rewrite", rewritten(now, affineMap(change)));
 }

@@ -4,7 +4,9 @@
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
+#include "document/space_geometry.h"
 #include "io/export_job.h"
+#include "io/overlay/space_overlay.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -31,6 +33,16 @@ namespace {
 using Kind = HandoutOptions::Kind;
 
 constexpr double margin = 0.04; // around everything that is shown
+
+int longSideOf(const HandoutOptions& options) {
+    return options.perPage <= 2 ? 1400 : 900;
+}
+
+QImage drawnInSpace(const HandoutPictureInSpace& shown, QWidget* parent) {
+    QImage image = drawnForPaper(shown.picture, parent);
+    if (!image.isNull()) io::paintOverlay(image, shown.marks, 0);
+    return image;
+}
 
 } // namespace
 
@@ -64,15 +76,16 @@ void HandoutDialog::createEntries(const document::Document& document) {
     auto* label = new QLabel(tr("&Entries:"), this);
     label->setBuddy(m_entries);
     m_entries->setAccessibleName(tr("Entries to print"));
-    m_entries->setWhatsThis(tr("The entries of the file that are systems in the plane. Ticked entries are "
-                               "printed in this order, up to %1 of them.")
-                                .arg(maxEntries));
+    m_entries->setWhatsThis(
+        tr("The entries of the file that could be read. Ticked entries are printed in this "
+           "order, up to %1 of them.")
+            .arg(maxEntries));
     for (const document::Entry& entry : document.file().entries) {
         if (m_entries->count() == maxListed) break;
         const bool isCurrent = entry.id == document.currentId();
         const std::shared_ptr<const document::Fractal> fractal =
             isCurrent ? document.sharedFractal() : entry.fractal;
-        if (!document::plane(*fractal)) continue;
+        if (document::dimension(*fractal) == 0) continue;
         auto* row = new QListWidgetItem(fractal->name, m_entries);
         row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         row->setCheckState(isCurrent ? Qt::Checked : Qt::Unchecked);
@@ -104,8 +117,8 @@ void HandoutDialog::createOptions() {
     m_kind->addItem(tr("Blank worksheet"));
     m_kind->setAccessibleName(tr("Kind of sheet"));
     m_kind->setWhatsThis(tr("A handout has the picture of each entry, with its cage, its maps and their "
-                            "formulas. A blank worksheet has the cage on a grid and an empty table, to be "
-                            "filled in by hand."));
+                            "formulas. A blank worksheet has the cage, in the plane on a grid, and an empty "
+                            "table, to be filled in by hand."));
     for (const int count : {1, 2, 4, 6})
         m_perPage->addItem(QString::number(count), count);
     m_perPage->setCurrentIndex(1);
@@ -177,7 +190,7 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
         low.array() -= 0.5;
         high.array() += 0.5;
     }
-    const int longSide = options.perPage <= 2 ? 1400 : 900;
+    const int longSide = longSideOf(options);
     const ifs::Vector<2> size = (high - low).cwiseMax(0.2 * (high - low).maxCoeff());
     attractor::Camera camera;
     camera.width = std::max(1, int(longSide * size.x() / size.maxCoeff()));
@@ -189,6 +202,22 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
     picture.overlay.maps = picture.overlay.numbers = picture.overlay.fixedPoints = options.showsMaps;
     picture.overlay.cage = picture.overlay.isCageInked = options.showsMaps;
     return picture;
+}
+
+HandoutPictureInSpace handoutPictureInSpace(const document::Fractal& fractal, const HandoutOptions& options) {
+    io::PictureOverlay overlay;
+    overlay.maps = overlay.numbers = overlay.fixedPoints = options.showsMaps;
+    overlay.cage = overlay.isCageInked = options.showsMaps;
+    attractor::OrbitCamera camera = standardView();
+    camera.size.width = camera.size.height = longSideOf(options);
+    const auto marked = document::reachOfVertices(io::spaceOverlayPoints(fractal, overlay));
+    const auto reach = [&](const ifs::Vector<3>& u) {
+        const double picture = document::extentAlong(fractal, u).high;
+        return options.showsMaps ? std::max(picture, marked(u)) : picture;
+    };
+    camera = attractor::fitted(camera, reach, margin);
+    return {spacePicture(fractal, camera, longSideOf(options)),
+            io::spaceOverlayMarks(onPaper(fractal), camera, overlay)};
 }
 
 // Print dialogs take it for the name of the file that they write.
@@ -203,7 +232,9 @@ void HandoutDialog::showPreview() {
     for (const auto& fractal : chosen()) {
         HandoutItem item{fractal, {}};
         if (wanted.kind == Kind::Handout) {
-            item.picture = drawnForPaper(handoutPicture(*fractal, wanted), this);
+            item.picture = document::plane(*fractal)
+                               ? drawnForPaper(handoutPicture(*fractal, wanted), this)
+                               : drawnInSpace(handoutPictureInSpace(*fractal, wanted), this);
             if (!self || item.picture.isNull()) return; // the user has changed their mind
         }
         items.push_back(std::move(item));

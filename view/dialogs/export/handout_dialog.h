@@ -3,7 +3,8 @@
 
 #include "dialogs/export/handout_page.h"
 #include "document/document.h"
-#include "io/picture/png_export.h"
+#include "io/export_job.h"
+#include "io/overlay/overlay_marks.h"
 
 #include <QDialog>
 
@@ -51,5 +52,11 @@ private:
 // The picture of a handout: the displayed attractor on paper, with the cage and its numbered images where
 // the options want them.
 io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options);
+// The same of an entry in space, seen as at first.
+struct HandoutPictureInSpace {
+    io::SpaceExport picture;
+    io::OverlayMarks marks; // over it
+};
+HandoutPictureInSpace handoutPictureInSpace(const document::Fractal& fractal, const HandoutOptions& options);
 
 } // namespace view

@@ -4,6 +4,8 @@
 #include "canvas/geometry/grid_spacing.h"
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
+#include "io/overlay/space_overlay.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -20,6 +22,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
+constexpr double lineSpacing = 1.15;
 constexpr int maxRows = 12;        // of an empty table
 constexpr double gridLines = 900;  // the grid is as dense as on a canvas of so many pixels
 constexpr double cageMargin = 0.3; // of the cage's size, around it on the grid
@@ -41,7 +44,7 @@ bool isSeen(double value) {
 }
 
 // "0.5x − 0.25y + 1"
-QString sumText(double x, double y, double constant) {
+template <int Dim> QString sumText(const ifs::AffineMap<Dim>& map, int row) {
     QString text;
     const auto add = [&](double factor, const QString& variable) {
         if (!isSeen(factor)) return;
@@ -53,9 +56,9 @@ QString sumText(double x, double y, double constant) {
         if (variable.isEmpty() || std::abs(size - 1) > 5e-5) text += digitsOf(size);
         text += variable;
     };
-    add(x, QStringLiteral("x"));
-    add(y, QStringLiteral("y"));
-    add(constant, {});
+    for (int k = 0; k < Dim; ++k)
+        add(map.linear(row, k), QStringLiteral("xyz").mid(k, 1));
+    add(map.translation[row], {});
     return text.isEmpty() ? QStringLiteral("0") : text;
 }
 
@@ -77,7 +80,12 @@ public:
         const bool hasText = isTask || m_options.hasFormulas;
         auto [picture, text] = divided(rest, hasText);
         if (isTask) {
-            paintGrid(picture, *item.fractal);
+            if (document::plane(*item.fractal))
+                paintGrid(picture, *item.fractal);
+            else
+                paintCage(picture, *item.fractal);
+            if (document::space(*item.fractal))
+                text.setTop(paintTexts(text, cornersOf(*item.fractal)) + m_line);
             paintEmptyTable(text, *item.fractal);
             return;
         }
@@ -108,22 +116,54 @@ private:
         return {QRectF(room.topLeft(), QSizeF(room.width(), height)), room.adjusted(0, height + gap, 0, 0)};
     }
 
-    void paintFormulas(const QRectF& room, const document::Fractal& fractal) {
-        const auto displayed = document::effectiveSystem(fractal);
-        const document::System2& system = displayed ? *displayed : *document::system2(fractal);
+    template <int Dim> static QStringList formulas(const ifs::IteratedFunctionSystem<Dim>& system) {
         const std::vector<double> shares = ifs::probabilities(system);
         QStringList lines;
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             if (shares[i] > 0)
-                lines << formulaText(system.maps[i].map, i + 1) +
+                lines << formulaText<Dim>(system.maps[i].map, i + 1) +
                              QStringLiteral("   p%1 = %2").arg(subscript(i + 1), digitsOf(shares[i]));
-        const double height = 1.15 * m_line;
-        const auto fit = qsizetype(std::max(0.0, room.height() / height));
-        if (lines.size() > fit) {
-            const qsizetype more = lines.size() - std::max<qsizetype>(0, fit - 1);
-            lines = lines.first(lines.size() - more);
-            lines << Text::tr("%n more maps", nullptr, int(more));
+        return lines;
+    }
+
+    static QStringList cornersOf(const document::Fractal& fractal) {
+        const auto cage = document::spaceCage(fractal);
+        return cage ? cornerTexts(*cage) : QStringList();
+    }
+
+    void paintFormulas(const QRectF& room, const document::Fractal& fractal) {
+        QStringList lines;
+        if (const document::System3* system = document::system3(fractal)) {
+            const auto displayed = document::effectiveSpaceSystem(fractal);
+            const QStringList corners = m_options.showsMaps ? cornersOf(fractal) : QStringList();
+            QRectF rest = room;
+            if (!corners.isEmpty()) rest.setTop(paintTexts(room, corners) + m_line / 2);
+            paintMaps(rest, formulas<3>(displayed ? *displayed : *system));
+            return;
         }
+        const auto displayed = document::effectiveSystem(fractal);
+        paintMaps(room, formulas<2>(displayed ? *displayed : *document::system2(fractal)));
+    }
+
+    // Those that do not fit are counted.
+    void paintMaps(const QRectF& room, QStringList formulas) {
+        const qsizetype fit = linesIn(room);
+        if (formulas.size() > fit) {
+            const qsizetype more = formulas.size() - std::max<qsizetype>(0, fit - 1);
+            formulas = formulas.first(formulas.size() - more);
+            formulas << Text::tr("%n more maps", nullptr, int(more));
+        }
+        paintTexts(room, formulas);
+    }
+
+    qsizetype linesIn(const QRectF& room) const {
+        return qsizetype(std::max(0.0, room.height() / (lineSpacing * m_line)));
+    }
+
+    // As many as there is room for. Returns where they end.
+    double paintTexts(const QRectF& room, QStringList lines) {
+        const double height = lineSpacing * m_line;
+        lines = lines.first(std::min(lines.size(), linesIn(room)));
         setFont(0.72);
         double widest = 1;
         for (const QString& line : std::as_const(lines))
@@ -135,6 +175,25 @@ private:
             m_painter.drawText(QRectF(room.left(), room.top() + double(k) * height, room.width(), height),
                                Qt::AlignLeft | Qt::AlignVCenter,
                                metrics.elidedText(lines[k], Qt::ElideRight, room.width()));
+        return room.top() + double(lines.size()) * height;
+    }
+
+    // The cage in space as a solid is seen at first, its corners numbered.
+    void paintCage(const QRectF& room, const document::Fractal& fractal) {
+        const document::Fractal printed = onPaper(fractal);
+        io::PictureOverlay overlay;
+        overlay.cage = overlay.isCageInked = true;
+        attractor::OrbitCamera camera = standardView();
+        constexpr int side = 500;
+        camera.size = {side, side};
+        camera = attractor::fitted(camera,
+                                   document::reachOfVertices(io::spaceOverlayPoints(printed, overlay)), 0.08);
+        const double scale = std::min(room.width(), room.height()) / side;
+        m_painter.save();
+        m_painter.translate(room.left() + (room.width() - scale * side) / 2, room.top());
+        m_painter.scale(scale, scale);
+        io::paint(m_painter, io::spaceOverlayMarks(printed, camera, overlay));
+        m_painter.restore();
     }
 
     // The cage as it is displayed, with its corners named, on a grid with the numbers of its lines.
@@ -210,24 +269,28 @@ private:
 
     // A row for each map, to be filled in by hand.
     void paintEmptyTable(const QRectF& room, const document::Fractal& fractal) {
-        const auto maps = int(std::min<std::size_t>(ifs::countActive(*document::system2(fractal)), maxRows));
+        const document::System3* solid = document::system3(fractal);
+        const std::size_t active =
+            solid ? ifs::countActive(*solid) : ifs::countActive(*document::system2(fractal));
+        const auto maps = int(std::min<std::size_t>(active, maxRows));
+        const QStringList names = coefficientNames(solid ? 3 : 2);
+        const auto columns = int(names.size());
         const double row = std::min(1.8 * m_line, 0.14 * room.height());
         const int rows = std::clamp(maps, 1, std::max(1, int(room.height() / row) - 1));
         constexpr double narrow = 0.5; // the numbers of the maps
-        const double column = room.width() / (printedColumns - 1 + narrow);
+        const double column = room.width() / (columns - 1 + narrow);
         m_painter.setPen(QPen(Qt::black, 0.04 * m_line));
         const double bottom = room.top() + row * (rows + 1);
         for (int k = 0; k <= rows + 1; ++k)
             m_painter.drawLine(QPointF(room.left(), room.top() + k * row),
                                QPointF(room.right(), room.top() + k * row));
-        const QString names = QStringLiteral(" abcdefp");
-        for (int k = 0; k <= printedColumns; ++k) {
+        for (int k = 0; k <= columns; ++k) {
             const double left = room.left() + (k == 0 ? 0 : column * (k - 1 + narrow));
             m_painter.drawLine(QPointF(left, room.top()), QPointF(left, bottom));
-            if (k == printedColumns) break;
+            if (k == columns) break;
             setFont(0.75, true);
             m_painter.drawText(QRectF(left, room.top(), k == 0 ? narrow * column : column, row),
-                               Qt::AlignCenter, names.mid(k, 1).trimmed());
+                               Qt::AlignCenter, names[k]);
         }
         for (int k = 1; k <= rows; ++k)
             m_painter.drawText(QRectF(room.left(), room.top() + k * row, narrow * column, row),
@@ -256,9 +319,32 @@ void paintNameLine(QPainter& painter, const QRectF& strip, double line) {
 
 } // namespace
 
-QString formulaText(const ifs::AffineMap<2>& map, std::size_t number) {
-    const auto row = [&](int k) { return sumText(map.linear(k, 0), map.linear(k, 1), map.translation[k]); };
-    return QStringLiteral("w%1(x, y) = (%2, %3)").arg(subscript(number), row(0), row(1));
+template <int Dim> QString formulaText(const ifs::AffineMap<Dim>& map, std::size_t number) {
+    QStringList sums;
+    for (int row = 0; row < Dim; ++row)
+        sums << sumText<Dim>(map, row);
+    const QString arguments = Dim == 2 ? QStringLiteral("x, y") : QStringLiteral("x, y, z");
+    return QStringLiteral("w%1(%2) = (%3)")
+        .arg(subscript(number), arguments, sums.join(QStringLiteral(", ")));
+}
+template QString formulaText(const ifs::AffineMap<2>& map, std::size_t number);
+template QString formulaText(const ifs::AffineMap<3>& map, std::size_t number);
+
+QStringList cornerTexts(const ifs::ControlCage<3>& cage) {
+    constexpr std::size_t perLine = 2;
+    QStringList lines;
+    for (std::size_t k = 0; k < cage.current.size(); ++k) {
+        QStringList numbers;
+        for (const double value : cage.current[k])
+            numbers << (isSeen(value) ? digitsOf(value) : QStringLiteral("0"));
+        const QString text =
+            QStringLiteral("v%1 = (%2)").arg(subscript(k + 1), numbers.join(QStringLiteral(", ")));
+        if (k % perLine == 0)
+            lines << text;
+        else
+            lines.back() += QStringLiteral("   ") + text;
+    }
+    return lines;
 }
 
 void paintHandout(QPainter& painter, const QRectF& page, std::span<const HandoutItem> items,

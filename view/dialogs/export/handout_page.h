@@ -5,7 +5,7 @@
 
 #include <QImage>
 #include <QRectF>
-#include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -28,7 +28,7 @@ struct HandoutOptions {
 };
 
 struct HandoutItem {
-    std::shared_ptr<const document::Fractal> fractal; // a system of the plane
+    std::shared_ptr<const document::Fractal> fractal; // a system of the plane or in space
     QImage picture;                                   // of a handout
 };
 
@@ -38,6 +38,8 @@ void paintHandout(QPainter& painter, const QRectF& page, std::span<const Handout
                   const HandoutOptions& options, const std::function<void()>& newPage);
 
 // "w₁(x, y) = (0.5x + 0.25, 0.5y)", to four digits, without what is 0. Number counts from 1.
-QString formulaText(const ifs::AffineMap<2>& map, std::size_t number);
+template <int Dim> QString formulaText(const ifs::AffineMap<Dim>& map, std::size_t number);
+// "v₁ = (0, 0, 1)   v₂ = (1, 0, 0)": where the corners are now, to four digits, two on a line.
+QStringList cornerTexts(const ifs::ControlCage<3>& cage);
 
 } // namespace view

@@ -4,6 +4,7 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 #include "document/user_comments.h"
 #include "io/export_job.h"
 #include "widgets/tooltip_text.h"
@@ -17,7 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <span>
+#include <utility>
+#include <vector>
 
 namespace view {
 
@@ -25,6 +27,8 @@ namespace {
 
 constexpr double maxShare = 0.62; // of the page for the picture
 constexpr int linesOnPage = 60;
+constexpr double wholeWidth = 8; // columns: tables with as many are as wide as the page
+constexpr int longSide = 2400;   // of the picture, in pixels
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
@@ -65,7 +69,6 @@ attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Ca
 }
 
 io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
-    constexpr int longSide = 2400;
     const double factor = double(longSide) / std::max({1, camera.width, camera.height});
     camera.width = std::max(1, int(camera.width * factor));
     camera.height = std::max(1, int(camera.height * factor));
@@ -75,6 +78,71 @@ io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera cam
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 50ull * std::uint64_t(camera.width) * std::uint64_t(camera.height);
     return picture;
+}
+
+// Of what is displayed or, where no maps have that picture, of the picture at rest.
+std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fractal) {
+    if (const auto* system = document::system2(fractal)) {
+        const auto displayed = document::effectiveSystem(fractal);
+        return {{coefficientTable<2>(displayed ? *displayed : *system)}, !displayed};
+    }
+    const auto* system = document::system3(fractal);
+    if (!system) return {};
+    const auto displayed = document::effectiveSpaceSystem(fractal);
+    std::vector<PrintedTable> tables{coefficientTable<3>(displayed ? *displayed : *system)};
+    if (const auto cage = document::spaceCage(fractal)) tables.push_back(cornerTable(*cage));
+    return {tables, !displayed};
+}
+
+// One below the other, from there on.
+void paintTables(QPainter& painter, const QRectF& page, double top, const std::vector<PrintedTable>& tables,
+                 const std::function<void()>& newPage) {
+    const double line = page.height() / linesOnPage;
+    std::size_t lines = 0; // of what is still to come, a free one behind each table
+    for (const PrintedTable& table : tables)
+        lines += table.rows.size() + 2;
+    QRectF room(QPointF(page.left(), top), page.bottomRight());
+    for (const PrintedTable& table : tables) {
+        const auto own = double(table.rows.size() + 1);
+        const bool isFirst = &table == &tables.front();
+        if (!isFirst && room.height() < own * line && page.height() > 0) {
+            newPage();
+            room = page;
+        }
+        // Those that follow take their share of the page where it is large enough.
+        const double share = room.height() * own / double(lines - 1);
+        QRectF place = share < own * line ? room : QRectF(room.topLeft(), QSizeF(room.width(), share));
+        // Wide columns of few numbers would be hard to read across.
+        const double width = std::min(1.0, double(table.names.size()) / wholeWidth) * page.width();
+        place.setWidth(width);
+        Printed printed = paintTable(painter, place, line, table, 0);
+        std::size_t done = printed.rows;
+        while (done < table.rows.size() && page.height() > 0) { // paper without height would never end
+            newPage();
+            room = page;
+            printed =
+                paintTable(painter, QRectF(page.topLeft(), QSizeF(width, page.height())), line, table, done);
+            done += printed.rows;
+        }
+        room.setTop(std::min(printed.bottom + line, page.bottom()));
+        lines -= table.rows.size() + 2;
+    }
+}
+
+void showPreview(const document::Fractal& fractal, const QImage& picture, QWidget* parent) {
+    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(fractal.name);
+    auto* preview = new QPrintPreviewDialog(printer.get(), parent);
+    preview->setAttribute(Qt::WA_DeleteOnClose);
+    preview->setWindowTitle(Text::tr("Print “%1”").arg(titleText(fractal.name)));
+    QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
+                     [fractal, picture, printer](QPrinter* device) {
+                         QPainter painter(device);
+                         const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
+                         paintPages(painter, QRectF(QPointF(0, 0), size), fractal, picture,
+                                    [device] { device->newPage(); });
+                     });
+    preview->open();
 }
 
 } // namespace
@@ -103,30 +171,16 @@ void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& 
     const QRectF frame(QPointF(page.left() + (page.width() - size.width()) / 2, top), size);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(frame, picture);
-    if (const auto* system = document::system2(fractal)) {
-        const auto displayed = document::effectiveSystem(fractal);
-        const std::vector<PrintedRow> rows = coefficientRows(displayed ? *displayed : *system);
-        double under = frame.bottom() + 0.7 * line;
-        if (!displayed) {
-            painter.drawText(
-                QRectF(page.left(), under, page.width(), 0.6 * line), Qt::AlignCenter,
-                Text::tr(
-                    "The cage bends or flattens the picture. The numbers describe the picture at rest."));
-            under += line;
-        }
-        QRectF room(QPointF(page.left(), under), page.bottomRight());
-        std::size_t done = 0;
-        const auto paintMore = [&] {
-            done +=
-                paintCoefficients(painter, room, page.height() / linesOnPage, std::span(rows).subspan(done));
-        };
-        paintMore();
-        while (done < rows.size() && page.height() > 0) { // paper without height would never end
-            newPage();
-            room = page;
-            paintMore();
-        }
+    const auto [tables, areAtRest] = tablesOf(fractal);
+    if (tables.empty()) return;
+    double under = frame.bottom() + 0.7 * line;
+    if (areAtRest) {
+        painter.drawText(
+            QRectF(page.left(), under, page.width(), 0.6 * line), Qt::AlignCenter,
+            Text::tr("The cage bends or flattens the picture. The numbers describe the picture at rest."));
+        under += line;
     }
+    paintTables(painter, page, under, tables, newPage);
 }
 
 void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent) {
@@ -134,20 +188,17 @@ void printFractal(document::Document* document, const attractor::Camera& camera,
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
     const QImage picture = drawnForPaper(pictureFor(fractal, withoutMargins(fractal, camera)), parent);
+    if (!picture.isNull()) showPreview(fractal, picture, parent);
+}
+
+void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent) {
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+    const document::Fractal fractal = document->fractal();
+    const QImage picture = drawnForPaper(spacePicture(fractal, camera, longSide), parent);
     if (picture.isNull()) return;
-    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-    printer->setDocName(fractal.name);
-    auto* preview = new QPrintPreviewDialog(printer.get(), parent);
-    preview->setAttribute(Qt::WA_DeleteOnClose);
-    preview->setWindowTitle(Text::tr("Print “%1”").arg(titleText(fractal.name)));
-    QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
-                     [fractal, picture, printer](QPrinter* device) {
-                         QPainter painter(device);
-                         const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
-                         paintPages(painter, QRectF(QPointF(0, 0), size), fractal, picture,
-                                    [device] { device->newPage(); });
-                     });
-    preview->open();
+    const attractor::Rgba ground = document::backgroundInSpace(onPaper(fractal));
+    const QRgb colour = qRgba(ground.red, ground.green, ground.blue, ground.alpha);
+    showPreview(fractal, withoutEmptySides(picture, qPremultiply(colour)), parent);
 }
 
 } // namespace view

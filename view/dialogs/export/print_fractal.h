@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/request/camera.h"
+#include "attractor/request/orbit_camera.h"
 #include "document/document.h"
 
 #include <QImage>
@@ -16,9 +17,10 @@ namespace view {
 
 // Shows a print preview of the page below, and prints it from there.
 void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent);
+void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent);
 
-// Name, comments, picture and table of coefficients, from the top of `page` down. What does not fit legibly
-// goes on the pages after it: `newPage` begins one.
+// Name, comments, picture and table of coefficients, in space also that of the cage's corners, from the top
+// of `page` down. What does not fit legibly goes on the pages after it: `newPage` begins one.
 void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& fractal,
                 const QImage& picture, const std::function<void()>& newPage);
 

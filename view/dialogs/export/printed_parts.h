@@ -2,14 +2,13 @@
 #pragma once
 
 #include "document/fractal.h"
-#include "io/picture/png_export.h"
+#include "io/export_job.h"
 
 #include <QFont>
 #include <QImage>
 #include <QRectF>
-#include <QString>
+#include <QStringList>
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -19,13 +18,23 @@ class QWidget;
 // What printed pages are made of.
 namespace view {
 
-constexpr int printedColumns = 8; // number, a to f, p
-using PrintedRow = std::array<QString, printedColumns>;
+struct PrintedTable {
+    QStringList names; // of the columns; the first has the numbers of the rows
+    std::vector<QStringList> rows;
+};
+// Number, a to f or, in space, a to l, and p.
+QStringList coefficientNames(int dimension);
 // Of as many maps as anybody reads on paper.
-std::vector<PrintedRow> coefficientRows(const document::System2& system);
-// As many rows as are legible in the room, under their names; returns how many.
-std::size_t paintCoefficients(QPainter& painter, const QRectF& room, double minHeight,
-                              std::span<const PrintedRow> rows);
+template <int Dim> PrintedTable coefficientTable(const ifs::IteratedFunctionSystem<Dim>& system);
+PrintedTable cornerTable(const ifs::ControlCage<3>& cage); // where they are now
+
+struct Printed {
+    std::size_t rows = 0;
+    double bottom = 0;
+};
+// As many rows from `first` on as are legible in the room, under the names of the columns.
+Printed paintTable(QPainter& painter, const QRectF& room, double minHeight, const PrintedTable& table,
+                   std::size_t first);
 
 QFont printedFont(const QPainter& painter, double pixels, bool bold);
 
@@ -33,5 +42,13 @@ QFont printedFont(const QPainter& painter, double pixels, bool bold);
 document::Fractal onPaper(document::Fractal fractal);
 // Null when the user has changed their mind, or closed the window.
 QImage drawnForPaper(const io::PngExport& picture, QWidget* parent);
+QImage drawnForPaper(const io::SpaceExport& picture, QWidget* parent);
+
+// As a solid is seen at first.
+attractor::OrbitCamera standardView();
+// An entry in space as it looks on paper, so many pixels along the longer side.
+io::SpaceExport spacePicture(const document::Fractal& fractal, attractor::OrbitCamera camera, int longSide);
+// Without the sides where there is nothing but that colour; of a line, a tenth of the picture is left.
+QImage withoutEmptySides(const QImage& picture, QRgb ground);
 
 } // namespace view

@@ -481,8 +481,9 @@ template <int Dim> void Facts::addHull() {
     add(tr("Hull vertices"),
         tr("Vertices of the computed hull; each is a point of the attractor. If the exact hull has "
            "infinitely many, as many are computed as the tolerance requires."),
-        isKnown, [](const Analysis& analysis, Format) {
-            return groupedNumber(double(factsIn<Dim>(analysis).hull->vertices.size()));
+        isKnown, [](const Analysis& analysis, Format number) {
+            const std::size_t count = factsIn<Dim>(analysis).hull->vertices.size();
+            return number == &shortNumber ? groupedNumber(double(count)) : QString::number(count);
         });
     add(tr("Hull error bound"),
         Dim == 2 ? tr("The attractor extends at most this far beyond the polygon; certified.")

@@ -4,9 +4,11 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/print_fractal.h"
+#include "dialogs/export/printed_parts.h"
 
 #include "document/document.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 #include "io/picture/png_system.h"
 #include "io/picture/svg_system.h"
 #include "support/patient_tries.h"
@@ -61,6 +63,8 @@ private slots:
     void sizesAreChosenByName();
     void lengthsFollowTheResolution();
     void clipboardHoldsBothForms();
+    void pageOfASolidHoldsItsNumbers();
+    void aSolidIsPrintedAsItIsSeen();
     void pageHoldsNamePictureAndTable();
     void pageHoldsTheNumbersOfThePicture();
     void manyMapsGoOnFurtherPages();
@@ -407,6 +411,83 @@ void ExportDialogTest::pageHoldsTheNumbersOfThePicture() {
     document::Fractal flat = rests;
     document::plane(flat)->cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 0}, {2, 0}}};
     QVERIFY(page(flat) != page(rests)); // it says that the numbers are others
+}
+
+// In space as well, with the corners of the cage.
+void ExportDialogTest::pageOfASolidHoldsItsNumbers() {
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::blue);
+    int more = 0;
+    const auto page = [&](const document::Fractal& fractal) {
+        QImage made(420, 594, QImage::Format_RGB32);
+        made.fill(Qt::white);
+        QPainter painter(&made);
+        more = 0;
+        paintPages(painter, made.rect(), fractal, picture, [&more] { ++more; });
+        return made;
+    };
+    document::Fractal rests;
+    rests.name = QStringLiteral("dust");
+    document::Shape<3> dust;
+    ifs::append<3>(dust.system, {0.5 * ifs::Matrix<3>::Identity(), {0, 0, 0}});
+    ifs::append<3>(dust.system, {0.25 * ifs::Matrix<3>::Identity(), {0.5, 0.25, 1}});
+    dust.cage = ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    rests.shape = dust;
+    document::Fractal moved = rests;
+    for (ifs::Vector<3>& corner : document::space(moved)->cage->current)
+        corner = 2 * corner + ifs::Vector<3>(0, 1, 0);
+    document::Fractal rewritten = moved;
+    *document::system3(rewritten) = *document::effectiveSpaceSystem(moved);
+    document::space(rewritten)->cage->rest = document::space(moved)->cage->current;
+    QVERIFY(page(moved) == page(rewritten));
+    QVERIFY(page(moved) != page(rests));
+    document::Fractal flat = rests;
+    document::space(flat)->cage->current[3] = {1, 1, 0};
+    QVERIFY(page(flat) != page(rests)); // it says that the numbers are others
+    keep(page(rests), "page-of-a-solid.png");
+    QCOMPARE(more, 0);
+    document::system3(rests)->maps.resize(20, document::system3(rests)->maps.front());
+    page(rests);
+    QCOMPARE(more, 1); // one more page is enough
+}
+
+// The picture as it is seen, lit, on white, without its empty sides.
+void ExportDialogTest::aSolidIsPrintedAsItIsSeen() {
+    document::Fractal cube;
+    document::Shape<3> shape;
+    for (int corner = 0; corner < 8; ++corner)
+        ifs::append<3>(shape.system,
+                       {0.5 * ifs::Matrix<3>::Identity(),
+                        ifs::Vector<3>((corner & 1) / 2.0, (corner >> 1 & 1) / 2.0, (corner >> 2) / 2.0)});
+    cube.shape = shape;
+    cube.inSpace.fog = 0.5;
+    cube.inSpace.lightAzimuth = 60;
+    attractor::OrbitCamera orbit;
+    orbit.orientation = attractor::orbit(30, 20);
+    orbit.size = {100, 60};
+    orbit = document::fittedToPicture(cube, orbit, 0.2);
+    const io::SpaceExport picture = spacePicture(cube, orbit, 200);
+    QCOMPARE(picture.request.camera.size.width, 200);
+    QCOMPARE(picture.request.camera.size.height, 120);
+    QVERIFY(picture.request.camera.height == orbit.height && picture.request.camera.target == orbit.target);
+    const attractor::SolidAppearance seen = document::solidAppearance(cube);
+    QVERIFY(picture.solid.keyLight == seen.keyLight && picture.solid.plain == seen.plain);
+    QCOMPARE(picture.solid.fog, seen.fog);
+    QCOMPARE(picture.solid.background.red, 255);
+    const QImage drawn = io::drawSpacePicture(picture).image;
+    QCOMPARE(drawn.pixelColor(0, 0), QColor(Qt::white));
+    const QImage trimmed = withoutEmptySides(drawn, qRgb(255, 255, 255));
+    QVERIFY(trimmed.width() < 120 && trimmed.width() > 40);
+    const auto dark = [](const QImage& image) {
+        int all = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                all += image.pixel(x, y) != qRgb(255, 255, 255);
+        return all;
+    };
+    QCOMPARE(dark(trimmed), dark(drawn));
+    QCOMPARE(withoutEmptySides(QImage(trimmed.size(), QImage::Format_RGB32), 0xff000000).size(),
+             trimmed.size()); // of nothing, all
 }
 
 void ExportDialogTest::pageHoldsNamePictureAndTable() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/handout_page.h"
+#include "document/space_geometry.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -10,6 +11,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <set>
 
 using namespace view;
 
@@ -22,6 +24,19 @@ HandoutItem item(std::size_t maps = 3) {
     QImage picture(80, 70, QImage::Format_RGB32);
     picture.fill(Qt::red);
     return {std::make_shared<const document::Fractal>(fractal), picture};
+}
+
+document::Fractal tetrahedron() {
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("tetrahedron");
+    document::Shape<3> shape;
+    for (int k = 0; k < 4; ++k) {
+        const ifs::Vector<3> shift =
+            k == 0 ? ifs::Vector<3>::Zero() : ifs::Vector<3>(0.5 * ifs::Vector<3>::Unit(k - 1));
+        ifs::append<3>(shape.system, {0.5 * ifs::Matrix<3>::Identity(), shift});
+    }
+    fractal.shape = shape;
+    return fractal;
 }
 
 // How many pixels of a page are of that colour: red for the picture, else dark.
@@ -138,6 +153,79 @@ private slots:
         QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-handout.pdf"));
         dialog.setName(QStringLiteral("ferns 1.2"));
         QCOMPARE(dialog.printedName(), QStringLiteral("ferns 1.2-handout.pdf"));
+    }
+
+    void formulasOfSpaceHaveThreeCoordinates() {
+        ifs::AffineMap<3> map;
+        map.linear << 0.5, 0, 0, 0, -1, 0, 0.25, 0, 1;
+        map.translation << 0, 0, -2;
+        QCOMPARE(formulaText(map, 3), QStringLiteral("w₃(x, y, z) = (0.5x, −y, 0.25x + z − 2)"));
+        ifs::ControlCage<3> cage = ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+        cage.current[1] = {-0.5, 1.0 / 3, 1e-9};
+        QCOMPARE(cornerTexts(cage), QStringList({QStringLiteral("v₁ = (0, 0, 0)   v₂ = (−0.5, 0.3333, 0)"),
+                                                 QStringLiteral("v₃ = (0, 1, 0)   v₄ = (0, 0, 1)")}));
+    }
+
+    // A page has the formulas of the displayed maps, and the corners of the cage.
+    void aSolidHasItsOwnPages() {
+        QImage picture(80, 80, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        const auto page = [&picture](const document::Fractal& fractal, const HandoutOptions& options) {
+            return pagesOf({{std::make_shared<const document::Fractal>(fractal), picture}}, options).front();
+        };
+        const document::Fractal rests = tetrahedron();
+        document::Fractal moved = rests;
+        document::space(moved)->cage = document::spaceCage(rests);
+        document::space(moved)->cage->current[3] = {0.5, 0.25, 2};
+        document::Fractal other = moved; // the same corners, other maps
+        document::system3(other)->maps[1].map.translation *= 0.9;
+        HandoutOptions options;
+        QVERIFY(count(page(rests, options), true) > 2000);
+        QVERIFY(page(rests, options) != page(moved, options));
+        QVERIFY(page(moved, options) != page(other, options));
+        options.kind = HandoutOptions::Kind::TaskSheet;
+        QCOMPARE(count(page(moved, options), true), 0);
+        QVERIFY(count(page(moved, options), false) > 500);
+        QVERIFY(page(rests, options) != page(moved, options));
+        QVERIFY(page(moved, options) == page(other, options));
+    }
+
+    void theDialogListsSolids() {
+        document::Document document;
+        document.setFile(document::fileOf(tetrahedron()));
+        HandoutDialog dialog(&document);
+        QCOMPARE(dialog.chosen().size(), std::size_t{1});
+        QCOMPARE(dialog.chosen().front()->name, QStringLiteral("tetrahedron"));
+    }
+
+    // Lit, on paper, with the cage and its images over it; nothing is cut off.
+    void theSolidIsDrawnWithAllOfTheCage() {
+        document::Fractal fractal = tetrahedron();
+        document::space(fractal)->cage = document::spaceCage(fractal);
+        document::space(fractal)->cage->current[3] = {3, 1, 2};
+        const HandoutPictureInSpace shown = handoutPictureInSpace(fractal, {});
+        const attractor::RasterSize& size = shown.picture.request.camera.size;
+        int edges = 0, words = 0;
+        for (const io::OverlayMark& mark : shown.marks) {
+            for (const QPointF& point : mark.polygon)
+                QVERIFY(QRectF(0, 0, size.width, size.height).contains(point));
+            edges += mark.polygon.size() == 2;
+            words += !mark.word.isEmpty();
+        }
+        QCOMPARE(edges, 2 * (6 + 4 * 6)); // of the cage and of four maps, each with a halo
+        QCOMPARE(words, 4 + 4);
+        HandoutOptions plain;
+        plain.showsMaps = false;
+        QVERIFY(handoutPictureInSpace(fractal, plain).marks.empty());
+        io::SpaceExport small = shown.picture;
+        small.request.camera.size = {140, 140};
+        const QImage image = io::drawSpacePicture(small).image;
+        QCOMPARE(image.pixelColor(0, 0), QColor(Qt::white));
+        std::set<QRgb> colours;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                colours.insert(image.pixel(x, y));
+        QVERIFY(colours.size() > 20); // light and shade
     }
 
     void thePictureShowsAllOfTheCage() {

@@ -3,10 +3,12 @@
 #include "canvas/items/analysis_item.h"
 #include "document/edit_gesture.h"
 #include "document/edits/link_edits.h"
+#include "panels/analysis/analysis_facts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
+#include "widgets/number_text.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -35,6 +37,20 @@ class AnalysisPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // As other whole numbers; without spaces where they are copied.
+    void manyHullVerticesAreGrouped() {
+        auto analysis = std::make_shared<document::Analysis>(
+            document::Analyser().begun({std::make_shared<const document::Fractal>(maple()), {}, 1, 0}));
+        QVERIFY(analysis->facts.hull);
+        analysis->facts.hull->vertices.resize(12'345, analysis->facts.hull->vertices.front());
+        const QList<view::Fact> facts = view::analysisFacts(analysis);
+        const auto vertices = std::ranges::find(facts, QStringLiteral("Hull vertices"), &view::Fact::name);
+        QVERIFY(vertices != facts.end());
+        QCOMPARE(vertices->value, view::groupedNumber(12'345));
+        QVERIFY(vertices->value != QStringLiteral("12345"));
+        QCOMPARE(vertices->exact(), QStringLiteral("12345"));
+    }
+
     void knowsThePublishedFactsOfTheMaple() {
         const auto facts = factsOf(maple());
         QCOMPARE(valueOf(facts, QStringLiteral("Contraction")),
