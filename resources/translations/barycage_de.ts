@@ -807,6 +807,13 @@
     </message>
 </context>
 <context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Bilder (%1);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -4264,10 +4271,6 @@
         <translation>Das Blatt wäre %1 mal %2 Pixel groß; es kann höchstens %3 Pixel breit sein. Nehmen Sie kleinere Kacheln oder weniger Spalten.</translation>
     </message>
     <message>
-        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
-        <translation>Dies ist kein PNG-, JPEG-, GIF-, BMP- oder PNM-Bild.</translation>
-    </message>
-    <message>
         <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
         <translation>Das Bild hat %1 × %2 Pixel. Höchstens 32 Millionen Pixel können gelesen werden; verkleinern Sie es.</translation>
     </message>
@@ -4562,6 +4565,18 @@
     <message>
         <source>part of map %1</source>
         <translation>Teil der Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP, PNM, WebP, TIFF or OpenEXR picture.</source>
+        <translation>Dies ist kein PNG-, JPEG-, GIF-, BMP-, PNM-, WebP-, TIFF- oder OpenEXR-Bild.</translation>
+    </message>
+    <message>
+        <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
+        <translation>Das Bild speichert seine Pixel auf eine Weise, die nicht gelesen werden kann. Speichern Sie es als PNG-Bild.</translation>
     </message>
 </context>
 <context>
@@ -5200,10 +5215,6 @@
         <translation>Zylinder</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
-        <translation>Die Hüllen aller Teile mit gleich langer Adresse zeichnen, in der Farbe ihrer ersten Abbildung</translation>
-    </message>
-    <message>
         <source>Length of the addresses</source>
         <translation>Länge der Adressen</translation>
     </message>
@@ -5218,6 +5229,10 @@
     <message>
         <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
         <translation>Der Käfig biegt das Bild, und kein System erzeugt ein gebogenes Bild. Dies sind Kennwerte des Codes; auf der Zeichenfläche werden die Umrisse mit dem Bild gebogen.</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
+        <translation>Die Hüllen aller Teile mit gleich langer Adresse zeichnen, in der Farbe ihrer ersten Abbildung; ein Klick auf eine zeigt ihre Adresse</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +5912,10 @@
         <source>Chan&amp;ge</source>
         <translation>Ä&amp;ndern</translation>
     </message>
+    <message>
+        <source>What changes in the code when you drag the branch</source>
+        <translation>Was sich im Code ändert, wenn Sie den Ast ziehen</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
@@ -6394,6 +6413,13 @@
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CanvasInput</name>
+    <message>
+        <source>Cylinder %1</source>
+        <translation>Zylinder %1</translation>
     </message>
 </context>
 <context>
@@ -6987,10 +7013,6 @@
         <translation>nicht gezeigt</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
-        <translation>Was mit dem Ziel verglichen wird: die Bilder des Ziels unter den Abbildungen oder der Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Anpassen</translation>
     </message>
@@ -7036,6 +7058,14 @@
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
         <translation>Mit diesen Gewichten ziehen die Abbildungen im Mittel nicht zusammen; für die Helligkeiten ist nichts garantiert.</translation>
+    </message>
+    <message>
+        <source>What is compared with the target on the canvas</source>
+        <translation>Was auf der Zeichenfläche mit dem Ziel verglichen wird</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
+        <translation>Was mit dem Ziel verglichen wird: die Bilder des Ziels unter den Abbildungen oder der Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau.</translation>
     </message>
 </context>
 <context>
@@ -7144,10 +7174,6 @@
         <translation>Nicht weiter lesen</translation>
     </message>
     <message>
-        <source>Stop reading this folder. Files that were already read stay in the list.</source>
-        <translation>Diesen Ordner nicht weiter lesen. Was schon gelesen ist, bleibt hier.</translation>
-    </message>
-    <message>
         <source>Reading the collection…</source>
         <translation>Die Sammlung wird gelesen …</translation>
     </message>
@@ -7166,6 +7192,10 @@
     <message>
         <source>&amp;Open as New Document</source>
         <translation>Als &amp;neues Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder; files that were already read stay in the list</source>
+        <translation>Diesen Ordner nicht weiter lesen; was schon gelesen ist, bleibt in der Liste</translation>
     </message>
 </context>
 <context>
@@ -7224,6 +7254,10 @@
     <message>
         <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Die Namen der Spalten in ihrer Reihenfolge: a b c d oder r s theta phi, dazu e und f, jeder einmal, und p für ein Gewicht oder cumulative für eine Summe von Gewichten, wo es sie gibt. x′ = a·x + b·y + e und y′ = c·x + d·y + f.</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order, such as a b c d e f p</source>
+        <translation>Die Namen der Spalten in ihrer Reihenfolge, etwa a b c d e f p</translation>
     </message>
 </context>
 <context>
@@ -7294,6 +7328,10 @@
     <message>
         <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Ein Eintrag der Ebene und einer des Raums haben keine gemeinsame Ansicht</translation>
+    </message>
+    <message>
+        <source>Another entry of the file beside the current one, to compare the two.</source>
+        <translation>Ein anderer Eintrag der Datei neben dem aktuellen, um beide zu vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -7570,6 +7608,10 @@
     <message>
         <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Eine Zeile hat höchstens %1 Bytes; Fractint schneidet längere ab. Teilen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Comments are stored with the entry in the file and do not change the fractal.</source>
+        <translation>Kommentare werden mit dem Eintrag in der Datei gespeichert und ändern das Fraktal nicht.</translation>
     </message>
 </context>
 <context>
@@ -8408,6 +8450,10 @@
         <source>A3 at 300 dpi</source>
         <translation>A3 mit 300 dpi</translation>
     </message>
+    <message>
+        <source>The size of the picture, in pixels or on paper.</source>
+        <translation>Die Größe des Bildes, in Pixeln oder auf Papier.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -8542,8 +8588,8 @@
         <translation>Alle Exporte anhalten oder fortsetzen; was schon gezeichnet ist, geht nicht verloren.</translation>
     </message>
     <message>
-        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
-        <translation>Die ausgewählten Exporte abbrechen und von der Liste nehmen. Schon geschriebene Dateien bleiben erhalten.</translation>
+        <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
+        <translation>Die ausgewählten Exporte abbrechen und von der Liste nehmen; schon geschriebene Dateien bleiben erhalten.</translation>
     </message>
 </context>
 <context>
@@ -8897,8 +8943,8 @@
         <translation>Eine Palette aus einer Datei .gpl, .ggr, .ugr oder .map laden oder aus einem Bild nehmen</translation>
     </message>
     <message>
-        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Paletten und Bilder (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Alle Dateien (*)</translation>
+        <source>Palettes and pictures (%1);;All files (*)</source>
+        <translation>Paletten und Bilder (%1);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -8992,10 +9038,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zu druckende Einträge</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
-        <translation>Die Einträge der Datei, die Systeme in der Ebene sind. Gedruckt werden die angekreuzten in dieser Reihenfolge, höchstens %1.</translation>
-    </message>
-    <message>
         <source>&amp;All</source>
         <translation>&amp;Alle</translation>
     </message>
@@ -9022,10 +9064,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Kind of sheet</source>
         <translation>Art des Blatts</translation>
-    </message>
-    <message>
-        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
-        <translation>Ein Handout zeigt das Bild jedes Eintrags mit seinem Käfig, seinen Abbildungen und deren Formeln. Ein leeres Aufgabenblatt zeigt den Käfig auf einem Gitter und eine leere Tabelle, die von Hand ausgefüllt wird.</translation>
     </message>
     <message>
         <source>Entries per page</source>
@@ -9067,6 +9105,18 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-Handout.pdf</translation>
+    </message>
+    <message>
+        <source>Prints entries of the file for a class: with pictures and formulas, or as blank worksheets.</source>
+        <translation>Druckt Einträge der Datei für den Unterricht: mit Bildern und Formeln oder als leere Arbeitsblätter.</translation>
+    </message>
+    <message>
+        <source>The entries of the file that could be read. Ticked entries are printed in this order, up to %1 of them.</source>
+        <translation>Die Einträge der Datei, die gelesen werden konnten. Gedruckt werden die angekreuzten in dieser Reihenfolge, höchstens %1.</translation>
+    </message>
+    <message>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
+        <translation>Ein Handout zeigt das Bild jedes Eintrags mit seinem Käfig, seinen Abbildungen und deren Formeln. Ein leeres Aufgabenblatt zeigt den Käfig, in der Ebene auf einem Gitter, und eine leere Tabelle, die von Hand ausgefüllt wird.</translation>
     </message>
 </context>
 <context>
@@ -9133,6 +9183,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>&amp;Next</source>
         <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>A lesson in progress: the text of the current step, and buttons to go to the others.</source>
+        <translation>Eine laufende Lektion: der Text des aktuellen Schritts und Knöpfe, die zu den anderen führen.</translation>
     </message>
 </context>
 <context>
@@ -10722,6 +10776,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Start farther along the palette; the part before moves to the end</source>
         <translation>Weiter hinten in der Palette beginnen; der Teil davor kommt ans Ende</translation>
     </message>
+    <message>
+        <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
+        <translation>Alle Paletten: Sie können suchen, Favoriten kennzeichnen und die ausgewählte anpassen.</translation>
+    </message>
 </context>
 <context>
     <name>view::PasteTableDialog</name>
@@ -10803,6 +10861,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>&amp;Colours:</source>
         <translation>&amp;Farben:</translation>
+    </message>
+    <message>
+        <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
+        <translation>Macht eine Palette aus den Farben eines Bildes oder aus denen entlang einer Linie darin.</translation>
     </message>
 </context>
 <context>
@@ -12362,10 +12424,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Choose a Picture to Start From</source>
         <translation>Ausgangsbild wählen</translation>
     </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Alle Dateien (*)</translation>
-    </message>
 </context>
 <context>
     <name>view::StepsBridge</name>
@@ -12653,10 +12711,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ziel wählen</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>In der Zwischenablage ist kein Bild.</translation>
     </message>
@@ -12697,8 +12751,12 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Deckende Pixel</translation>
     </message>
     <message>
-        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
-        <translation>Welche Pixel zur Form gehören. Automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen</translation>
+        <source>Which pixels belong to the shape</source>
+        <translation>Welche Pixel zur Form gehören</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
+        <translation>Welche Pixel zur Form gehören. Automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen.</translation>
     </message>
 </context>
 <context>
@@ -13339,6 +13397,90 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>the centre of the picture’s box</source>
         <translation>die Mitte des Rechtecks um das Bild</translation>
     </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Reflects, shears, scales, rotates and translates the whole fractal by numbers.</source>
+        <translation>Spiegelt, schert, skaliert, dreht und verschiebt das ganze Fraktal nach Zahlen.</translation>
+    </message>
+    <message>
+        <source>z of the fixed point</source>
+        <translation>z des Fixpunkts</translation>
+    </message>
+    <message>
+        <source>Scale in z</source>
+        <translation>Skalierung in z</translation>
+    </message>
+    <message>
+        <source>Axis:</source>
+        <translation>Achse:</translation>
+    </message>
+    <message>
+        <source>x of the direction of the axis</source>
+        <translation>x der Richtung der Achse</translation>
+    </message>
+    <message>
+        <source>y of the direction of the axis</source>
+        <translation>y der Richtung der Achse</translation>
+    </message>
+    <message>
+        <source>z of the direction of the axis</source>
+        <translation>z der Richtung der Achse</translation>
+    </message>
+    <message>
+        <source>Rotation in degrees, counter-clockwise as seen from the tip of the axis</source>
+        <translation>Drehung in Grad, gegen den Uhrzeigersinn, von der Spitze der Achse aus gesehen</translation>
+    </message>
+    <message>
+        <source>Translation in z</source>
+        <translation>Verschiebung in z</translation>
+    </message>
+    <message>
+        <source>Same in x, y and z</source>
+        <translation>Gleich in x, y und z</translation>
+    </message>
+    <message>
+        <source>Keeps the factors in x, y and z equal.</source>
+        <translation>Hält die Faktoren in x, y und z gleich.</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation</source>
+        <translation>Drehachse</translation>
+    </message>
+    <message>
+        <source>The axis of the rotation; it passes through the fixed point.</source>
+        <translation>Die Drehachse; sie geht durch den Fixpunkt.</translation>
+    </message>
+    <message>
+        <source>the x axis</source>
+        <translation>die x-Achse</translation>
+    </message>
+    <message>
+        <source>the y axis</source>
+        <translation>die y-Achse</translation>
+    </message>
+    <message>
+        <source>the z axis</source>
+        <translation>die z-Achse</translation>
+    </message>
+    <message>
+        <source>a direction of your choice</source>
+        <translation>eine eingetippte Richtung</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Dieser Eintrag ist kein System im Raum.</translation>
+    </message>
+    <message>
+        <source>The axis has no direction.</source>
+        <translation>Die Achse hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so only a transformation that scales alike in all directions can be written into the code. Choose equal scales, or place the picture.</source>
+        <translation>Der Käfig verbiegt das Bild; deshalb kann nur eine Transformation, die in allen Richtungen gleich skaliert, in den Code geschrieben werden. Wählen Sie gleiche Skalierungen, oder platzieren Sie das Bild.</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationBar</name>
@@ -13490,6 +13632,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Show the two fractals one above the other instead of side by side</source>
         <translation>Die beiden Fraktale übereinander statt nebeneinander zeigen</translation>
     </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagern</translation>
+    </message>
+    <message>
+        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
+        <translation>Den Partner halb durchsichtig über dem Fraktal zeigen, dort, wo er in derselben Ebene liegt</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13534,8 +13684,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Familie hinzufügen</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Alle Dateien (*)</translation>
+        <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
+        <translation>Punkte zweier Fraktale mit derselben Adresse entsprechen einander. So wird ein Bild auf dem Partner auf dieses Fraktal übertragen.</translation>
     </message>
 </context>
 <context>
@@ -13716,16 +13866,20 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
-        <translation>Zoom in Prozent: Bei 100 % ist eine Einheit der Ebene 100 Pixel lang. Geben Sie einen anderen Wert ein oder wählen Sie einen aus.</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Einpassen</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels; type another value, or choose one</source>
+        <translation>Zoom in Prozent: Bei 100 % ist eine Einheit der Ebene 100 Pixel lang; geben Sie einen anderen Wert ein oder wählen Sie einen aus</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or choose a value, a saved view, or Fit, which shows the whole attractor.</source>
+        <translation>Zoom in Prozent: Bei 100 % ist eine Einheit der Ebene 100 Pixel lang. Geben Sie eine Zahl ein oder wählen Sie einen Wert, eine gespeicherte Ansicht oder „Einpassen“, das den ganzen Attraktor zeigt.</translation>
     </message>
 </context>
 </TS>

@@ -807,6 +807,13 @@
     </message>
 </context>
 <context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -4264,10 +4271,6 @@
         <translation>La lámina tendría %1 por %2 píxeles; el ancho máximo es de %3 píxeles. Elija recuadros más pequeños o menos columnas.</translation>
     </message>
     <message>
-        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
-        <translation>No es una imagen PNG, JPEG, GIF, BMP o PNM.</translation>
-    </message>
-    <message>
         <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
         <translation>La imagen tiene %1 × %2 píxeles. Se pueden leer como máximo 32 millones de píxeles; redúzcala.</translation>
     </message>
@@ -4562,6 +4565,18 @@
     <message>
         <source>part of map %1</source>
         <translation>parte de la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Jaula</translation>
+    </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP, PNM, WebP, TIFF or OpenEXR picture.</source>
+        <translation>No es una imagen PNG, JPEG, GIF, BMP, PNM, WebP, TIFF u OpenEXR.</translation>
+    </message>
+    <message>
+        <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
+        <translation>La imagen guarda sus píxeles de una forma que no se puede leer. Guárdela como imagen PNG.</translation>
     </message>
 </context>
 <context>
@@ -5200,10 +5215,6 @@
         <translation>Cilindros</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
-        <translation>Dibujar las envolventes de todas las partes con dirección de igual longitud, en el color de su primera aplicación</translation>
-    </message>
-    <message>
         <source>Length of the addresses</source>
         <translation>Longitud de las direcciones</translation>
     </message>
@@ -5218,6 +5229,10 @@
     <message>
         <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
         <translation>La jaula curva la imagen, y ningún sistema produce una imagen curvada. Estas son las propiedades del código; en el lienzo, los contornos se curvan con la imagen.</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
+        <translation>Dibujar las envolventes de todas las partes con dirección de igual longitud, en el color de su primera aplicación; haga clic en una para ver su dirección</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +5912,10 @@
         <source>Chan&amp;ge</source>
         <translation>&amp;Cambiar</translation>
     </message>
+    <message>
+        <source>What changes in the code when you drag the branch</source>
+        <translation>Qué cambia en el código al arrastrar la rama</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
@@ -6394,6 +6413,13 @@
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CanvasInput</name>
+    <message>
+        <source>Cylinder %1</source>
+        <translation>Cilindro %1</translation>
     </message>
 </context>
 <context>
@@ -6987,10 +7013,6 @@
         <translation>no mostrar</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
-        <translation>Qué se compara con el objetivo: las imágenes del objetivo por las aplicaciones, o el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajuste</translation>
     </message>
@@ -7036,6 +7058,14 @@
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
         <translation>Con estos pesos, las aplicaciones no contraen en promedio, así que no se garantiza nada para los tonos.</translation>
+    </message>
+    <message>
+        <source>What is compared with the target on the canvas</source>
+        <translation>Qué se compara con el objetivo en el lienzo</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
+        <translation>Qué se compara con el objetivo: las imágenes del objetivo por las aplicaciones, o el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul.</translation>
     </message>
 </context>
 <context>
@@ -7144,10 +7174,6 @@
         <translation>Dejar de leer</translation>
     </message>
     <message>
-        <source>Stop reading this folder. Files that were already read stay in the list.</source>
-        <translation>Dejar de leer esta carpeta. Lo ya leído queda aquí.</translation>
-    </message>
-    <message>
         <source>Reading the collection…</source>
         <translation>Leyendo la colección…</translation>
     </message>
@@ -7166,6 +7192,10 @@
     <message>
         <source>&amp;Open as New Document</source>
         <translation>&amp;Abrir como documento nuevo</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder; files that were already read stay in the list</source>
+        <translation>Dejar de leer esta carpeta; lo ya leído queda en la lista</translation>
     </message>
 </context>
 <context>
@@ -7224,6 +7254,10 @@
     <message>
         <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Los nombres de las columnas en su orden: a b c d o r s theta phi, además e y f, cada uno una vez, y p para un peso o cumulative para una suma de pesos donde la haya. x′ = a·x + b·y + e e y′ = c·x + d·y + f.</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order, such as a b c d e f p</source>
+        <translation>Los nombres de las columnas en su orden, como a b c d e f p</translation>
     </message>
 </context>
 <context>
@@ -7294,6 +7328,10 @@
     <message>
         <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Una entrada del plano y una del espacio no tienen ninguna vista en común</translation>
+    </message>
+    <message>
+        <source>Another entry of the file beside the current one, to compare the two.</source>
+        <translation>Otra entrada del archivo junto a la actual, para comparar las dos.</translation>
     </message>
 </context>
 <context>
@@ -7570,6 +7608,10 @@
     <message>
         <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Una línea contiene a lo sumo %1 bytes; Fractint corta las más largas. Pártala en dos.</translation>
+    </message>
+    <message>
+        <source>Comments are stored with the entry in the file and do not change the fractal.</source>
+        <translation>Los comentarios se guardan con la entrada en el archivo y no cambian el fractal.</translation>
     </message>
 </context>
 <context>
@@ -8408,6 +8450,10 @@
         <source>A3 at 300 dpi</source>
         <translation>A3 a 300 ppp</translation>
     </message>
+    <message>
+        <source>The size of the picture, in pixels or on paper.</source>
+        <translation>El tamaño de la imagen, en píxeles o en papel.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -8542,8 +8588,8 @@
         <translation>Pone en pausa o reanuda todas las exportaciones sin perder lo ya dibujado.</translation>
     </message>
     <message>
-        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
-        <translation>Cancelar las exportaciones seleccionadas y quitarlas de la lista. Los archivos ya escritos se conservan.</translation>
+        <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
+        <translation>Cancelar las exportaciones seleccionadas y quitarlas de la lista; los archivos ya escritos se conservan.</translation>
     </message>
 </context>
 <context>
@@ -8897,8 +8943,8 @@
         <translation>Cargar una paleta de un archivo .gpl, .ggr, .ugr o .map, o tomarla de una imagen</translation>
     </message>
     <message>
-        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Paletas e imágenes (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Todos los archivos (*)</translation>
+        <source>Palettes and pictures (%1);;All files (*)</source>
+        <translation>Paletas e imágenes (%1);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -8992,10 +9038,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Entradas que se imprimen</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
-        <translation>Las entradas del archivo que son sistemas en el plano. Se imprimen las marcadas, en este orden, como mucho %1.</translation>
-    </message>
-    <message>
         <source>&amp;All</source>
         <translation>&amp;Todas</translation>
     </message>
@@ -9022,10 +9064,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Kind of sheet</source>
         <translation>Tipo de hoja</translation>
-    </message>
-    <message>
-        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
-        <translation>Una hoja para clase muestra la imagen de cada entrada con su jaula, sus aplicaciones y las fórmulas de estas. Una hoja de ejercicios en blanco muestra la jaula sobre una cuadrícula y una tabla vacía para rellenar a mano.</translation>
     </message>
     <message>
         <source>Entries per page</source>
@@ -9067,6 +9105,18 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-hoja-para-clase.pdf</translation>
+    </message>
+    <message>
+        <source>Prints entries of the file for a class: with pictures and formulas, or as blank worksheets.</source>
+        <translation>Imprime entradas del archivo para una clase: con imágenes y fórmulas, o como hojas de trabajo en blanco.</translation>
+    </message>
+    <message>
+        <source>The entries of the file that could be read. Ticked entries are printed in this order, up to %1 of them.</source>
+        <translation>Las entradas del archivo que se han podido leer. Se imprimen las marcadas, en este orden, como mucho %1.</translation>
+    </message>
+    <message>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
+        <translation>Una hoja para clase muestra la imagen de cada entrada con su jaula, sus aplicaciones y las fórmulas de estas. Una hoja de ejercicios en blanco muestra la jaula, en el plano sobre una cuadrícula, y una tabla vacía para rellenar a mano.</translation>
     </message>
 </context>
 <context>
@@ -9133,6 +9183,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>&amp;Next</source>
         <translation>&amp;Siguiente</translation>
+    </message>
+    <message>
+        <source>A lesson in progress: the text of the current step, and buttons to go to the others.</source>
+        <translation>Una lección en curso: el texto del paso actual y botones para ir a los demás.</translation>
     </message>
 </context>
 <context>
@@ -10722,6 +10776,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Start farther along the palette; the part before moves to the end</source>
         <translation>Empezar más adelante en la paleta; la parte anterior pasa al final</translation>
     </message>
+    <message>
+        <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
+        <translation>Todas las paletas: búsquelas, marque favoritas y ajuste la que está seleccionada.</translation>
+    </message>
 </context>
 <context>
     <name>view::PasteTableDialog</name>
@@ -10803,6 +10861,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>&amp;Colours:</source>
         <translation>&amp;Colores:</translation>
+    </message>
+    <message>
+        <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
+        <translation>Crea una paleta con los colores de una imagen, o con los que hay a lo largo de una línea en ella.</translation>
     </message>
 </context>
 <context>
@@ -12362,10 +12424,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Choose a Picture to Start From</source>
         <translation>Elegir la imagen inicial</translation>
     </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Todos los archivos (*)</translation>
-    </message>
 </context>
 <context>
     <name>view::StepsBridge</name>
@@ -12653,10 +12711,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Elegir un objetivo</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>No hay ninguna imagen en el portapapeles.</translation>
     </message>
@@ -12697,8 +12751,12 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Píxeles opacos</translation>
     </message>
     <message>
-        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
-        <translation>Qué píxeles pertenecen a la forma. En automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros</translation>
+        <source>Which pixels belong to the shape</source>
+        <translation>Qué píxeles pertenecen a la forma</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
+        <translation>Qué píxeles pertenecen a la forma. En automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros.</translation>
     </message>
 </context>
 <context>
@@ -13339,6 +13397,90 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>the centre of the picture’s box</source>
         <translation>el centro del rectángulo de la imagen</translation>
     </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Reflects, shears, scales, rotates and translates the whole fractal by numbers.</source>
+        <translation>Refleja, inclina, escala, gira y traslada todo el fractal según números.</translation>
+    </message>
+    <message>
+        <source>z of the fixed point</source>
+        <translation>z del punto fijo</translation>
+    </message>
+    <message>
+        <source>Scale in z</source>
+        <translation>Escala en z</translation>
+    </message>
+    <message>
+        <source>Axis:</source>
+        <translation>Eje:</translation>
+    </message>
+    <message>
+        <source>x of the direction of the axis</source>
+        <translation>x de la dirección del eje</translation>
+    </message>
+    <message>
+        <source>y of the direction of the axis</source>
+        <translation>y de la dirección del eje</translation>
+    </message>
+    <message>
+        <source>z of the direction of the axis</source>
+        <translation>z de la dirección del eje</translation>
+    </message>
+    <message>
+        <source>Rotation in degrees, counter-clockwise as seen from the tip of the axis</source>
+        <translation>Giro en grados, en sentido antihorario visto desde la punta del eje</translation>
+    </message>
+    <message>
+        <source>Translation in z</source>
+        <translation>Traslación en z</translation>
+    </message>
+    <message>
+        <source>Same in x, y and z</source>
+        <translation>Igual en x, en y y en z</translation>
+    </message>
+    <message>
+        <source>Keeps the factors in x, y and z equal.</source>
+        <translation>Mantiene iguales los factores en x, en y y en z.</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation</source>
+        <translation>Eje del giro</translation>
+    </message>
+    <message>
+        <source>The axis of the rotation; it passes through the fixed point.</source>
+        <translation>El eje del giro; pasa por el punto fijo.</translation>
+    </message>
+    <message>
+        <source>the x axis</source>
+        <translation>el eje x</translation>
+    </message>
+    <message>
+        <source>the y axis</source>
+        <translation>el eje y</translation>
+    </message>
+    <message>
+        <source>the z axis</source>
+        <translation>el eje z</translation>
+    </message>
+    <message>
+        <source>a direction of your choice</source>
+        <translation>una dirección dada por sus coordenadas</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Esta entrada no es un sistema en el espacio.</translation>
+    </message>
+    <message>
+        <source>The axis has no direction.</source>
+        <translation>El eje no tiene dirección.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so only a transformation that scales alike in all directions can be written into the code. Choose equal scales, or place the picture.</source>
+        <translation>La jaula curva la imagen, así que solo una transformación que escala igual en todas las direcciones puede escribirse en el código. Elija escalas iguales o coloque la imagen.</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationBar</name>
@@ -13490,6 +13632,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Show the two fractals one above the other instead of side by side</source>
         <translation>Mostrar los dos fractales uno encima del otro en vez de uno al lado del otro</translation>
     </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superponer</translation>
+    </message>
+    <message>
+        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
+        <translation>Muestra la pareja semitransparente sobre el fractal, donde está en el mismo plano</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13534,8 +13684,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Añadir familia</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Todos los archivos (*)</translation>
+        <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
+        <translation>Los puntos de dos fractales que tienen la misma dirección se corresponden. Así se traslada a este fractal una imagen del compañero.</translation>
     </message>
 </context>
 <context>
@@ -13716,16 +13866,20 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
-        <translation>Zoom en porcentaje: al 100 %, una unidad del plano ocupa 100 píxeles. Escriba otro valor o elija uno.</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajustar</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels; type another value, or choose one</source>
+        <translation>Zoom en porcentaje: al 100 %, una unidad del plano ocupa 100 píxeles; escriba otro valor o elija uno</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or choose a value, a saved view, or Fit, which shows the whole attractor.</source>
+        <translation>Zoom en porcentaje: al 100 %, una unidad del plano ocupa 100 píxeles. Escriba un número, o elija un valor, una vista guardada o «Ajustar», que muestra el atractor entero.</translation>
     </message>
 </context>
 </TS>

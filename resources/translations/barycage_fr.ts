@@ -807,6 +807,13 @@
     </message>
 </context>
 <context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Images (%1);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -4264,10 +4271,6 @@
         <translation>La planche aurait %1 sur %2 pixels&#x202f;; la largeur maximale est de %3 pixels. Prenez des vignettes plus petites ou moins de colonnes.</translation>
     </message>
     <message>
-        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
-        <translation>Ce n’est pas une image PNG, JPEG, GIF, BMP ou PNM.</translation>
-    </message>
-    <message>
         <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
         <translation>L’image a %1 × %2 pixels. Au plus 32 millions de pixels peuvent être lus ; réduisez-la.</translation>
     </message>
@@ -4562,6 +4565,18 @@
     <message>
         <source>part of map %1</source>
         <translation>partie de l’application %1</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Cage</translation>
+    </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP, PNM, WebP, TIFF or OpenEXR picture.</source>
+        <translation>Ce n’est pas une image PNG, JPEG, GIF, BMP, PNM, WebP, TIFF ou OpenEXR.</translation>
+    </message>
+    <message>
+        <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
+        <translation>L’image enregistre ses pixels d’une manière qui ne peut pas être lue. Enregistrez-la en PNG.</translation>
     </message>
 </context>
 <context>
@@ -5200,10 +5215,6 @@
         <translation>Cylindres</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
-        <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application</translation>
-    </message>
-    <message>
         <source>Length of the addresses</source>
         <translation>Longueur des adresses</translation>
     </message>
@@ -5218,6 +5229,10 @@
     <message>
         <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
         <translation>La cage courbe l’image, et aucun système ne produit une image courbée. Ce sont les propriétés du code ; sur la zone de dessin, les contours se courbent avec l’image.</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
+        <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application ; cliquez sur l’une d’elles pour voir son adresse</translation>
     </message>
 </context>
 <context>
@@ -5897,6 +5912,10 @@
         <source>Chan&amp;ge</source>
         <translation>&amp;Modifier</translation>
     </message>
+    <message>
+        <source>What changes in the code when you drag the branch</source>
+        <translation>Ce qui change dans le code quand vous faites glisser la branche</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
@@ -6394,6 +6413,13 @@
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CanvasInput</name>
+    <message>
+        <source>Cylinder %1</source>
+        <translation>Cylindre %1</translation>
     </message>
 </context>
 <context>
@@ -6987,10 +7013,6 @@
         <translation>masqué</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
-        <translation>Ce qui est comparé à la cible : les images de la cible par les applications, ou l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajustement</translation>
     </message>
@@ -7036,6 +7058,14 @@
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
         <translation>Avec ces poids, les applications ne sont pas contractantes en moyenne ; rien n’est donc garanti pour les nuances.</translation>
+    </message>
+    <message>
+        <source>What is compared with the target on the canvas</source>
+        <translation>Ce qui est comparé à la cible sur le canevas</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
+        <translation>Ce qui est comparé à la cible : les images de la cible par les applications, ou l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu.</translation>
     </message>
 </context>
 <context>
@@ -7144,10 +7174,6 @@
         <translation>Arrêter la lecture</translation>
     </message>
     <message>
-        <source>Stop reading this folder. Files that were already read stay in the list.</source>
-        <translation>Arrêter la lecture de ce dossier. Ce qui a été lu reste ici.</translation>
-    </message>
-    <message>
         <source>Reading the collection…</source>
         <translation>Lecture de la collection…</translation>
     </message>
@@ -7166,6 +7192,10 @@
     <message>
         <source>&amp;Open as New Document</source>
         <translation>&amp;Ouvrir comme nouveau document</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder; files that were already read stay in the list</source>
+        <translation>Arrêter la lecture de ce dossier ; ce qui a été lu reste dans la liste</translation>
     </message>
 </context>
 <context>
@@ -7224,6 +7254,10 @@
     <message>
         <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Les noms des colonnes dans leur ordre&#x202f;: a b c d ou r s theta phi, puis e et f, chacun une fois, et p pour un poids ou cumulative pour une somme de poids s’il y en a. x′ = a·x + b·y + e et y′ = c·x + d·y + f.</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order, such as a b c d e f p</source>
+        <translation>Les noms des colonnes dans leur ordre, par exemple a b c d e f p</translation>
     </message>
 </context>
 <context>
@@ -7294,6 +7328,10 @@
     <message>
         <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Une entrée du plan et une de l’espace n’ont pas de vue commune</translation>
+    </message>
+    <message>
+        <source>Another entry of the file beside the current one, to compare the two.</source>
+        <translation>Une autre entrée du fichier à côté de l’entrée en cours, pour les comparer.</translation>
     </message>
 </context>
 <context>
@@ -7570,6 +7608,10 @@
     <message>
         <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Une ligne compte au plus %1 octets&#x202f;; Fractint coupe les plus longues. Coupez-la en deux.</translation>
+    </message>
+    <message>
+        <source>Comments are stored with the entry in the file and do not change the fractal.</source>
+        <translation>Les commentaires sont enregistrés avec l’entrée dans le fichier et ne changent pas la fractale.</translation>
     </message>
 </context>
 <context>
@@ -8408,6 +8450,10 @@
         <source>A3 at 300 dpi</source>
         <translation>A3 à 300 ppp</translation>
     </message>
+    <message>
+        <source>The size of the picture, in pixels or on paper.</source>
+        <translation>La taille de l’image, en pixels ou sur le papier.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -8542,8 +8588,8 @@
         <translation>Mettre en pause ou reprendre tous les exports sans perdre ce qui est déjà dessiné.</translation>
     </message>
     <message>
-        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
-        <translation>Annuler les exports sélectionnés et les retirer de la liste. Les fichiers déjà écrits sont conservés.</translation>
+        <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
+        <translation>Annuler les exports sélectionnés et les retirer de la liste ; les fichiers déjà écrits sont conservés.</translation>
     </message>
 </context>
 <context>
@@ -8897,8 +8943,8 @@
         <translation>Charger une palette d’un fichier .gpl, .ggr, .ugr ou .map, ou la prendre d’une image</translation>
     </message>
     <message>
-        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Palettes et images (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Tous les fichiers (*)</translation>
+        <source>Palettes and pictures (%1);;All files (*)</source>
+        <translation>Palettes et images (%1);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -8992,10 +9038,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Entrées à imprimer</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
-        <translation>Les entrées du fichier qui sont des systèmes dans le plan. Celles qui sont cochées sont imprimées dans cet ordre, %1 au plus.</translation>
-    </message>
-    <message>
         <source>&amp;All</source>
         <translation>&amp;Toutes</translation>
     </message>
@@ -9022,10 +9064,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Kind of sheet</source>
         <translation>Type de feuille</translation>
-    </message>
-    <message>
-        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
-        <translation>Une fiche montre l’image de chaque entrée avec sa cage, ses applications et leurs formules. Une feuille d’exercices vierge montre la cage sur une grille et un tableau vide à remplir à la main.</translation>
     </message>
     <message>
         <source>Entries per page</source>
@@ -9067,6 +9105,18 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-fiche.pdf</translation>
+    </message>
+    <message>
+        <source>Prints entries of the file for a class: with pictures and formulas, or as blank worksheets.</source>
+        <translation>Imprime des entrées du fichier pour une classe : avec images et formules, ou comme feuilles d’exercices vierges.</translation>
+    </message>
+    <message>
+        <source>The entries of the file that could be read. Ticked entries are printed in this order, up to %1 of them.</source>
+        <translation>Les entrées du fichier qui ont pu être lues. Celles qui sont cochées sont imprimées dans cet ordre, %1 au plus.</translation>
+    </message>
+    <message>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
+        <translation>Une fiche montre l’image de chaque entrée avec sa cage, ses applications et leurs formules. Une feuille d’exercices vierge montre la cage, dans le plan sur une grille, et un tableau vide à remplir à la main.</translation>
     </message>
 </context>
 <context>
@@ -9133,6 +9183,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>&amp;Next</source>
         <translation>&amp;Suivant</translation>
+    </message>
+    <message>
+        <source>A lesson in progress: the text of the current step, and buttons to go to the others.</source>
+        <translation>Une leçon en cours : le texte de l’étape actuelle, et des boutons pour passer aux autres.</translation>
     </message>
 </context>
 <context>
@@ -10722,6 +10776,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Start farther along the palette; the part before moves to the end</source>
         <translation>Commencer plus loin dans la palette ; la partie qui précède passe à la fin</translation>
     </message>
+    <message>
+        <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
+        <translation>Toutes les palettes : cherchez-les, marquez des favorites et ajustez celle qui est sélectionnée.</translation>
+    </message>
 </context>
 <context>
     <name>view::PasteTableDialog</name>
@@ -10803,6 +10861,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>&amp;Colours:</source>
         <translation>&amp;Couleurs :</translation>
+    </message>
+    <message>
+        <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
+        <translation>Crée une palette avec les couleurs d’une image, ou avec celles le long d’une ligne.</translation>
     </message>
 </context>
 <context>
@@ -12362,10 +12424,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Choose a Picture to Start From</source>
         <translation>Choisir l’image de départ</translation>
     </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Tous les fichiers (*)</translation>
-    </message>
 </context>
 <context>
     <name>view::StepsBridge</name>
@@ -12653,10 +12711,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Choisir une cible</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>Le presse-papiers ne contient pas d’image.</translation>
     </message>
@@ -12697,8 +12751,12 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Pixels opaques</translation>
     </message>
     <message>
-        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
-        <translation>Quels pixels appartiennent à la forme. En automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres</translation>
+        <source>Which pixels belong to the shape</source>
+        <translation>Quels pixels appartiennent à la forme</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
+        <translation>Quels pixels appartiennent à la forme. En automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres.</translation>
     </message>
 </context>
 <context>
@@ -13339,6 +13397,90 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>the centre of the picture’s box</source>
         <translation>le centre de la boîte englobante de l’image</translation>
     </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Reflects, shears, scales, rotates and translates the whole fractal by numbers.</source>
+        <translation>Réfléchit, cisaille, met à l’échelle, tourne et déplace toute la fractale selon des nombres.</translation>
+    </message>
+    <message>
+        <source>z of the fixed point</source>
+        <translation>z du point fixe</translation>
+    </message>
+    <message>
+        <source>Scale in z</source>
+        <translation>Échelle en z</translation>
+    </message>
+    <message>
+        <source>Axis:</source>
+        <translation>Axe :</translation>
+    </message>
+    <message>
+        <source>x of the direction of the axis</source>
+        <translation>x de la direction de l’axe</translation>
+    </message>
+    <message>
+        <source>y of the direction of the axis</source>
+        <translation>y de la direction de l’axe</translation>
+    </message>
+    <message>
+        <source>z of the direction of the axis</source>
+        <translation>z de la direction de l’axe</translation>
+    </message>
+    <message>
+        <source>Rotation in degrees, counter-clockwise as seen from the tip of the axis</source>
+        <translation>Rotation en degrés, dans le sens direct vu depuis la pointe de l’axe</translation>
+    </message>
+    <message>
+        <source>Translation in z</source>
+        <translation>Translation en z</translation>
+    </message>
+    <message>
+        <source>Same in x, y and z</source>
+        <translation>Identique en x, en y et en z</translation>
+    </message>
+    <message>
+        <source>Keeps the factors in x, y and z equal.</source>
+        <translation>Maintient égaux les facteurs en x, en y et en z.</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation</source>
+        <translation>Axe de la rotation</translation>
+    </message>
+    <message>
+        <source>The axis of the rotation; it passes through the fixed point.</source>
+        <translation>L’axe de la rotation ; il passe par le point fixe.</translation>
+    </message>
+    <message>
+        <source>the x axis</source>
+        <translation>l’axe x</translation>
+    </message>
+    <message>
+        <source>the y axis</source>
+        <translation>l’axe y</translation>
+    </message>
+    <message>
+        <source>the z axis</source>
+        <translation>l’axe z</translation>
+    </message>
+    <message>
+        <source>a direction of your choice</source>
+        <translation>une direction saisie</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Cette entrée n’est pas un système dans l’espace.</translation>
+    </message>
+    <message>
+        <source>The axis has no direction.</source>
+        <translation>L’axe n’a pas de direction.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so only a transformation that scales alike in all directions can be written into the code. Choose equal scales, or place the picture.</source>
+        <translation>La cage courbe l’image ; seule une transformation de même échelle dans toutes les directions peut donc être inscrite dans le code. Choisissez des échelles égales, ou placez l’image.</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationBar</name>
@@ -13490,6 +13632,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Show the two fractals one above the other instead of side by side</source>
         <translation>Afficher les deux fractales l’une au-dessus de l’autre plutôt que côte à côte</translation>
     </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superposer</translation>
+    </message>
+    <message>
+        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
+        <translation>Afficher le partenaire à demi transparent par-dessus la fractale, là où il se trouve dans le même plan</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13534,8 +13684,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Ajouter une famille</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
-        <translation>Images (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Tous les fichiers (*)</translation>
+        <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
+        <translation>Les points de deux fractales qui ont la même adresse se correspondent. Une image posée sur le partenaire est ainsi reportée sur cette fractale.</translation>
     </message>
 </context>
 <context>
@@ -13716,16 +13866,20 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
-        <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels. Saisissez une autre valeur ou choisissez-en une.</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajuster</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels; type another value, or choose one</source>
+        <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels ; saisissez une autre valeur ou choisissez-en une</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or choose a value, a saved view, or Fit, which shows the whole attractor.</source>
+        <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels. Saisissez un nombre, ou choisissez une valeur, une vue enregistrée ou « Ajuster », qui montre tout l’attracteur.</translation>
     </message>
 </context>
 </TS>

@@ -811,6 +811,13 @@
     </message>
 </context>
 <context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Слики (%1);;Сите датотеки (*)</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -4273,10 +4280,6 @@
         <translation>Листот би имал %1 на %2 пиксели; најголемата ширина е %3 пиксели. Користете помали плочки или помалку колони.</translation>
     </message>
     <message>
-        <source>This is not a PNG, JPEG, GIF, BMP or PNM picture.</source>
-        <translation>Ова не е слика во PNG, JPEG, GIF, BMP или PNM.</translation>
-    </message>
-    <message>
         <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
         <translation>Сликата има %1 × %2 пиксели. Може да се прочитаат најмногу 32 милиони пиксели; намалете ја.</translation>
     </message>
@@ -4571,6 +4574,18 @@
     <message>
         <source>part of map %1</source>
         <translation>дел од пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Кафез</translation>
+    </message>
+    <message>
+        <source>This is not a PNG, JPEG, GIF, BMP, PNM, WebP, TIFF or OpenEXR picture.</source>
+        <translation>Ова не е слика PNG, JPEG, GIF, BMP, PNM, WebP, TIFF или OpenEXR.</translation>
+    </message>
+    <message>
+        <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
+        <translation>Сликата ги чува пикселите на начин што не може да се прочита. Зачувајте ја како PNG-слика.</translation>
     </message>
 </context>
 <context>
@@ -5209,10 +5224,6 @@
         <translation>Цилиндри</translation>
     </message>
     <message>
-        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map</source>
-        <translation>Исцртај ги обвивките на сите делови со адреса со иста должина, во бојата на нејзиното прво пресликување</translation>
-    </message>
-    <message>
         <source>Length of the addresses</source>
         <translation>Должина на адресите</translation>
     </message>
@@ -5227,6 +5238,10 @@
     <message>
         <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
         <translation>Кафезот ја свиткува сликата, а ниеден систем не дава свиткана слика. Ова се својства на кодот; на платното контурите се свиткуваат со сликата.</translation>
+    </message>
+    <message>
+        <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
+        <translation>Исцртај ги обвивките на сите делови со адреса со иста должина, во бојата на нејзиното прво пресликување; кликнете на некоја за да ја видите нејзината адреса</translation>
     </message>
 </context>
 <context>
@@ -5910,6 +5925,10 @@
         <source>Chan&amp;ge</source>
         <translation>Про&amp;мени</translation>
     </message>
+    <message>
+        <source>What changes in the code when you drag the branch</source>
+        <translation>Што се менува во кодот кога ја влечете гранката</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
@@ -6408,6 +6427,13 @@
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CanvasInput</name>
+    <message>
+        <source>Cylinder %1</source>
+        <translation>Цилиндар %1</translation>
     </message>
 </context>
 <context>
@@ -7001,10 +7027,6 @@
         <translation>не се прикажува</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue</source>
-        <translation>Што се споредува со целта: сликите на целта под пресликувањата, или атракторот. Заедничкото е сиво, вишокот црвен, недостигот син</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Прилагодување</translation>
     </message>
@@ -7051,6 +7073,14 @@
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
         <translation>Со овие тежини, пресликувањата во просек не собираат, па за нијансите ништо не е гарантирано.</translation>
+    </message>
+    <message>
+        <source>What is compared with the target on the canvas</source>
+        <translation>Што се споредува со целта на платното</translation>
+    </message>
+    <message>
+        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
+        <translation>Што се споредува со целта: сликите на целта под пресликувањата, или атракторот. Заедничкото е сиво, вишокот црвен, недостигот син.</translation>
     </message>
 </context>
 <context>
@@ -7159,10 +7189,6 @@
         <translation>Запри со читање</translation>
     </message>
     <message>
-        <source>Stop reading this folder. Files that were already read stay in the list.</source>
-        <translation>Запри со читање на оваа папка. Прочитаното останува тука.</translation>
-    </message>
-    <message>
         <source>Reading the collection…</source>
         <translation>Се чита збирката…</translation>
     </message>
@@ -7181,6 +7207,10 @@
     <message>
         <source>&amp;Open as New Document</source>
         <translation>&amp;Отвори како нов документ</translation>
+    </message>
+    <message>
+        <source>Stop reading this folder; files that were already read stay in the list</source>
+        <translation>Запри со читање на оваа папка; прочитаното останува во списокот</translation>
     </message>
 </context>
 <context>
@@ -7239,6 +7269,10 @@
     <message>
         <source>The names of the columns in order: a b c d or r s theta phi, then e and f, each once; if there are weights, also p, or cumulative for running sums of weights. x′ = a·x + b·y + e and y′ = c·x + d·y + f.</source>
         <translation>Имињата на колоните по ред: a b c d или r s theta phi, потоа e и f, секое еднаш, и p за тежина или cumulative за збир на тежини каде што го има. x′ = a·x + b·y + e и y′ = c·x + d·y + f.</translation>
+    </message>
+    <message>
+        <source>The names of the columns in their order, such as a b c d e f p</source>
+        <translation>Имињата на колоните по ред, на пример a b c d e f p</translation>
     </message>
 </context>
 <context>
@@ -7309,6 +7343,10 @@
     <message>
         <source>An entry in the plane and one in space cannot share a view</source>
         <translation>Запис од рамнината и запис од просторот немаат заеднички поглед</translation>
+    </message>
+    <message>
+        <source>Another entry of the file beside the current one, to compare the two.</source>
+        <translation>Друга ставка од датотеката покрај тековната, за споредба.</translation>
     </message>
 </context>
 <context>
@@ -7585,6 +7623,10 @@
     <message>
         <source>A line can have at most %1 bytes; Fractint truncates longer ones. Split it in two.</source>
         <translation>Редот содржи најмногу %1 бајти; подолгите Fractint ги сече. Поделете го на два.</translation>
+    </message>
+    <message>
+        <source>Comments are stored with the entry in the file and do not change the fractal.</source>
+        <translation>Коментарите се чуваат со ставката во датотеката и не го менуваат фракталот.</translation>
     </message>
 </context>
 <context>
@@ -8430,6 +8472,10 @@
         <source>A3 at 300 dpi</source>
         <translation>A3 со 300 dpi</translation>
     </message>
+    <message>
+        <source>The size of the picture, in pixels or on paper.</source>
+        <translation>Големината на сликата, во пиксели или на хартија.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -8567,8 +8613,8 @@
         <translation>Паузирај ги или продолжи ги сите извози без да се изгуби нацртаното.</translation>
     </message>
     <message>
-        <source>Cancel the selected exports and remove them from the list. Files already written are kept.</source>
-        <translation>Откажи ги избраните извози и тргни ги од списокот. Веќе запишаните датотеки остануваат.</translation>
+        <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
+        <translation>Откажи ги избраните извози и тргни ги од списокот; веќе запишаните датотеки остануваат.</translation>
     </message>
 </context>
 <context>
@@ -8922,8 +8968,8 @@
         <translation>Вчитај палета од датотека .gpl, .ggr, .ugr или .map, или земи ја од слика</translation>
     </message>
     <message>
-        <source>Palettes and pictures (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;All files (*)</source>
-        <translation>Палети и слики (*.gpl *.ggr *.ugr *.gradient *.map *.png *.jpg *.jpeg *.gif *.bmp);;Сите датотеки (*)</translation>
+        <source>Palettes and pictures (%1);;All files (*)</source>
+        <translation>Палети и слики (%1);;Сите датотеки (*)</translation>
     </message>
 </context>
 <context>
@@ -9017,10 +9063,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Записи за печатење</translation>
     </message>
     <message>
-        <source>The entries of the file that are systems in the plane. Ticked entries are printed in this order, up to %1 of them.</source>
-        <translation>Записите од датотеката што се системи во рамнината. Се печатат означените, по овој редослед, најмногу %1.</translation>
-    </message>
-    <message>
         <source>&amp;All</source>
         <translation>&amp;Сите</translation>
     </message>
@@ -9047,10 +9089,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Kind of sheet</source>
         <translation>Вид на листот</translation>
-    </message>
-    <message>
-        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage on a grid and an empty table, to be filled in by hand.</source>
-        <translation>Листот за час ја прикажува сликата на секој запис со неговиот кафез, пресликувањата и нивните формули. Празниот лист со задачи го прикажува кафезот на мрежа и празна табела што се пополнува рачно.</translation>
     </message>
     <message>
         <source>Entries per page</source>
@@ -9092,6 +9130,18 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>%1-handout.pdf</source>
         <comment>name of a file</comment>
         <translation>%1-лист-за-час.pdf</translation>
+    </message>
+    <message>
+        <source>Prints entries of the file for a class: with pictures and formulas, or as blank worksheets.</source>
+        <translation>Печати ставки од датотеката за час: со слики и формули, или како празни работни листови.</translation>
+    </message>
+    <message>
+        <source>The entries of the file that could be read. Ticked entries are printed in this order, up to %1 of them.</source>
+        <translation>Записите од датотеката што можеа да се прочитаат. Се печатат означените, по овој редослед, најмногу %1.</translation>
+    </message>
+    <message>
+        <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
+        <translation>Листот за час ја прикажува сликата на секој запис со неговиот кафез, пресликувањата и нивните формули. Празниот лист со задачи го прикажува кафезот, во рамнината на мрежа, и празна табела што се пополнува рачно.</translation>
     </message>
 </context>
 <context>
@@ -9158,6 +9208,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>&amp;Next</source>
         <translation>&amp;Следно</translation>
+    </message>
+    <message>
+        <source>A lesson in progress: the text of the current step, and buttons to go to the others.</source>
+        <translation>Лекција во тек: текстот на тековниот чекор и копчиња за преминување на другите.</translation>
     </message>
 </context>
 <context>
@@ -10748,6 +10802,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Start farther along the palette; the part before moves to the end</source>
         <translation>Почни подоцна во палетата; делот пред тоа оди на крајот</translation>
     </message>
+    <message>
+        <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
+        <translation>Сите палети: пребарувајте, означувајте омилени и приспособете ја избраната.</translation>
+    </message>
 </context>
 <context>
     <name>view::PasteTableDialog</name>
@@ -10829,6 +10887,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>&amp;Colours:</source>
         <translation>&amp;Бои:</translation>
+    </message>
+    <message>
+        <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
+        <translation>Прави палета од боите на слика, или од оние по должина на линија во неа.</translation>
     </message>
 </context>
 <context>
@@ -12389,10 +12451,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Choose a Picture to Start From</source>
         <translation>Изберете почетна слика</translation>
     </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Сите датотеки (*)</translation>
-    </message>
 </context>
 <context>
     <name>view::StepsBridge</name>
@@ -12681,10 +12739,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Избери цел</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;All files (*)</source>
-        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pbm *.pgm *.ppm);;Сите датотеки (*)</translation>
-    </message>
-    <message>
         <source>There is no picture on the clipboard.</source>
         <translation>Нема слика во таблата со исечоци.</translation>
     </message>
@@ -12725,8 +12779,12 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Непроѕирни пиксели</translation>
     </message>
     <message>
-        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones</source>
-        <translation>Кои пиксели ѝ припаѓаат на формата. Автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните</translation>
+        <source>Which pixels belong to the shape</source>
+        <translation>Кои пиксели ѝ припаѓаат на формата</translation>
+    </message>
+    <message>
+        <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
+        <translation>Кои пиксели ѝ припаѓаат на формата. Автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните.</translation>
     </message>
 </context>
 <context>
@@ -13369,6 +13427,90 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>the centre of the picture’s box</source>
         <translation>средината на правоаголникот на сликата</translation>
     </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Reflects, shears, scales, rotates and translates the whole fractal by numbers.</source>
+        <translation>Го отсликува, закосува, размерува, врти и поместува целиот фрактал според броеви.</translation>
+    </message>
+    <message>
+        <source>z of the fixed point</source>
+        <translation>z на неподвижната точка</translation>
+    </message>
+    <message>
+        <source>Scale in z</source>
+        <translation>Скалирање по z</translation>
+    </message>
+    <message>
+        <source>Axis:</source>
+        <translation>Оска:</translation>
+    </message>
+    <message>
+        <source>x of the direction of the axis</source>
+        <translation>x на насоката на оската</translation>
+    </message>
+    <message>
+        <source>y of the direction of the axis</source>
+        <translation>y на насоката на оската</translation>
+    </message>
+    <message>
+        <source>z of the direction of the axis</source>
+        <translation>z на насоката на оската</translation>
+    </message>
+    <message>
+        <source>Rotation in degrees, counter-clockwise as seen from the tip of the axis</source>
+        <translation>Ротација во степени, спротивно од стрелките на часовникот гледано од врвот на оската</translation>
+    </message>
+    <message>
+        <source>Translation in z</source>
+        <translation>Транслација по z</translation>
+    </message>
+    <message>
+        <source>Same in x, y and z</source>
+        <translation>Исто по x, y и z</translation>
+    </message>
+    <message>
+        <source>Keeps the factors in x, y and z equal.</source>
+        <translation>Ги одржува размерите по x, y и z еднакви.</translation>
+    </message>
+    <message>
+        <source>Axis of the rotation</source>
+        <translation>Оска на ротацијата</translation>
+    </message>
+    <message>
+        <source>The axis of the rotation; it passes through the fixed point.</source>
+        <translation>Оската на ротацијата; минува низ неподвижната точка.</translation>
+    </message>
+    <message>
+        <source>the x axis</source>
+        <translation>оската x</translation>
+    </message>
+    <message>
+        <source>the y axis</source>
+        <translation>оската y</translation>
+    </message>
+    <message>
+        <source>the z axis</source>
+        <translation>оската z</translation>
+    </message>
+    <message>
+        <source>a direction of your choice</source>
+        <translation>внесена насока</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Овој запис не е систем во просторот.</translation>
+    </message>
+    <message>
+        <source>The axis has no direction.</source>
+        <translation>Оската нема насока.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so only a transformation that scales alike in all directions can be written into the code. Choose equal scales, or place the picture.</source>
+        <translation>Кафезот ја криви сликата, па во кодот може да се запише само трансформација со исто скалирање во сите насоки. Изберете еднакви размери или поставете ја сликата.</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationBar</name>
@@ -13520,6 +13662,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Show the two fractals one above the other instead of side by side</source>
         <translation>Прикажи ги двата фрактали еден над друг наместо еден до друг</translation>
     </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Преклопи</translation>
+    </message>
+    <message>
+        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
+        <translation>Прикажи го партнерот полупроѕирно врз фракталот, каде што лежи во истата рамнина</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -13564,8 +13714,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Додај фамилија</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;All files (*)</source>
-        <translation>Слики (*.png *.jpg *.jpeg *.gif *.bmp *.pgm *.ppm *.pbm);;Сите датотеки (*)</translation>
+        <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
+        <translation>Точките на два фрактала што имаат иста адреса си одговараат. Така слика од партнерот се пренесува на овој фрактал.</translation>
     </message>
 </context>
 <context>
@@ -13746,16 +13896,20 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Зум</translation>
     </message>
     <message>
-        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels. Type another value, or choose one.</source>
-        <translation>Зум во проценти: на 100 % една единица од рамнината е 100 пиксели. Внесете друга вредност или изберете.</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Вклопи</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels; type another value, or choose one</source>
+        <translation>Зум во проценти: на 100 % една единица од рамнината е 100 пиксели; внесете друга вредност или изберете</translation>
+    </message>
+    <message>
+        <source>Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or choose a value, a saved view, or Fit, which shows the whole attractor.</source>
+        <translation>Зум во проценти: на 100 % една единица од рамнината е 100 пиксели. Внесете број, или изберете вредност, зачуван поглед или „Вклопи“, што го покажува целиот атрактор.</translation>
     </message>
 </context>
 </TS>
