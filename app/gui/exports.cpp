@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exports.h"
 
+#include "dialogs/export/animation_export_dialog.h"
 #include "session.h"
 #include "window_messages.h"
 
@@ -54,6 +55,8 @@ void showPanel(const QMainWindow& window) {
 }
 
 bool mayEnd(QWidget* window) {
+    for (auto* animation : window->findChildren<view::AnimationExportDialog*>())
+        if (!animation->mayClose()) return false;
     const int count = queue()->unfinished();
     const auto others = session::windows();
     const bool isLast = std::ranges::none_of(

@@ -21,7 +21,8 @@ view::ExportQueue* queue();
 void connectPanel(QDockWidget* panel, WindowMessages* messages);
 void showPanel(const QMainWindow& window);
 
-// The last window closes: whether the program may end, which the user is asked while exports are not done.
+// A window closes, and the program with the last one: whether it may, which the user is asked while an
+// animation is exported from this window or exports are not done.
 bool mayEnd(QWidget* window);
 
 } // namespace exports

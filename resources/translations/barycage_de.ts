@@ -5319,10 +5319,6 @@
         <translation>Was die Bilder zeigen, wenn kein Schlüssel der Kamera es festlegt: was die Zeichenfläche zeigt, oder alles, was ins Bild kommt, mit kleinem Rand.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
-        <translation>Au&amp;sschnitt:</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -5552,6 +5548,34 @@
     <message>
         <source>Frame without an attractor</source>
         <translation>Bild ohne Attraktor</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>Au&amp;sschnitt:</translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>Export ist nicht fertig</translation>
+    </message>
+    <message>
+        <source>The animation “%1” is still being exported.</source>
+        <translation>Die Animation „%1“ wird noch exportiert.</translation>
+    </message>
+    <message>
+        <source>The pictures written so far are complete and will be kept.</source>
+        <translation>Die bisher geschriebenen Bilder sind vollständig und bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>Export an&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -6954,12 +6978,12 @@
         <translation>Wie oft die Bilder der Abbildungen dieselben Stellen bedecken: ihre Flächen zusammen, geteilt durch die Fläche, die sie bedecken. Es ist 1, wenn keine zwei sich überlappen</translation>
     </message>
     <message>
-        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
-        <translation>Von jedem Punkt zum nächsten Punkt der anderen Form, in Pixeln des Bilds</translation>
-    </message>
-    <message>
         <source>95 % of all points are within this distance of the other shape</source>
         <translation>95 % aller Punkte sind höchstens so weit von der anderen Form entfernt</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
+        <translation>Von jedem Punkt zum nächsten Punkt der anderen Form, in Pixeln des Bildes, wie es nachgezeichnet wird</translation>
     </message>
 </context>
 <context>
@@ -12757,6 +12781,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
         <translation>Welche Pixel zur Form gehören. Automatisch sind es die deckenden, wenn das Bild irgendwo durchsichtig ist, sonst die dunklen.</translation>
+    </message>
+    <message>
+        <source>%1, reduced to %2 × %3 pixels</source>
+        <translation>%1, verkleinert auf %2 × %3 Pixel</translation>
     </message>
 </context>
 <context>

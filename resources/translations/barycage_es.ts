@@ -5319,10 +5319,6 @@
         <translation>Lo que muestran los fotogramas cuando ninguna clave de la cámara lo fija: lo que muestra el lienzo, o todo lo que llega a verse, con un pequeño margen.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
-        <translation>&amp;Encuadre:</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Anchura</translation>
     </message>
@@ -5552,6 +5548,34 @@
     <message>
         <source>Frame without an attractor</source>
         <translation>Fotograma sin atractor</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>E&amp;ncuadre:</translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>La exportación no ha terminado</translation>
+    </message>
+    <message>
+        <source>The animation “%1” is still being exported.</source>
+        <translation>La animación «%1» aún se está exportando.</translation>
+    </message>
+    <message>
+        <source>The pictures written so far are complete and will be kept.</source>
+        <translation>Las imágenes escritas hasta ahora están completas y se conservan.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Detener la exportación</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuar</translation>
     </message>
 </context>
 <context>
@@ -6954,12 +6978,12 @@
         <translation>Cuántas veces las imágenes de las aplicaciones cubren los mismos lugares: la suma de sus áreas, dividida entre el área que cubren. Es 1 si no hay dos que se solapen</translation>
     </message>
     <message>
-        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
-        <translation>De cada punto al punto más cercano de la otra forma, en píxeles de la imagen</translation>
-    </message>
-    <message>
         <source>95 % of all points are within this distance of the other shape</source>
         <translation>El 95 % de los puntos está como mucho a esta distancia de la otra forma</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
+        <translation>De cada punto al punto más cercano de la otra forma, en píxeles de la imagen tal como se calca</translation>
     </message>
 </context>
 <context>
@@ -12757,6 +12781,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
         <translation>Qué píxeles pertenecen a la forma. En automático, los opacos si la imagen tiene alguna transparencia y, si no, los oscuros.</translation>
+    </message>
+    <message>
+        <source>%1, reduced to %2 × %3 pixels</source>
+        <translation>%1, reducida a %2 × %3 píxeles</translation>
     </message>
 </context>
 <context>

@@ -5319,10 +5319,6 @@
         <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe : ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
-        <translation>&amp;Cadrage :</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Largeur</translation>
     </message>
@@ -5552,6 +5548,34 @@
     <message>
         <source>Frame without an attractor</source>
         <translation>Image sans attracteur</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>Ca&amp;drage :</translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>L’export n’est pas terminé</translation>
+    </message>
+    <message>
+        <source>The animation “%1” is still being exported.</source>
+        <translation>L’animation « %1 » est encore en cours d’export.</translation>
+    </message>
+    <message>
+        <source>The pictures written so far are complete and will be kept.</source>
+        <translation>Les images déjà écrites sont complètes et seront conservées.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Arrêter l’export</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuer</translation>
     </message>
 </context>
 <context>
@@ -6954,12 +6978,12 @@
         <translation>Combien de fois les images des applications couvrent les mêmes endroits : la somme de leurs aires, divisée par l’aire qu’elles couvrent. Il vaut 1 si elles ne se recouvrent pas deux à deux</translation>
     </message>
     <message>
-        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
-        <translation>De chaque point au point le plus proche de l’autre forme, en pixels de l’image</translation>
-    </message>
-    <message>
         <source>95 % of all points are within this distance of the other shape</source>
         <translation>95 % des points sont au plus à cette distance de l’autre forme</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
+        <translation>De chaque point au point le plus proche de l’autre forme, en pixels de l’image telle qu’elle est tracée</translation>
     </message>
 </context>
 <context>
@@ -12758,6 +12782,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
         <translation>Quels pixels appartiennent à la forme. En automatique, ceux qui sont opaques si l’image a de la transparence, sinon ceux qui sont sombres.</translation>
     </message>
+    <message>
+        <source>%1, reduced to %2 × %3 pixels</source>
+        <translation>%1, réduite à %2 × %3 pixels</translation>
+    </message>
 </context>
 <context>
     <name>view::TargetPreview</name>
@@ -13415,7 +13443,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Axis:</source>
-        <translation>Axe :</translation>
+        <translation>Axe&#x202f;:</translation>
     </message>
     <message>
         <source>x of the direction of the axis</source>
@@ -13451,7 +13479,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The axis of the rotation; it passes through the fixed point.</source>
-        <translation>L’axe de la rotation ; il passe par le point fixe.</translation>
+        <translation>L’axe de la rotation&#x202f;; il passe par le point fixe.</translation>
     </message>
     <message>
         <source>the x axis</source>
@@ -13479,7 +13507,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The cage bends the picture, so only a transformation that scales alike in all directions can be written into the code. Choose equal scales, or place the picture.</source>
-        <translation>La cage courbe l’image ; seule une transformation de même échelle dans toutes les directions peut donc être inscrite dans le code. Choisissez des échelles égales, ou placez l’image.</translation>
+        <translation>La cage courbe l’image&#x202f;; seule une transformation de même échelle dans toutes les directions peut donc être inscrite dans le code. Choisissez des échelles égales, ou placez l’image.</translation>
     </message>
 </context>
 <context>

@@ -5331,10 +5331,6 @@
         <translation>Што покажуваат кадрите кога ниеден клуч на камерата не го одредува тоа: она што го покажува платното, или сè што се појавува, со мала маргина.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
-        <translation>&amp;Исечок:</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Ширина</translation>
     </message>
@@ -5565,6 +5561,34 @@
     <message>
         <source>Frame without an attractor</source>
         <translation>Слика без атрактор</translation>
+    </message>
+    <message>
+        <source>Sect&amp;ion:</source>
+        <translation>Исечо&amp;к:</translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>Извозот не е завршен</translation>
+    </message>
+    <message>
+        <source>The animation “%1” is still being exported.</source>
+        <translation>Анимацијата „%1“ сè уште се извезува.</translation>
+    </message>
+    <message>
+        <source>The pictures written so far are complete and will be kept.</source>
+        <translation>Досега запишаните слики се целосни и ќе останат.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Ако запрете сега, нема да се запише датотека.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Запри го извозот</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Продолжи</translation>
     </message>
 </context>
 <context>
@@ -6968,12 +6992,12 @@
         <translation>Колку пати сликите на пресликувањата ги покриваат истите места: збирот на нивните плоштини поделен со плоштината што ја покриваат. Тој е 1 ако нема две што се преклопуваат</translation>
     </message>
     <message>
-        <source>From each point to the nearest point of the other shape, in pixels of the picture</source>
-        <translation>Од секоја точка до најблиската точка на другата форма, во пиксели од сликата</translation>
-    </message>
-    <message>
         <source>95 % of all points are within this distance of the other shape</source>
         <translation>95 % од сите точки се најмногу на ова растојание од другата форма</translation>
+    </message>
+    <message>
+        <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
+        <translation>Од секоја точка до најблиската точка на другата форма, во пиксели на сликата како што се исцртува</translation>
     </message>
 </context>
 <context>
@@ -12785,6 +12809,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Which pixels belong to the shape. Automatic takes the opaque pixels if any part of the picture is transparent, otherwise the dark ones.</source>
         <translation>Кои пиксели ѝ припаѓаат на формата. Автоматски се непроѕирните ако сликата некаде е проѕирна, инаку темните.</translation>
+    </message>
+    <message>
+        <source>%1, reduced to %2 × %3 pixels</source>
+        <translation>%1, намалена на %2 × %3 пиксели</translation>
     </message>
 </context>
 <context>

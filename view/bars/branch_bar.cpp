@@ -67,21 +67,17 @@ QWidget* BranchBar::makeBranch() {
         "The address of the clicked point, outermost map first; the bold part is the address of the branch"));
     auto* editLabel = new QLabel(tr("Chan&ge"), row);
     m_edit = new QComboBox(row);
-    m_edit->addItem(tr("New map for this branch"));
-    m_edit->setItemData(0,
-                        tr("Gives this branch and each of its sibling branches a map of its own. The change "
-                           "appears again at all smaller scales."),
-                        Qt::ToolTipRole);
-    m_edit->addItem(tr("Last map of the address"));
-    m_edit->setItemData(
-        1,
-        tr("The system keeps its number of maps. All branches that this map makes change in the same way."),
-        Qt::ToolTipRole);
-    m_edit->addItem(tr("Only here"));
-    m_edit->setItemData(2,
-                        tr("The code does not change. Only this branch is shown in another position; the "
-                           "same change does not appear at other scales."),
-                        Qt::ToolTipRole);
+    const auto add = [this](const QString& name, const QString& explanation) {
+        m_edit->addItem(name);
+        m_edit->setItemData(m_edit->count() - 1, explanation, Qt::ToolTipRole);
+    };
+    add(tr("New map for this branch"),
+        tr("Gives this branch and each of its sibling branches a map of its own. The change appears again at "
+           "all smaller scales."));
+    add(tr("Last map of the address"),
+        tr("The system keeps its number of maps. All branches that this map makes change in the same way."));
+    add(tr("Only here"), tr("The code does not change. Only this branch is shown in another position; the "
+                            "same change does not appear at other scales."));
     m_edit->setAccessibleName(tr("What editing the branch changes"));
     for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})
         yields->setMinimumWidth(minLetters * fontMetrics().averageCharWidth());

@@ -69,8 +69,10 @@ void CanvasNavigation::fit() {
         m_extent.setFuture(extent);
 }
 
-void CanvasNavigation::fitTo(const std::optional<document::Box>& attractor) {
+void CanvasNavigation::fitTo(std::optional<document::Box> attractor) {
     const auto& cage = m_scene.handles().cage();
+    if (m_fittedToo)
+        attractor = attractor ? with(with(*attractor, m_fittedToo->min), m_fittedToo->max) : m_fittedToo;
     std::optional<document::Box> all = attractor;
     if (cage)
         for (const ifs::Vector<2>& vertex : cage->current)

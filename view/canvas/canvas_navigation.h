@@ -29,6 +29,8 @@ public:
     // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
     // those of its corners that lie just outside. That of many maps may come into view a little later.
     void fit();
+    // What comes into the view with the attractor, such as the target of a collage.
+    void setFittedToo(const std::optional<document::Box>& box) { m_fittedToo = box; }
     bool isFitted() const { return m_isFitted; }
     void zoomBy(double factor); // about the middle
     void zoomAt(const QPointF& position, double factor);
@@ -50,11 +52,12 @@ signals:
 
 private:
     QPointF middle() const;
-    void fitTo(const std::optional<document::Box>& attractor);
+    void fitTo(std::optional<document::Box> attractor);
 
     CanvasScene& m_scene;
     RenderBridge& m_bridge;
     const QWidget& m_viewport;
+    std::optional<document::Box> m_fittedToo;
     bool m_isFitted = true; // follows the size of the window until the user moves the view
     QFutureWatcher<std::optional<document::Box>> m_extent; // of the attractor that is to be fitted
 };

@@ -4,7 +4,9 @@
 #include "widgets/number_text.h"
 
 #include <QLineEdit>
+#include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace view {
@@ -41,12 +43,17 @@ QString TypedExpression::of(double value) const {
 }
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    setFocusPolicy(Qt::StrongFocus);
     setLocale(QLocale::c());
     connect(lineEdit(), &QLineEdit::textEdited, this, [this](QString text) {
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
             m_typed.keep(withoutUnits(*this, text), valueFromText(text));
     });
+}
+
+void NumberBox::wheelEvent(QWheelEvent* event) {
+    hasFocus() ? QDoubleSpinBox::wheelEvent(event) : event->ignore();
 }
 
 QValidator::State NumberBox::validate(QString& text, int& position) const {
@@ -74,6 +81,7 @@ QString NumberBox::textFromValue(double value) const {
 }
 
 WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
+    setFocusPolicy(Qt::StrongFocus);
     connect(lineEdit(), &QLineEdit::textEdited, this, [this](QString text) {
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
@@ -93,10 +101,22 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
             text = plain;
             position = at;
         }
-        return state;
+        bool isNumber = false; // outside the range
+        typed.toLongLong(&isNumber);
+        return state == QValidator::Invalid && isNumber ? QValidator::Intermediate : state;
     }
     return whole(typedNumber(typed), minimum(), maximum()) ? QValidator::Acceptable
                                                            : QValidator::Intermediate;
+}
+
+void WholeNumberBox::fixup(QString& text) const {
+    bool isNumber = false;
+    const qlonglong number = withoutUnits(*this, text).toLongLong(&isNumber);
+    if (isNumber) text = QString::number(std::clamp<qlonglong>(number, minimum(), maximum()));
+}
+
+void WholeNumberBox::wheelEvent(QWheelEvent* event) {
+    hasFocus() ? QSpinBox::wheelEvent(event) : event->ignore();
 }
 
 int WholeNumberBox::valueFromText(const QString& text) const {

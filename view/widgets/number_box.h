@@ -19,7 +19,8 @@ private:
 
 // Spin boxes that take what number fields take: a comma as the decimal point, and expressions such as 1/2 or
 // sqrt(3)/6, which are shown as long as the box has the value that they gave. What is unfinished changes
-// nothing, and Enter takes it back.
+// nothing, and Enter takes it back. The wheel does nothing without the focus, so that what the box stands in
+// can be scrolled.
 class NumberBox : public QDoubleSpinBox {
 public:
     explicit NumberBox(QWidget* parent = nullptr);
@@ -29,12 +30,15 @@ public:
     QString textFromValue(double value) const override;
     QString typedText() const { return m_typed.of(value()); } // empty when it was a plain number
 
+protected:
+    void wheelEvent(QWheelEvent* event) override;
+
 private:
     TypedExpression m_typed;
 };
 
-// Takes expressions whose value is whole. Groups of digits, where they are shown, are those of
-// groupedNumber().
+// Takes expressions whose value is whole. A number outside the range becomes the nearest in it. Groups of
+// digits, where they are shown, are those of groupedNumber().
 class WholeNumberBox : public QSpinBox {
 public:
     explicit WholeNumberBox(QWidget* parent = nullptr);
@@ -43,6 +47,8 @@ public:
 
 protected:
     QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
+    void wheelEvent(QWheelEvent* event) override;
     int valueFromText(const QString& text) const override;
     QString textFromValue(int value) const override;
 

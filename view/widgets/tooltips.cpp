@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QToolButton>
 #include <QToolTip>
 #include <QWidget>
@@ -32,8 +33,10 @@ QString nameOf(const QWidget& widget) {
     if (const QAction* action = actionOf(widget); action && !action->text().isEmpty())
         return plainName(action->text());
     if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
-    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-    return button ? plainName(button->text()) : QString();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return plainName(button->text());
+    for (const auto* label : widget.window()->findChildren<QLabel*>())
+        if (label->buddy() == &widget) return plainName(label->text()).remove(u':');
+    return {};
 }
 
 QString shortcutOf(const QWidget& widget) {

@@ -35,7 +35,7 @@ bool isUsable(const PixelRecipe& recipe) {
 
 bool isUsable(const ShapeRecipe& recipe) {
     return isUsable(recipe.camera) && isWithin(recipe.depth.value_or(0), 0, 200) &&
-           isWithin(recipe.points, 1, double(SvgFormat::maxPoints));
+           isWithin(recipe.points, 1, double(SvgFormat::maxPoints)) && isWithin(recipe.dotsPerInch, 1, 9600);
 }
 
 bool isUsable(const SpaceRecipe& recipe) {
@@ -139,6 +139,7 @@ SvgExport exportOf(const ShapeRecipe& recipe, const document::Fractal& fractal) 
     SvgExport picture{fractal, recipe.camera,
                       SvgFormat{recipe.depth, recipe.cage, recipe.style, std::uint64_t(recipe.points)},
                       recipe.file};
+    picture.format.dotsPerInch = recipe.dotsPerInch;
     picture.fractal.appearance.background.alpha = recipe.isTransparent ? 0 : 255;
     return picture;
 }

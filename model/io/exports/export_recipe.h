@@ -36,6 +36,7 @@ struct ShapeRecipe { // of the plane
     ShapeStyle style = ShapeStyle::Structured;
     std::optional<int> depth; // of the copies; nullopt: as many as a pixel needs
     int points = int(SvgFormat().points);
+    double dotsPerInch = SvgFormat().dotsPerInch;
     CageVisibility cage = CageVisibility::Hidden;
     bool isTransparent = false;
 

@@ -170,14 +170,17 @@ bool read(const QJsonObject& json, PixelRecipe& recipe) {
 }
 
 QJsonObject jsonOf(const ShapeRecipe& recipe) {
-    return {{QStringLiteral("kind"), QStringLiteral("shapes")},
-            {QStringLiteral("camera"), cameraJson(recipe.camera)},
-            {QStringLiteral("file"), nameOf(shapeFiles, recipe.file)},
-            {QStringLiteral("style"), nameOf(styles, recipe.style)},
-            {QStringLiteral("levels"), recipe.depth.value_or(-1)}, // −1: as many as a pixel needs
-            {QStringLiteral("points"), recipe.points},
-            {QStringLiteral("cage"), recipe.cage == CageVisibility::Shown},
-            {QStringLiteral("transparent"), recipe.isTransparent}};
+    QJsonObject json{{QStringLiteral("kind"), QStringLiteral("shapes")},
+                     {QStringLiteral("camera"), cameraJson(recipe.camera)},
+                     {QStringLiteral("file"), nameOf(shapeFiles, recipe.file)},
+                     {QStringLiteral("style"), nameOf(styles, recipe.style)},
+                     {QStringLiteral("levels"), recipe.depth.value_or(-1)}, // −1: as many as a pixel needs
+                     {QStringLiteral("points"), recipe.points},
+                     {QStringLiteral("cage"), recipe.cage == CageVisibility::Shown},
+                     {QStringLiteral("transparent"), recipe.isTransparent}};
+    if (recipe.dotsPerInch != SvgFormat::pixelsOfSvg)
+        json.insert(QStringLiteral("dotsPerInch"), recipe.dotsPerInch);
+    return json;
 }
 
 bool read(const QJsonObject& json, ShapeRecipe& recipe) {
@@ -187,6 +190,7 @@ bool read(const QJsonObject& json, ShapeRecipe& recipe) {
     fields.read("style", recipe.style, styles);
     fields.read("levels", levels);
     fields.read("points", recipe.points);
+    if (json.contains(QLatin1String("dotsPerInch"))) fields.read("dotsPerInch", recipe.dotsPerInch);
     fields.read("cage", recipe.cage);
     fields.read("transparent", recipe.isTransparent);
     if (levels != -1) recipe.depth = levels;

@@ -15,8 +15,7 @@ namespace io {
 
 namespace {
 
-constexpr double pointsPerPixel = 0.75; // 72 points and 96 pixels are an inch
-constexpr int deepestNest = 10;         // of forms; viewers give up beyond some 30
+constexpr int deepestNest = 10; // of forms; viewers give up beyond some 30
 
 // PDF knows no exponents.
 QByteArray text(double number) {
@@ -213,6 +212,7 @@ public:
     // The page object, whose parent is `pages`.
     int write(const ifs::CopyHierarchy& levels, int depth, int pages, const std::stop_token& stop) {
         const auto& [fractal, camera, format] = m_page;
+        const double pointsPerPixel = 72 / format.dotsPerInch;
         QByteArray resources;
         m_content = text(pointsPerPixel) + " 0 0 " + text(-pointsPerPixel) + " 0 " +
                     text(pointsPerPixel * camera.height) + " cm\n";

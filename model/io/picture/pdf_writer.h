@@ -11,7 +11,7 @@ struct PdfPage {
     SvgFormat format;
 };
 
-// The shapes of svgPicture() on pages of PDF, 96 pixels of the camera an inch. A structured picture is a nest
+// The shapes of svgPicture() on pages of PDF, as large as the format says. A structured picture is a nest
 // of form objects, so the file stays small.
 struct PdfPicture {
     QByteArray bytes; // empty after a failure

@@ -157,16 +157,19 @@ private:
     }
     void startElement(const char* name) { m_xml.writeStartElement(svg, QLatin1String(name)); }
 
+    QString length(int pixels) const {
+        if (m_format.dotsPerInch == SvgFormat::pixelsOfSvg) return QString::number(pixels);
+        return QString::number(25.4 * pixels / m_format.dotsPerInch, 'g', 7) + QStringLiteral("mm");
+    }
+
     void startRoot() {
         m_xml.writeDefaultNamespace(svg);
         m_xml.writeNamespace(xlink, QStringLiteral("xlink"));
         startElement("svg");
-        const QString width = QString::number(m_camera.width);
-        const QString height = QString::number(m_camera.height);
         attribute("version", QStringLiteral("1.1"));
-        attribute("width", width);
-        attribute("height", height);
-        attribute("viewBox", QStringLiteral("0 0 %1 %2").arg(width, height));
+        attribute("width", length(m_camera.width));
+        attribute("height", length(m_camera.height));
+        attribute("viewBox", QStringLiteral("0 0 %1 %2").arg(m_camera.width).arg(m_camera.height));
         m_xml.writeTextElement(svg, QStringLiteral("title"), withoutControls(m_fractal.name));
     }
 

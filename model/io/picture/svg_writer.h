@@ -32,6 +32,10 @@ struct SvgFormat {
     std::uint64_t points = 20'000; // at most maxPoints
     std::uint64_t seed = 1;
     PictureOverlay overlay{}; // over all of it
+    // Pixels of the camera an inch. Those of SVG and CSS are 96 an inch; with another number, the size of the
+    // file is in millimetres.
+    static constexpr double pixelsOfSvg = 96;
+    double dotsPerInch = pixelsOfSvg;
 };
 
 // What a picture of shapes would be: for the dialog, before anything is written.

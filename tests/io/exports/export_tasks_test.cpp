@@ -113,6 +113,7 @@ void ExportTasksTest::comesBack() {
         shapes.style = ShapeStyle::Points;
         if (k % 2) shapes.depth = k % 200;
         shapes.points = 1 + 100 * k;
+        if (k % 3) shapes.dotsPerInch = 100 + k;
         task.recipe = shapes;
         task.path = QStringLiteral("/somewhere/a.pdf");
         QCOMPARE(taskIn(taskFile(task)).task, std::optional(task));

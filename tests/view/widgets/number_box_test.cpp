@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
+#include <QWidget>
 
 using view::NumberBox;
 using view::WholeNumberBox;
@@ -23,6 +25,8 @@ private slots:
     void whatWasTypedStaysWhileTheValueIsIts();
     void theNumberIsStatedBesideTheExpression();
     void whatIsUnfinishedChangesNothing();
+    void whatIsTooLargeIsTheLargest();
+    void theWheelNeedsTheFocus();
     void valuesAreRoundedToTheDecimals();
     void unitsStay();
     void aCommaIsADecimalPoint();
@@ -114,6 +118,46 @@ void NumberBoxTest::whatIsUnfinishedChangesNothing() {
     type(box, QStringLiteral("4*8")); // 4 is a number, 32 is too large
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 4.0);
+}
+
+void NumberBoxTest::whatIsTooLargeIsTheLargest() {
+    WholeNumberBox box;
+    box.setRange(1, 47);
+    for (const auto& [typed, expected] : {std::pair{"48", 47}, {"1600", 47}, {"0", 1}, {"12", 12}}) {
+        box.setValue(30);
+        type(box, QLatin1String(typed));
+        QTest::keyClick(&box, Qt::Key_Return);
+        QCOMPARE(box.value(), expected);
+        QCOMPARE(box.text(), QString::number(expected));
+    }
+}
+
+// So that a panel can be scrolled.
+void NumberBoxTest::theWheelNeedsTheFocus() {
+    QWidget window;
+    auto* box = new NumberBox(&window);
+    auto* whole = new WholeNumberBox(&window);
+    whole->move(0, 60);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const auto turn = [](QWidget* over) {
+        QWheelEvent event(QPointF(5, 5), over->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        event.setAccepted(true);
+        QApplication::sendEvent(over, &event);
+        return event.isAccepted();
+    };
+    for (QAbstractSpinBox* each :
+         {static_cast<QAbstractSpinBox*>(box), static_cast<QAbstractSpinBox*>(whole)}) {
+        window.setFocus();
+        const QString before = each->text();
+        QVERIFY(!turn(each));
+        QCOMPARE(each->text(), before);
+        QVERIFY(!each->hasFocus());
+        each->setFocus();
+        QVERIFY(turn(each));
+        QVERIFY(each->text() != before);
+    }
 }
 
 void NumberBoxTest::valuesAreRoundedToTheDecimals() {

@@ -18,6 +18,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
@@ -121,7 +122,7 @@ void AnimationExportDialog::createFormat() {
                             "everything that becomes visible, with a small margin."));
     for (const document::SavedView& view : m_views)
         m_section->addItem(tr("The view “%1”").arg(view.name));
-    m_form->addRow(tr("S&ection:"), m_section);
+    m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
     m_width = spinBox(tr("Width"), 16, maxSide, 1920, tr("The width of the frames in pixels."));
     m_height = spinBox(tr("Height"), 16, maxSide, 1080, tr("The height of the frames in pixels."));
@@ -217,6 +218,26 @@ void AnimationExportDialog::createButtons() {
     connect(buttons, &QDialogButtonBox::accepted, this, &AnimationExportDialog::chooseFile);
     connect(m_cluster, &QPushButton::clicked, this, &AnimationExportDialog::chooseFolder);
     connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+}
+
+bool AnimationExportDialog::mayClose() {
+    if (!m_job) return true;
+    QMessageBox box(QMessageBox::Question, tr("Export is not finished"),
+                    tr("The animation “%1” is still being exported.").arg(m_entry.name),
+                    QMessageBox::NoButton, this);
+    box.setInformativeText(m_format->currentIndex() == Pictures
+                               ? tr("The pictures written so far are complete and will be kept.")
+                               : tr("If you stop now, no file is written."));
+    const QPushButton* stop = box.addButton(tr("&Stop Export"), QMessageBox::AcceptRole);
+    QPushButton* goOn = box.addButton(tr("&Continue"), QMessageBox::RejectRole);
+    box.setDefaultButton(goOn);
+    box.setEscapeButton(goOn);
+    box.exec();
+    return box.clickedButton() == stop;
+}
+
+void AnimationExportDialog::reject() {
+    if (mayClose()) QDialog::reject();
 }
 
 void AnimationExportDialog::setSection(Section section) {

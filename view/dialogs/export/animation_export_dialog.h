@@ -29,7 +29,7 @@ class ClusterQueue;
 
 // Exports the animation of the current entry as it is when the dialog opens: as a video, as pictures, or as a
 // folder from which a cluster draws it. The work goes on in a thread of the model while the window is used;
-// closing the dialog stops it.
+// closing the dialog stops it, after a question.
 class AnimationExportDialog : public QDialog {
     Q_OBJECT
 
@@ -45,6 +45,8 @@ public:
     void exportTo(const QString& path);         // what Export does once a file is chosen …
     void prepareCluster(const QString& folder); // … and On a Cluster once a folder is
     QString message() const;                    // what came of it
+    bool mayClose();                            // asks the user while an export is under way
+    void reject() override;
 
 signals:
     void exported(const QString& path);

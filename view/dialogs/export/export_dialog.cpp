@@ -303,6 +303,7 @@ io::ExportRecipe ExportDialog::recipe(const attractor::Camera& camera) const {
         shapes.style = style();
         if (!m_autoDepth->isChecked()) shapes.depth = m_depth->value();
         shapes.points = m_points->value();
+        if (m_size->isOnPaper()) shapes.dotsPerInch = m_size->dotsPerInch();
         shapes.cage = cage;
         shapes.isTransparent = isTransparent();
         return shapes;

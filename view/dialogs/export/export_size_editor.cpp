@@ -137,6 +137,10 @@ double ExportSizeEditor::dotsPerInch() const {
     return m_resolution->value();
 }
 
+bool ExportSizeEditor::isOnPaper() const {
+    return m_unit->currentIndex() != Pixels;
+}
+
 void ExportSizeEditor::setResolutionVisible(bool visible) {
     m_resolution->setVisible(visible);
 }

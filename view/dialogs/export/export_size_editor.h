@@ -22,6 +22,7 @@ public:
     QSize pixels() const { return m_pixels; }
     void setPixels(const QSize& size); // as they are, also against the lock
     double dotsPerInch() const;
+    bool isOnPaper() const; // in millimetres or inches
     void setResolutionVisible(bool visible);
 
 signals:

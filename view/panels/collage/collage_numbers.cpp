@@ -67,8 +67,8 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         {tr("Overlap ratio"),
          tr("How often the images of the maps cover the same places: their areas together, "
             "divided by the area that they cover. It is 1 where no two of them overlap")},
-        {tr("Mean distance"),
-         tr("From each point to the nearest point of the other shape, in pixels of the picture")},
+        {tr("Mean distance"), tr("From each point to the nearest point of the other shape, in pixels of the "
+                                 "picture as it is traced")},
         {tr("95 % within"), tr("95 % of all points are within this distance of the other shape")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
         {tr("Guarantee"),

@@ -115,6 +115,20 @@ CollagePanel::~CollagePanel() {
     delete m_layer;
 }
 
+// Where the user has moved the view, it stays.
+void CollagePanel::bringTargetIntoView() {
+    const document::TracedPicture* traced = m_target->traced().get();
+    std::optional<document::Box> box;
+    if (traced) {
+        const collage::Grid& grid = traced->target.grid;
+        const ifs::Vector<2> corner(grid.left, grid.top);
+        box = document::Box{corner - ifs::Vector<2>(0, grid.height * grid.cell),
+                            corner + ifs::Vector<2>(grid.width * grid.cell, 0)};
+    }
+    m_canvas->navigation().setFittedToo(box);
+    if (box && m_canvas->navigation().isFitted()) m_canvas->navigation().fit();
+}
+
 void CollagePanel::connectParts() {
     connect(m_document, &document::Document::changed, this, &CollagePanel::follow);
     connect(m_target, &TargetBox::opacityChanged, this, [this](int percent) {
@@ -122,6 +136,7 @@ void CollagePanel::connectParts() {
     });
     connect(m_target, &TargetBox::tracedChanged, this, [this] {
         if (m_layer) m_layer->setTarget(m_target->traced());
+        bringTargetIntoView();
         m_measured.reset();
         m_shades->hide();
         m_measuring.cancel();    // it is of another target,

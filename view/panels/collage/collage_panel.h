@@ -54,6 +54,7 @@ private:
     using Work = std::function<Result(const std::stop_token&)>;
 
     void connectParts();
+    void bringTargetIntoView();
     void follow(const document::Change& change);
     void measure(document::Detail detail = document::Detail::Full);
     void showMeasured(std::optional<document::MeasuredFractal> measured);

@@ -239,14 +239,19 @@ void TargetBox::paste() {
             image.save(&buffer, "PNG");
             State state;
             const io::LoadedGrey grey = io::readGreyPicture(bytes);
-            if (grey.flaw)
-                state.sentence = *grey.flaw;
-            else
-                state.picture =
-                    std::make_shared<const collage::GreyPicture>(document::reducedForTracing(grey.picture));
+            keep(grey, state);
             return state;
         },
         tr("Pasted picture"));
+}
+
+void TargetBox::keep(const io::LoadedGrey& grey, State& state) {
+    if (grey.flaw) {
+        state.sentence = *grey.flaw;
+        return;
+    }
+    state.picture = std::make_shared<const collage::GreyPicture>(document::reducedForTracing(grey.picture));
+    state.isReduced = grey.isReduced || state.picture->width < grey.picture.width;
 }
 
 void TargetBox::read(const QString& path) {
@@ -259,11 +264,7 @@ void TargetBox::read(const QString& path) {
                 return state;
             }
             const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes);
-            if (grey.flaw)
-                state.sentence = *grey.flaw;
-            else
-                state.picture =
-                    std::make_shared<const collage::GreyPicture>(document::reducedForTracing(grey.picture));
+            keep(grey, state);
             return state;
         },
         QFileInfo(path).fileName());
@@ -326,11 +327,13 @@ void TargetBox::showState() {
     const document::TraceOptions& options = now.options;
     m_controls->setVisible(now.picture != nullptr);
     m_remove->setEnabled(now.picture != nullptr);
-    m_name->setText(
-        !now.sentence.isEmpty() ? now.sentence
-        : now.picture
-            ? tr("%1, %2 × %3 pixels").arg(now.name).arg(now.picture->width).arg(now.picture->height)
-            : tr("Choose, paste or drop a picture on the window."));
+    m_name->setText(!now.sentence.isEmpty() ? now.sentence
+                    : now.picture
+                        ? (now.isReduced ? tr("%1, reduced to %2 × %3 pixels") : tr("%1, %2 × %3 pixels"))
+                              .arg(now.name)
+                              .arg(now.picture->width)
+                              .arg(now.picture->height)
+                        : tr("Choose, paste or drop a picture on the window."));
     m_preview->setPicture(now.picture);
     if (!now.picture) {
         m_tracing.cancel();

@@ -18,6 +18,10 @@ class QMenu;
 class QSlider;
 class QToolButton;
 
+namespace io {
+struct LoadedGrey;
+}
+
 namespace view {
 
 class TargetPreview;
@@ -47,6 +51,7 @@ private:
     using TracedPointer = std::shared_ptr<const document::TracedPicture>;
     struct State {
         PicturePointer picture;
+        bool isReduced = false; // smaller than in the file, to be traced
         QString name;
         QString sentence; // why there is no picture
         document::TraceOptions options;
@@ -56,6 +61,7 @@ private:
         State state;
     };
 
+    static void keep(const io::LoadedGrey& grey, State& state);
     void createSources();
     void createControls();
     void createShape(QGridLayout& grid);

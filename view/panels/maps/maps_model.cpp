@@ -3,7 +3,6 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/edits/map_locks.h"
-#include "document/edits/maps_edits.h"
 #include "document/map_names.h"
 #include "ifs/system/decomposition.h"
 #include "panels/maps/maps_texts.h"
@@ -65,6 +64,16 @@ int decimalsOf(const QString& number) {
 }
 
 } // namespace
+
+document::Rows rowsIn(const QItemSelection& selection) {
+    document::Rows rows;
+    for (const QItemSelectionRange& range : selection)
+        for (int row = range.top(); row <= range.bottom(); ++row)
+            rows.push_back(row);
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
 
 MapsModel::MapsModel(document::Document* document, QObject* parent)
     : QAbstractTableModel(parent), m_document(document), m_edit(document) {

@@ -2,16 +2,20 @@
 #pragma once
 
 #include "document/edits/live_edit.h"
+#include "document/edits/maps_edits.h"
 #include "ifs/system/decomposition.h"
 #include "widgets/number_text.h"
 
 #include <QAbstractTableModel>
+#include <QItemSelection>
 
 #include <optional>
 #include <variant>
 #include <vector>
 
 namespace view {
+
+document::Rows rowsIn(const QItemSelection& selection); // of whole rows; sorted
 
 // The maps of the entry being edited, one a row: code, facts, and the effective code under the current cage.
 // Empty for an entry that could not be read.

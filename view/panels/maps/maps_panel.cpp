@@ -341,7 +341,7 @@ void MapsPanel::followNames(const document::Change& change) {
 
 // Of the current map, as far as it is selected.
 void MapsPanel::showDetails() {
-    const document::Rows& rows = selectedRows();
+    const document::Rows rows = selectedRows();
     const int current = m_table->currentIndex().row();
     const int shown = rows.empty() ? -1 : std::ranges::binary_search(rows, current) ? current : rows.front();
     m_shape->setMap(m_model->idAt(shown));
@@ -377,7 +377,7 @@ void MapsPanel::updateNotice() {
 
 void MapsPanel::updateActions() {
     const int dimension = document::dimension(m_document->fractal());
-    const document::Rows& rows = selectedRows();
+    const document::Rows rows = selectedRows();
     const int count = m_model->rowCount();
     m_add->setEnabled(dimension != 0);
     m_append->setEnabled(dimension != 0);
@@ -401,15 +401,9 @@ void MapsPanel::updateActions() {
     m_bake->setToolTip(obstacle.isEmpty() ? m_bake->statusTip() : obstacle);
 }
 
-const document::Rows& MapsPanel::selectedRows() const {
-    if (m_selectedRows) return *m_selectedRows;
-    document::Rows& rows = m_selectedRows.emplace();
-    for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) // of whole rows
-        for (int row = range.top(); row <= range.bottom(); ++row)
-            rows.push_back(row);
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    return rows;
+document::Rows MapsPanel::selectedRows() const {
+    if (!m_selectedRows) m_selectedRows = rowsIn(m_table->selectionModel()->selection());
+    return *m_selectedRows;
 }
 
 std::vector<ifs::MapId> MapsPanel::selectedMaps() const {

@@ -92,7 +92,7 @@ private:
     void moveRowTo(int from, int to);
     void moveSelection(int before);
     void chooseColour(const QModelIndex& index);
-    const document::Rows& selectedRows() const;
+    document::Rows selectedRows() const;
     void keepSelection();
     void restoreSelection();
     void followDimension();

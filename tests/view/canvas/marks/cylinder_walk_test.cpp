@@ -37,6 +37,7 @@ private slots:
 
     void aClickChoosesItAndSaysItsAddress() {
         QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        const int before = steps();
         click(middleOf({1, 2}));
         QCOMPARE(chosen(), (ifs::Word{1, 2}));
         QCOMPARE(said.last().first().toString(), QStringLiteral("Cylinder 2 3"));
@@ -47,7 +48,7 @@ private slots:
         QCOMPARE(chosen(), (ifs::Word{0, 0}));
         click(empty());
         QVERIFY(chosen().empty());
-        QCOMPARE(steps(), 1); // nothing has been edited
+        QCOMPARE(steps(), before); // nothing has been edited
     }
 
     void aDragChoosesNone() {
@@ -80,9 +81,10 @@ private slots:
     }
 
     void itStaysChosenWhileTheCageMovesAndGoesWithItsDepth() {
+        const int before = steps();
         click(middleOf({1, 2}));
         drag(vertex(0), {-18, 9});
-        QCOMPARE(steps(), 2);
+        QCOMPARE(steps(), before + 1);
         QTRY_VERIFY(m_analysis->isCurrent());
         QCOMPARE(chosen(), (ifs::Word{1, 2}));
         m_analysis->setCylinderDepth(3);

@@ -7,6 +7,8 @@
 #include "io/fractint/fractint_writer.h"
 #include "support/patient_tries.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QComboBox>
 #include <QDateTime>
 #include <QDir>
@@ -15,12 +17,14 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <memory>
 
@@ -40,6 +44,7 @@ private slots:
     void completePicturesStay();
     void editingGoesOn();
     void stoppingLeavesNothing();
+    void closingAsksFirst();
     void theTimeLeftIsSaid();
     void failuresAreSaid();
     void whatAFormatLacksIsSaid();
@@ -262,6 +267,37 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nothing was written")), 60000);
     QCOMPARE(files(), QStringList());
     QVERIFY(stop->text().contains(QStringLiteral("Close")));
+}
+
+void AnimationExportDialogTest::closingAsksFirst() {
+    number(QStringLiteral("Width"))->setValue(1600);
+    number(QStringLiteral("Height"))->setValue(1200);
+    named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
+    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->show();
+    m_dialog->exportTo(path("a.mp4"));
+    QStringList asked;
+    const auto answer = [&](const QString& name) {
+        QTimer::singleShot(50, this, [&asked, name] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) return;
+            asked << box->text();
+            for (QAbstractButton* button : box->buttons())
+                if (button->text().remove(u'&') == name) return button->click();
+        });
+    };
+    answer(QStringLiteral("Continue"));
+    QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
+    QCOMPARE(asked.size(), 1);
+    QVERIFY(m_dialog->isVisible());
+    answer(QStringLiteral("Continue"));
+    QVERIFY(!m_dialog->mayClose()); // what the window asks
+    answer(QStringLiteral("Stop Export"));
+    QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
+    QCOMPARE(asked.size(), 3);
+    QVERIFY(!m_dialog->isVisible());
+    m_dialog.reset();
+    QCOMPARE(files(), QStringList());
 }
 
 void AnimationExportDialogTest::theTimeLeftIsSaid() {

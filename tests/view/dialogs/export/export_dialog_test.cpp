@@ -55,6 +55,7 @@ private slots:
     void theEndingOfTheNameDecides();
     void aNameWithoutAFormatIsRefused();
     void writesSvg();
+    void shapesAreAsLargeAsTheSheet();
     void saysWhatTheSvgWillBe();
     void saysWhenAPixelNeedsMore();
     void failureIsTold();
@@ -258,6 +259,27 @@ void ExportDialogTest::writesSvg() {
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(!io::readSvgSystem(file.readAll()).failure);
+}
+
+void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.show();
+    auto* sizes = named<QComboBox>(dialog, "Named size");
+    sizes->setCurrentIndex(sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith));
+    emit sizes->activated(sizes->currentIndex());
+    const auto written = [&](const char* format, const QString& name) {
+        chooseFormat(dialog, format);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.exportTo(m_folder.filePath(name));
+        QFile file(m_folder.filePath(name));
+        return exported.wait(20'000) && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray svg = written("SVG", QStringLiteral("a4.svg"));
+    QVERIFY2(svg.contains("width=\"297.0107mm\" height=\"209.9733mm\" viewBox=\"0 0 3508 2480\""),
+             svg.left(400).constData());
+    const QByteArray pdf = written("PDF", QStringLiteral("a4.pdf"));
+    QVERIFY(pdf.contains("/MediaBox[0 0 841.92 595.2]"));
 }
 
 void ExportDialogTest::saysWhatTheSvgWillBe() {
