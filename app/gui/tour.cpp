@@ -42,7 +42,7 @@ constexpr Step steps[] = {
      QT_TRANSLATE_NOOP(
          "Tour",
          "A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but "
-         "two with the check boxes on the left of the table, and see how little of the picture is left. With "
+         "two with the eyes on the left of the table, and see how little of the picture is left. With "
          "a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back."),
      view::MapsModel::Enabled},
     {"construction", QT_TRANSLATE_NOOP("Tour", "Chaos game"),

@@ -4594,10 +4594,6 @@
         <translation>Fixpunkt</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt unverändert: ihren Fixpunkt. Schalten Sie mit den Kästchen links in der Tabelle alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen Abbildung bleibt nur ihr Fixpunkt. Mit Strg+Z kommen die Abbildungen zurück.</translation>
-    </message>
-    <message>
         <source>Chaos game</source>
         <translation>Chaos-Spiel</translation>
     </message>
@@ -4668,6 +4664,10 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
+        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt unverändert: ihren Fixpunkt. Schalten Sie mit den Augen links in der Tabelle alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen Abbildung bleibt nur ihr Fixpunkt. Mit Strg+Z kommen die Abbildungen zurück.</translation>
     </message>
 </context>
 <context>

@@ -4594,10 +4594,6 @@
         <translation>Punto fijo</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Una aplicación contractiva deja exactamente un punto donde está: su punto fijo. Desactive todas las aplicaciones menos dos con las casillas de la izquierda de la tabla y vea qué poco queda de la imagen. Con una sola aplicación no queda más que su punto fijo. Ctrl+Z recupera las aplicaciones.</translation>
-    </message>
-    <message>
         <source>Chaos game</source>
         <translation>Juego del caos</translation>
     </message>
@@ -4668,6 +4664,10 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
+        <translation>Una aplicación contractiva deja exactamente un punto donde está: su punto fijo. Desactive todas las aplicaciones menos dos con los ojos de la izquierda de la tabla y vea qué poco queda de la imagen. Con una sola aplicación no queda más que su punto fijo. Ctrl+Z recupera las aplicaciones.</translation>
     </message>
 </context>
 <context>

@@ -4594,10 +4594,6 @@
         <translation>Point fixe</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les cases à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
-    </message>
-    <message>
         <source>Chaos game</source>
         <translation>Jeu du chaos</translation>
     </message>
@@ -4668,6 +4664,10 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
+        <translation>Une application contractante laisse exactement un point à sa place : son point fixe. Désactivez toutes les applications sauf deux avec les yeux à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
     </message>
 </context>
 <context>

@@ -4603,10 +4603,6 @@
         <translation>Неподвижна точка</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the check boxes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Контракцијата остава точно една точка на нејзиното место: тоа е нејзината неподвижна точка. Со полињата лево во табелата исклучете ги сите пресликувања освен две и погледнете колку малку останува од сликата. Со само едно пресликување не останува ништо освен неговата неподвижна точка. Ctrl+Z ги враќа пресликувањата.</translation>
-    </message>
-    <message>
         <source>Chaos game</source>
         <translation>Игра на хаос</translation>
     </message>
@@ -4677,6 +4673,10 @@
     <message>
         <source>Close</source>
         <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
+        <translation>Контракцијата остава точно една точка на нејзиното место: тоа е нејзината неподвижна точка. Со очињата лево во табелата исклучете ги сите пресликувања освен две и погледнете колку малку останува од сликата. Со само едно пресликување не останува ништо освен неговата неподвижна точка. Ctrl+Z ги враќа пресликувањата.</translation>
     </message>
 </context>
 <context>

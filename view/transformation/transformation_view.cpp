@@ -139,7 +139,7 @@ void TransformationView::create() {
     connect(m_theft.get(), &TheftBridge::paintedChanged, this, [this] { m_bar->setExportable(isPainted()); });
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
-        m_refusal.clear();
+        if (!m_wanted.isEmpty()) m_refusal.clear(); // else it is the one before, and the refusal still holds
         m_theft->setPicture(picture);
         keepPicture();
         showProblem();

@@ -373,6 +373,8 @@ void TransformationWindowTest::aDamagedPictureIsNotTaken() {
         QVERIFY(kept() == before);
         QCOMPARE(steps(), count);
         QTRY_VERIFY_WITH_TIMEOUT(view()->isPainted(), 30000);
+        QTest::qWait(200); // the picture before is there again
+        QVERIFY(view()->bar()->problem().contains(QFileInfo(wrong).fileName()));
     }
 }
 

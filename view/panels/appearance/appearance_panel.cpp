@@ -324,6 +324,7 @@ void AppearancePanel::layOutRows() {
     QMetaObject::invokeMethod(
         this,
         [this] {
+            m_form->invalidate(); // the outer layout asks only what it has not asked before
             layout()->invalidate();
             layout()->activate();
         },
