@@ -168,7 +168,7 @@ void CanvasView::followDocument(const document::Change& change) {
     if (!change.live && !m_said.isEmpty()) describeFocus();
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (isAnother && tool() == Tool::DefineTriangle) setTool(Tool::Cage);
-    if (change.parts & Change::File && m_wasShown)
+    if (change.parts & Change::File && m_wasShown && m_navigation.rotation() != 0)
         m_navigation.resetRotation(); // it is of what was open before
     if (isAnother && m_wasShown) fit();
     if (const auto& view = m_document->view();

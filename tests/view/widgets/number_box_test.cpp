@@ -33,7 +33,6 @@ private slots:
     void wholeNumbersAreComputed();
     void digitsStandInGroups();
     void otherNumbersAreNotWhole();
-    void tooLargeNumbersAreRefused();
 
 private:
     static void type(QAbstractSpinBox& box, const QString& text) {
@@ -233,13 +232,6 @@ void NumberBoxTest::otherNumbersAreNotWhole() {
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 7); // the last whole number
     QCOMPARE(box.text(), QStringLiteral("7"));
-}
-
-void NumberBoxTest::tooLargeNumbersAreRefused() {
-    WholeNumberBox box;
-    box.setRange(1, 400);
-    type(box, QStringLiteral("500"));
-    QCOMPARE(box.text(), QStringLiteral("50"));
 }
 
 QTEST_MAIN(NumberBoxTest)
