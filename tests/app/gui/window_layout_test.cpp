@@ -4,6 +4,9 @@
 #include "canvas/canvas_view.h"
 #include "ifs/cage/hull_cage.h"
 #include "io/collection_reader.h"
+#include "panels/appearance/appearance_panel.h"
+#include "panels/appearance/controls/appearance_slider.h"
+#include "panels/appearance/slice_rows.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/timeline/motion_page.h"
 #include "session_fixture.h"
@@ -30,6 +33,7 @@
 #include <QTranslator>
 
 #include <algorithm>
+#include <array>
 
 // How the window divides its room, and what of it is kept.
 class WindowLayoutTest : public SessionFixture {
@@ -56,6 +60,8 @@ private slots:
     void aCageOfManyCornersIsScrolled();
     void aSolidFitsASmallWindow_data();
     void aSolidFitsASmallWindow();
+    void rowsOfASliceAppear_data();
+    void rowsOfASliceAppear();
     void theTimelineIsSeenWhole_data() { namesOfPanelsAreSeenWhole_data(); }
     void theTimelineIsSeenWhole();
     void theTimelineIsRemembered();
@@ -463,6 +469,39 @@ void WindowLayoutTest::aCageOfManyCornersIsScrolled() {
 }
 
 // At the height that it has at first.
+// A row that appears gets its height, beside its label where there is room and below it where there is not.
+void WindowLayoutTest::rowsOfASliceAppear_data() {
+    QTest::addColumn<int>("width");
+    QTest::newRow("wide") << 1400;
+    QTest::newRow("narrow") << 800;
+}
+
+void WindowLayoutTest::rowsOfASliceAppear() {
+    QFETCH(int, width);
+    MainWindow* window = shown({});
+    window->openPath(support::sourcePath(QStringLiteral("ifs_library/space_sponges.ifs")));
+    window->resize(width, 860);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->findChild<QDockWidget*>(QStringLiteral("appearance"))->raise();
+    const auto* panel = window->findChild<view::AppearancePanel*>();
+    const view::SliceRows* rows = panel->slice();
+    QTRY_VERIFY(panel->isVisible() && rows->kind()->isEnabled());
+    QTRY_VERIFY(rows->kind()->height() >= rows->kind()->sizeHint().height());
+    for (const auto kind : {view::SliceRows::Kind::Half, view::SliceRows::Kind::Slice}) {
+        rows->kind()->setCurrentIndex(int(kind));
+        emit rows->kind()->activated(int(kind));
+        const std::array<const QWidget*, 4> shownRows{rows->kind(), rows->direction(), rows->offset(),
+                                                      rows->thickness()};
+        const std::size_t count = kind == view::SliceRows::Kind::Slice ? 4 : 3;
+        for (std::size_t k = 0; k < count; ++k) {
+            QVERIFY(shownRows[k]->isVisible());
+            QTRY_VERIFY(shownRows[k]->height() >= shownRows[k]->sizeHint().height());
+            if (k > 0) QTRY_VERIFY(shownRows[k]->geometry().top() > shownRows[k - 1]->geometry().bottom());
+            QTRY_VERIFY(shownRows[k]->geometry().right() < panel->width());
+        }
+    }
+}
+
 void WindowLayoutTest::theTimelineIsSeenWhole() {
     QFETCH(QString, language);
     QTranslator translator;

@@ -12,6 +12,7 @@
 #include "widgets/flat_buttons.h"
 #include "widgets/number_field.h"
 #include "widgets/number_text.h"
+#include "widgets/wrapping_form.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -60,11 +61,9 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
     setAccessibleName(tr("Appearance"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
-    auto* form = new QFormLayout;
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows); // a narrow window belongs to the picture
+    auto* form = new WrappingForm; // a narrow window belongs to the picture
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    form->setHorizontalSpacing(0);
+    form->setHorizontalSpacing(labelSpacing);
     form->setVerticalSpacing(10);
     layout->addLayout(form);
     m_form = form;
@@ -73,11 +72,6 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
     makeColourRows(form);
     makeToneRows(form);
     makeMapColours(form);
-    // The space beside a label is a part of it: the form leaves its own out of account when it decides which
-    // rows to wrap, and a field would lose its end.
-    for (int row = 0; row < form->rowCount(); ++row)
-        if (const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole))
-            item->widget()->setContentsMargins(0, 0, labelSpacing, 0);
     m_reset = new QToolButton(this);
     m_reset->setText(tr("Reset to Default"));
     m_reset->setToolTip(tr("Reset every setting of this panel to its default"));
@@ -312,23 +306,6 @@ void AppearancePanel::follow(const document::Change& change) {
     showUses();
     m_reset->setEnabled(!(appearance == Appearance{}) || !(fractal.inSpace == attractor::SpaceAppearance{}));
     showMapColours();
-    layOutRows();
-}
-
-// A form gives rows that appear no height before it is laid out once more.
-void AppearancePanel::layOutRows() {
-    std::vector<bool> shown;
-    for (int row = 0; row < m_form->rowCount(); ++row)
-        shown.push_back(m_form->isRowVisible(row));
-    if (std::exchange(m_shownRows, shown) == shown) return;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_form->invalidate(); // the outer layout asks only what it has not asked before
-            layout()->invalidate();
-            layout()->activate();
-        },
-        Qt::QueuedConnection);
 }
 
 AppearancePanel::Uses AppearancePanel::uses() const {

@@ -79,7 +79,6 @@ private:
     };
     Uses uses() const;
     void showUses();
-    void layOutRows();
     void showMapColours();
     void preview(const QString& text, const Setting& set);
     void edit(const QString& text, const Setting& set);
@@ -89,7 +88,6 @@ private:
     QFormLayout* m_form;
     SpaceRows* m_space;
     SliceRows* m_slice;
-    std::vector<bool> m_shownRows;
     std::optional<Uses> m_shownUses; // laying out rows again takes long in a drag
     QHBoxLayout* m_gradientRow;
     QComboBox* m_colourBy;
