@@ -3,18 +3,19 @@
 #include "animate_video.h"
 #include "animated_entry.h"
 #include "commands.h"
+#include "frame_notes.h"
 #include "frame_request.h"
 #include "frame_source.h"
 #include "input.h"
 #include "interrupt.h"
 #include "messages.h"
 #include "progress_bar.h"
-#include "render_note.h"
 #include "render_space.h"
 
 #include "io/picture/png_check.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -42,22 +43,14 @@ public:
         const std::vector<int> files = filesOf(m_arguments, m_input, m_fractal);
         if (m_arguments.whatExists == Existing::Fail && isAnyThere(files))
             return ExitStatus::CannotReadOrWrite;
-        warnAboutAttractor(m_input, m_fractal);
-        for (std::size_t i = 0; i < files.size(); ++i) {
-            m_before = double(i) / double(files.size());
-            m_share = 1.0 / double(files.size());
-            const ExitStatus done = write(files[i]);
-            m_status = std::max(m_status, done);
-            if (m_interrupt.token().stop_requested() && done == m_interrupt.status()) {
-                m_bar.clear();
-                reportError(QStringLiteral("barycage-cli"),
-                            tr("Interrupted; %1 of %2 frames are complete.").arg(i).arg(files.size()));
-                return done;
-            }
-            if (done == ExitStatus::CannotReadOrWrite) return done;
-        }
+        std::vector<int> frames = files; // counted from 0
+        for (int& frame : frames)
+            --frame;
+        FrameNotes notes(m_input, m_fractal, frames);
+        const ExitStatus status = write(files, notes);
         m_bar.clear();
-        return m_status;
+        notes.report(m_pattern);
+        return status;
     }
 
 private:
@@ -71,7 +64,23 @@ private:
         return false;
     }
 
-    ExitStatus write(int number) {
+    ExitStatus write(const std::vector<int>& files, FrameNotes& notes) {
+        QDir().mkpath(QFileInfo(m_pattern).path()); // where it cannot be made, no file can either
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            m_before = double(i) / double(files.size());
+            m_share = 1.0 / double(files.size());
+            const ExitStatus done = write(files[i], notes);
+            if (m_interrupt.token().stop_requested() && done == m_interrupt.status()) {
+                m_bar.clear();
+                reportError(QStringLiteral("barycage-cli"),
+                            tr("Interrupted; %1 of %2 frames are complete.").arg(i).arg(files.size()));
+            }
+            if (done != ExitStatus::Done) return done;
+        }
+        return ExitStatus::Done;
+    }
+
+    ExitStatus write(int number, FrameNotes& notes) {
         const QString path = numbered(m_pattern, number);
         const int frame = number - 1;
         const QByteArray hash = requestHash(m_fractal, frame, m_arguments.picture);
@@ -92,10 +101,7 @@ private:
             reportError(path, *outcome.failure);
             return ExitStatus::CannotReadOrWrite;
         }
-        if (outcome.note != attractor::RenderNote::None) {
-            m_bar.clear();
-            reportNote(outcome.note, path);
-        }
+        notes.add(frame, outcome.note);
         return ExitStatus::Done;
     }
 
@@ -107,7 +113,6 @@ private:
     ProgressBar m_bar;
     double m_before = 0, m_share = 1;            // of the progress: before this frame, and for it
     std::unique_ptr<io::FrameDrawing> m_drawing; // once a frame has to be drawn
-    ExitStatus m_status = ExitStatus::Done;
 };
 
 ExitStatus animate(AnimateArguments arguments) {

@@ -2,10 +2,10 @@
 #include "animate_video.h"
 
 #include "animated_entry.h"
+#include "frame_notes.h"
 #include "frame_source.h"
 #include "interrupt.h"
 #include "messages.h"
-#include "render_note.h"
 #include "video_output.h"
 
 #include "io/fractint/entry_writer.h"
@@ -48,7 +48,6 @@ ExitStatus animateVideo(const AnimateArguments& arguments, const Input& input, c
     }
     if (arguments.whatExists == Existing::Fail && QFileInfo::exists(path))
         return refused(path, tr("The file exists already; nothing was drawn."));
-    warnAboutAttractor(input, entry);
     const Interrupt interrupt;
     ProgressBar bar(mode);
     io::FrameDrawing drawing(
@@ -57,16 +56,17 @@ ExitStatus animateVideo(const AnimateArguments& arguments, const Input& input, c
     std::vector<int> frames = files; // counted from 0
     for (int& frame : frames)
         --frame;
+    FrameNotes notes(input, entry, frames);
     source.count = int(frames.size());
     source.settings.isTransparent = drawing.isTransparent(frames);
-    attractor::RenderNote note = attractor::RenderNote::None;
     source.frame = [&](int index, const io::VideoWriter::Progress& progress) {
-        io::Picture picture = drawing.draw(frames[std::size_t(index)], progress, interrupt.token());
-        if (note == attractor::RenderNote::None) note = picture.note;
+        const int frame = frames[std::size_t(index)];
+        io::Picture picture = drawing.draw(frame, progress, interrupt.token());
+        notes.add(frame, picture.note);
         return picture.image;
     };
     const ExitStatus status = writeVideo(path, std::move(source), bar, interrupt);
-    if (status == ExitStatus::Done) reportNote(note, path);
+    if (status == ExitStatus::Done) notes.report(path);
     return status;
 }
 

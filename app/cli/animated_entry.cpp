@@ -16,11 +16,6 @@ QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
 }
 
-QString momentText(const animation::Moment& moment) {
-    return moment.denominator == 1 ? QString::number(moment.numerator)
-                                   : QString::number(double(moment.numerator) / double(moment.denominator));
-}
-
 bool isAnimated(const document::Entry& entry) {
     return document::animationFacts(*entry.fractal).has_value();
 }
@@ -61,16 +56,6 @@ std::vector<int> filesOf(const AnimateArguments& arguments, const Input& input,
     for (auto i = std::size_t(arguments.part.i); i < all.size(); i += std::size_t(arguments.part.n))
         files.push_back(all[i]);
     return files;
-}
-
-void warnAboutAttractor(const Input& input, const document::Fractal& entry) {
-    const auto lost = document::firstWithoutAttractor(entry);
-    if (!lost) return;
-    reportWarning(input.name,
-                  (lost->verdict == ifs::Verdict::Undecided
-                       ? tr("At frame %1 of “%2” it could not be decided whether there is an attractor.")
-                       : tr("At frame %1 of “%2” there is no attractor."))
-                      .arg(momentText(lost->moment), printableLine(entry.name)));
 }
 
 } // namespace cli

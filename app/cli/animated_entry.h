@@ -20,7 +20,4 @@ const document::Entry* animatedEntry(const Input& input, const std::vector<std::
 std::vector<int> filesOf(const AnimateArguments& arguments, const Input& input,
                          const document::Fractal& entry);
 
-// Says at which moment there may be no attractor.
-void warnAboutAttractor(const Input& input, const document::Fractal& entry);
-
 } // namespace cli

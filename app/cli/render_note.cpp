@@ -15,24 +15,29 @@ QString tr(const char* text) {
 
 } // namespace
 
-void reportNote(attractor::RenderNote note, const QString& fileName) {
+QString sentenceOf(attractor::RenderNote note) {
     switch (note) {
     case attractor::RenderNote::None:
     case attractor::RenderNote::NoMaps:
-        break;
+        return {};
     case attractor::RenderNote::NoAttractor:
-        return reportWarning(fileName, tr("The system has no attractor: some word of maps does not contract. "
-                                          "The picture shows where points go before they escape."));
+        return tr("The system has no attractor: some word of maps does not contract. "
+                  "The picture shows where points go before they escape.");
     case attractor::RenderNote::Undecided:
-        return reportWarning(fileName, tr("Whether the system has an attractor could not be decided."));
+        return tr("Whether the system has an attractor could not be decided.");
     case attractor::RenderNote::TooDeep:
-        return reportWarning(fileName, tr("The view is smaller than numerical precision can resolve."));
+        return tr("The view is smaller than numerical precision can resolve.");
     case attractor::RenderNote::FewerIterations:
-        return reportWarning(fileName, tr("There would be more copies than can be drawn after so many "
-                                          "iterations; fewer iterations were made."));
+        return tr("There would be more copies than can be drawn after so many "
+                  "iterations; fewer iterations were made.");
     case attractor::RenderNote::Degenerate:
-        return reportWarning(fileName, tr("The cage is flat, and so is the picture."));
+        return tr("The cage is flat, and so is the picture.");
     }
+    return {};
+}
+
+void reportNote(attractor::RenderNote note, const QString& fileName) {
+    if (const QString sentence = sentenceOf(note); !sentence.isEmpty()) reportWarning(fileName, sentence);
 }
 
 bool hasMaps(const document::Fractal& fractal, const QString& fileName) {

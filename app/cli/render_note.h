@@ -9,6 +9,7 @@
 // What is said about a picture.
 namespace cli {
 
+QString sentenceOf(attractor::RenderNote note); // empty where nothing is to be said
 void reportNote(attractor::RenderNote note, const QString& fileName);
 
 // Says so when not.

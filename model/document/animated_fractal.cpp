@@ -57,24 +57,14 @@ template <int Dim> ifs::Verdict verdictOf(const Shape<Dim>& shape) {
     return ifs::classifyLinked<Dim>(ifs::activeMaps(shape.system)).verdict;
 }
 
-ifs::Verdict verdictAt(const Fractal& fractal, const animation::Moment& moment) {
-    const AnimatedFrame frame = frameAt(fractal, moment);
-    const auto* flat = plane(frame.fractal);
-    return flat ? verdictOf(*flat) : verdictOf(*space(frame.fractal));
-}
-
-bool isCertain(ifs::Verdict verdict) {
-    return verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive;
-}
-
 // None as well when stopped.
 std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts,
                                                  const std::stop_token& stop) {
     for (const animation::Moment& moment : moments(facts, trials))
         if (stop.stop_requested())
             break;
-        else if (const ifs::Verdict verdict = verdictAt(fractal, moment); !isCertain(verdict))
-            return MomentWithoutAttractor{moment, verdict};
+        else if (const auto verdict = lossAt(fractal, moment))
+            return MomentWithoutAttractor{moment, *verdict};
     return std::nullopt;
 }
 
@@ -127,6 +117,15 @@ std::vector<animation::Moment> moments(const AnimationFacts& facts, int count) {
     for (int i = 0; i < count; ++i)
         result.push_back(animation::moment(std::int64_t(facts.length) * i, count - 1));
     return result;
+}
+
+std::optional<ifs::Verdict> lossAt(const Fractal& fractal, const animation::Moment& moment) {
+    const AnimatedFrame frame = frameAt(fractal, moment);
+    const auto* flat = plane(frame.fractal);
+    const ifs::Verdict verdict = flat ? verdictOf(*flat) : verdictOf(*space(frame.fractal));
+    const bool isCertain =
+        verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive;
+    return isCertain ? std::nullopt : std::optional(verdict);
 }
 
 std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal,

@@ -40,6 +40,9 @@ Fractal withLook(Fractal fractal, const animation::Look& look);
 // Evenly spaced moments from the first frame to the last one; `count` ≥ 2.
 std::vector<animation::Moment> moments(const AnimationFacts& facts, int count);
 
+// None, Empty or Undecided where no attractor is certain at the moment; nullopt where one is.
+std::optional<ifs::Verdict> lossAt(const Fractal& fractal, const animation::Moment& moment);
+
 // The first of 33 evenly spaced moments at which no attractor is certain. Where the keys have a common norm
 // and no motion follows, none fails, and nothing is tried. What is returned once stopped means nothing.
 struct MomentWithoutAttractor {

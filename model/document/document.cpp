@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
 
+#include "document/fractal_geometry.h"
 #include "document/frame_edit.h"
 #include "document/free_in_background.h"
+#include "document/space_geometry.h"
 
 #include <QUndoCommand>
 
@@ -81,6 +83,29 @@ bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
                        });
 }
 
+// None where the cage is stored, or takes long to be found.
+LastingCage lastingCage(const Fractal& fractal) {
+    const auto* flat = plane(fractal);
+    const auto* solid = space(fractal);
+    if (flat && !flat->cage) return LastingCage(effectiveCage(fractal));
+    const bool isQuick = solid && solid->system.maps.size() <= manyMapsInSpace;
+    return isQuick && !solid->cage ? LastingCage(*spaceCage(fractal)) : LastingCage();
+}
+
+// As an entry of the file: its cage is chosen anew.
+std::shared_ptr<const Fractal> settled(const std::shared_ptr<const Fractal>& fractal) {
+    if (!fractal->lasting) return fractal;
+    auto entry = std::make_shared<Fractal>(*fractal);
+    entry->lasting = {};
+    return entry;
+}
+
+void settle(FractalFile& file) {
+    for (qsizetype i = 0; i < file.entries.size(); ++i)
+        if (const auto& fractal = file.entries.at(i).fractal; fractal->lasting)
+            file.entries[i].fractal = settled(fractal);
+}
+
 template <int Dim> bool isHeldAlike(const Shape<Dim>* a, const Shape<Dim>* b) {
     return a && b ? a->cage == b->cage && a->moved == b->moved : a == b;
 }
@@ -126,6 +151,7 @@ bool Document::isModified() const {
 void Document::setFile(FractalFile file, EntryId current) {
     endGesture();
     m_file = std::move(file);
+    settle(m_file);
     m_current = indexOf(m_file, current) >= 0 ? current : firstLoadable(m_file);
     m_index = indexOf(m_file, m_current);
     m_undoStack.clear();
@@ -167,7 +193,9 @@ void Document::refresh() {
         m_shown = {entry, {}, {}, 0};
         return;
     }
+    if (!m_gesture && std::exchange(m_held, entry) != entry) m_lasting = lastingCage(*entry);
     AnimatedFrame frame = frameAt(*entry, m_moment);
+    frame.fractal.lasting = m_lasting;
     m_shown = {std::make_shared<const Fractal>(std::move(frame.fractal)), frame.view, frame.camera,
                frame.orbit};
 }
@@ -207,12 +235,14 @@ void Document::edit(const QString& text, Fractal after) {
 void Document::editEntry(const QString& text, Fractal after) {
     commitGesture();
     if (m_index < 0 || after == entryFractal()) return;
+    after.lasting = {};
     push(text, {m_current, currentEntry().fractal, {}},
          {m_current, std::make_shared<const Fractal>(std::move(after)), {}});
 }
 
 void Document::editFile(const QString& text, FractalFile after, EntryId current) {
     commitGesture();
+    settle(after);
     if (indexOf(after, current) < 0) current = m_current;
     if (indexOf(after, current) < 0) { // the current entry was removed: a neighbour takes over
         const qsizetype last = after.entries.size() - 1;
@@ -252,7 +282,7 @@ void Document::announce(Change::Parts parts, Live live) {
 EditGesture Document::beginGesture(const QString& text) {
     commitGesture();
     const auto link = std::make_shared<EditGesture::Link>(EditGesture::Link{this, m_shown.fractal});
-    m_gesture = {link, text, currentEntry().fractal, m_moment, {}, {}, -1};
+    m_gesture = {link, text, currentEntry().fractal, m_moment, {}, {}, {}, -1};
     return EditGesture(link);
 }
 
@@ -269,6 +299,10 @@ void Document::previewGestureOfEntry(Fractal entry) {
 
 void Document::showInGesture(Fractal entry, std::optional<int> keyedFrame) {
     m_gesture->keyedFrame = keyedFrame;
+    if (!animationFacts(entry) && !isSameSystem(entry, *m_gesture->entry)) {
+        if (!m_gesture->lasting) m_gesture->lasting = lastingCage(*m_gesture->link->before);
+        entry.lasting = m_gesture->lasting;
+    }
     const Change::Parts parts = replace(std::make_shared<const Fractal>(std::move(entry)));
     m_gesture->previewed |= parts;
     if (parts) announce(parts, Live::Yes);
@@ -276,7 +310,7 @@ void Document::showInGesture(Fractal entry, std::optional<int> keyedFrame) {
 
 void Document::commitGesture() {
     if (!m_gesture) return;
-    const auto before = m_gesture->entry, after = currentEntry().fractal;
+    const auto before = m_gesture->entry, after = settled(currentEntry().fractal);
     if (*after == *before) return cancelGesture();
     // The step's own announcement ends what was live; the gesture stays until then so that nothing is missed.
     push(textOf(m_gesture->text, m_gesture->keyedFrame), {m_current, before, {}}, {m_current, after, {}},

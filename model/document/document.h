@@ -59,7 +59,8 @@ public:
     const FractalFile& file() const { return m_file; }
     const Entry& currentEntry() const; // of a file without entries: an entry without id and system
     // What is seen and edited: the entry at the moment, as an ordinary fractal without an animation. Of an
-    // entry that is not animated, its fractal itself.
+    // entry that is not animated, its fractal itself. A cage that is not stored lasts: that of the entry at
+    // rest through all moments, and that from before a gesture until its end.
     const Fractal& fractal() const { return *m_shown.fractal; }
     const std::shared_ptr<const Fractal>& sharedFractal() const { return m_shown.fractal; }
     // The entry with its animation, if it has one.
@@ -150,6 +151,7 @@ private:
         animation::Moment moment;
         std::optional<int> keyedFrame; // at which the preview has keys
         Change::Parts previewed;       // what listeners have been told was live
+        LastingCage lasting;           // once it is needed
         int kind = -1;                 // of steps that become one
     };
     std::optional<Gesture> endGesture();
@@ -161,6 +163,8 @@ private:
     animation::Moment m_moment;
     Change::Parts m_run; // what has been announced since time began to run
     Shown m_shown;
+    std::shared_ptr<const Fractal> m_held; // the animated entry that m_lasting holds
+    LastingCage m_lasting;
     QUndoStack m_undoStack;
     TypedNumbers m_typedNumbers;
     CageMode m_cageMode = CageMode::Place;

@@ -4,6 +4,7 @@
 #include "animation/animation.h"
 #include "attractor/request/appearance.h"
 #include "attractor/request/space_appearance.h"
+#include "document/lasting_cage.h"
 #include "document/map_labels.h"
 #include "document/support_cache.h"
 #include "ifs/cage/control_cage.h"
@@ -46,6 +47,7 @@ struct Fractal {
     attractor::SpaceAppearance inSpace{}; // of an entry in space; the fog is in its range, the clip usable
     MapLabels mapLabels{};
     SupportCache supports{}; // what functions of the fractal remember; takes no part in ==
+    LastingCage lasting{};   // of what Document shows at a moment, or in a gesture; takes no part in ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
 };

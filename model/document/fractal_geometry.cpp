@@ -136,6 +136,7 @@ ifs::ControlCage<2> canonicalCage(const Fractal& fractal) {
 
 ifs::ControlCage<2> effectiveCage(const Fractal& fractal) {
     const ifs::ControlCage<2>* stored = cage2(fractal);
+    if (!stored) stored = fractal.lasting.plane();
     return stored ? *stored : canonicalCage(fractal);
 }
 

@@ -24,7 +24,8 @@ std::optional<ifs::LinkedExtent> linkedExtent(const Fractal& fractal);
 // The minimal canonical simplex of the code at rest; when the code has no attractor, a unit triangle.
 ifs::ControlCage<2> canonicalCage(const Fractal& fractal);
 
-// The cage in force: the stored one, else the canonical one, which costs a certified simplex.
+// The cage in force: the stored one, else the lasting one, else the canonical one, which costs a certified
+// simplex.
 ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
 
 // Coordinates of the code → displayed ones.

@@ -84,7 +84,9 @@ std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fract
 std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal) {
     const Shape<3>* shape = space(fractal);
     if (!shape) return std::nullopt;
-    return shape->cage ? shape->cage : fractal.supports.simplexInSpace(shape->system);
+    if (shape->cage) return shape->cage;
+    const ifs::ControlCage<3>* lasting = fractal.lasting.space();
+    return lasting ? *lasting : fractal.supports.simplexInSpace(shape->system);
 }
 
 bool isSpaceExtentKnown(const Fractal& fractal) {
@@ -94,8 +96,8 @@ bool isSpaceExtentKnown(const Fractal& fractal) {
 
 std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal) {
     const Shape<3>* shape = space(fractal);
-    if (shape && shape->cage) return shape->cage;
-    return isSpaceExtentKnown(fractal) ? spaceCage(fractal) : std::nullopt;
+    const bool costsNothing = shape && (shape->cage || fractal.lasting.space());
+    return costsNothing || isSpaceExtentKnown(fractal) ? spaceCage(fractal) : std::nullopt;
 }
 
 Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u) {

@@ -21,14 +21,14 @@ QString spaceObstacle(const Fractal& fractal);
 // The extent of the code's attractor; nullptr when it has none, or the entry is not in space. Any thread.
 std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fractal);
 
-// The cage in force: the stored one, else the minimal canonical simplex of the code at rest; without an
-// attractor, a unit tetrahedron. nullopt when the entry is not in space.
+// The cage in force: the stored one, else the lasting one, else the minimal canonical simplex of the code at
+// rest; without an attractor, a unit tetrahedron. nullopt when the entry is not in space.
 std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal);
 
 // Whether what follows from the extent of an entry in space is answered at once. Of very many maps it first
 // has to be found: the window does so in the background (view::ExtentFinder). Of other entries, true.
 bool isSpaceExtentKnown(const Fractal& fractal);
-// The cage in force if it is stored or its extent is known.
+// The cage in force if it is stored, lasts or its extent is known.
 std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
 
 // The maps of the code as they act on the displayed picture; nullopt while the placement is flat or bent.

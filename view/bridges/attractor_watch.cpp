@@ -32,9 +32,11 @@ std::optional<double> AttractorWatch::lostFrame() const {
 QString AttractorWatch::sentence() const {
     if (!m_lost) return {};
     const QString frame = roundedNumber(*lostFrame(), 2);
-    return (m_lost->verdict == ifs::Verdict::Undecided
-                ? tr("At frame %1, it could not be decided whether there is an attractor.")
-                : tr("At frame %1, there is no attractor. Weaken the motions, or set a key there."))
+    if (m_lost->verdict == ifs::Verdict::Undecided)
+        return tr("At frame %1, it could not be decided whether there is an attractor.").arg(frame);
+    return (m_hasMotions
+                ? tr("At frame %1, there is no attractor. Weaken the motions, or set a key there.")
+                : tr("At frame %1, there is no attractor. Set a key there, or change those around it."))
         .arg(frame);
 }
 
@@ -42,6 +44,8 @@ void AttractorWatch::setLost(const Lost& lost) {
     const auto frame = lostFrame();
     const QString before = sentence();
     m_lost = lost;
+    const auto facts = m_entry ? document::animationFacts(*m_entry) : std::nullopt;
+    m_hasMotions = facts && facts->motions > 0;
     if (frame != lostFrame() || before != sentence()) emit changed();
 }
 

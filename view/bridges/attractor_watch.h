@@ -35,7 +35,8 @@ private:
 
     std::shared_ptr<const document::Fractal> m_entry; // the one that has been looked at
     Lost m_lost;
-    NewestWork<Lost> m_work; // last: it stops before the rest goes
+    bool m_hasMotions = false; // the entry that m_lost is of
+    NewestWork<Lost> m_work;   // last: it stops before the rest goes
 };
 
 } // namespace view

@@ -3,7 +3,7 @@
 
 #include "bridges/render_bridge.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/fractal.h"
+#include "document/animated_fractal.h"
 #include "io/file/background.h"
 
 #include <QWidget>
@@ -52,14 +52,36 @@ void CanvasNavigation::adoptViewport() {
     adopted.width = m_viewport.width();
     adopted.height = m_viewport.height();
     setCamera(adopted);
-    if (m_isFitted) fit();
+    if (m_isFitted) fitAgain();
 }
 
 void CanvasNavigation::fit() {
+    m_fitted = m_scene.document().moment();
+    fitAgain();
+}
+
+std::shared_ptr<const document::Fractal> CanvasNavigation::fittedFractal() const {
+    const document::Document& document = m_scene.document();
+    if (document.moment() == m_fitted) return document.sharedFractal();
+    return std::make_shared<const document::Fractal>(
+        document::frameAt(document.entryFractal(), m_fitted).fractal);
+}
+
+// A cage that is not stored is the same at every moment.
+std::vector<ifs::Vector<2>> CanvasNavigation::fittedCorners() const {
+    const auto& shown = m_scene.handles().cage();
+    if (!shown) return {};
+    if (m_scene.document().moment() == m_fitted) return shown->current;
+    const auto fractal = fittedFractal();
+    const auto* stored = document::cage2(*fractal);
+    return stored ? stored->current : shown->current;
+}
+
+void CanvasNavigation::fitAgain() {
     using Extent = std::optional<document::Box>;
     m_isFitted = true;
     m_extent.setFuture({});
-    const auto fractal = m_scene.document().sharedFractal();
+    const auto fractal = fittedFractal();
     if (!document::system2(*fractal)) return fitTo(std::nullopt);
     const QFuture<Extent> extent = io::inBackground<Extent>(
         [fractal](QPromise<Extent>& promise) { promise.addResult(document::displayedBox(*fractal)); });
@@ -70,22 +92,21 @@ void CanvasNavigation::fit() {
 }
 
 void CanvasNavigation::fitTo(std::optional<document::Box> attractor) {
-    const auto& cage = m_scene.handles().cage();
+    const std::vector<ifs::Vector<2>> corners = fittedCorners();
     if (m_fittedToo)
         attractor = attractor ? with(with(*attractor, m_fittedToo->min), m_fittedToo->max) : m_fittedToo;
     std::optional<document::Box> all = attractor;
-    if (cage)
-        for (const ifs::Vector<2>& vertex : cage->current)
-            all = all ? with(*all, vertex) : document::Box{vertex, vertex};
+    for (const ifs::Vector<2>& vertex : corners)
+        all = all ? with(*all, vertex) : document::Box{vertex, vertex};
     if (!all) all = document::Box{ifs::Vector<2>(-1, -1), ifs::Vector<2>(1, 1)};
     const auto fitted = [this](const document::Box& box) {
         return attractor::fitted(camera(), box.min, box.max, fitMargin);
     };
     if (!attractor) return setCamera(fitted(*all));
     const double alone = fitted(*attractor).pixelsPerUnit;
-    if (cage && fitted(*all).pixelsPerUnit < minShare * alone) {
+    if (fitted(*all).pixelsPerUnit < minShare * alone) {
         all = attractor;
-        for (const ifs::Vector<2>& vertex : cage->current)
+        for (const ifs::Vector<2>& vertex : corners)
             if (fitted(with(*attractor, vertex)).pixelsPerUnit >= minCorner * alone) all = with(*all, vertex);
     }
     setCamera(fitted(*all));

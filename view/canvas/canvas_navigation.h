@@ -7,7 +7,9 @@
 
 #include <QFutureWatcher>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace view {
 
@@ -27,7 +29,8 @@ public:
     void adoptViewport();                         // its size and pixel ratio
 
     // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
-    // those of its corners that lie just outside. That of many maps may come into view a little later.
+    // those of its corners that lie just outside. That of many maps may come into view a little later. When
+    // the window changes its size, the same moment of an animation is fitted again, whichever is shown.
     void fit();
     // What comes into the view with the attractor, such as the target of a collage.
     void setFittedToo(const std::optional<document::Box>& box) { m_fittedToo = box; }
@@ -52,6 +55,9 @@ signals:
 
 private:
     QPointF middle() const;
+    void fitAgain();
+    std::shared_ptr<const document::Fractal> fittedFractal() const;
+    std::vector<ifs::Vector<2>> fittedCorners() const;
     void fitTo(std::optional<document::Box> attractor);
 
     CanvasScene& m_scene;
@@ -59,6 +65,7 @@ private:
     const QWidget& m_viewport;
     std::optional<document::Box> m_fittedToo;
     bool m_isFitted = true; // follows the size of the window until the user moves the view
+    animation::Moment m_fitted;
     QFutureWatcher<std::optional<document::Box>> m_extent; // of the attractor that is to be fitted
 };
 

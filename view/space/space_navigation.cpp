@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/animated_fractal.h"
 #include "document/space_geometry.h"
 
 #include <cmath>
@@ -78,15 +79,26 @@ void SpaceNavigation::adoptViewport() {
     adopted.size.width = m_viewport->width() / (m_stereo == attractor::Stereo::SideBySide ? 2 : 1);
     adopted.size.height = m_viewport->height();
     set(adopted, false);
-    if (m_isFitted) fit();
+    if (m_isFitted) fitAgain();
 }
 
 void SpaceNavigation::fit() {
+    m_fitted = m_document->moment();
+    fitAgain();
+}
+
+void SpaceNavigation::fitAgain() {
     if (m_camera.size.width <= 0 || m_camera.size.height <= 0) return;
     m_glide.stop();
     m_isFitted = true;
-    const document::Fractal& fractal = m_document->fractal();
-    if (document::isSpaceExtentKnown(fractal)) set(document::fittedTo(fractal, m_camera, fitMargin), false);
+    const auto fitTo = [this](const document::Fractal& fractal) {
+        if (document::isSpaceExtentKnown(fractal))
+            set(document::fittedTo(fractal, m_camera, fitMargin), false);
+    };
+    if (m_document->moment() == m_fitted) return fitTo(m_document->fractal());
+    document::Fractal fractal = document::frameAt(m_document->entryFractal(), m_fitted).fractal;
+    fractal.lasting = m_document->fractal().lasting;
+    fitTo(fractal);
 }
 
 void SpaceNavigation::zoomAt(const QPointF& position, double factor) {

@@ -66,6 +66,7 @@ signals:
 
 private:
     void set(const attractor::OrbitCamera& camera, bool isMoving);
+    void fitAgain();
 
     document::Document* m_document;
     SolidBridge* m_bridge;
@@ -77,6 +78,7 @@ private:
     bool m_isTrackball = false;
     bool m_wasPerspective = false; // before a view along an axis
     bool m_isFitted = true;        // follows the size of the window until the user moves the view
+    animation::Moment m_fitted;    // so that a resized window shows it again, whichever is shown
 };
 
 } // namespace view

@@ -454,7 +454,7 @@ void addAnimation(Lines& lines, const document::Fractal& fractal) {
     if (!facts) return;
     lines.add(Text::tr("animation"),
               Text::tr("%1 frames at %2 per second, %3; %4 tracks, %5 motions")
-                  .arg(facts->length)
+                  .arg(animation::frameCount(facts->loop, facts->length))
                   .arg(digits(double(facts->rate.frames) / facts->rate.seconds), loopText(facts->loop))
                   .arg(facts->tracks)
                   .arg(facts->motions));

@@ -36,6 +36,8 @@ private slots:
     void aShutterBlursSolids();
     void exposureIsAFunctionOfTheAnimation();
     void aMomentWithoutAttractorIsNamed();
+    void framesWithoutAttractorAreOneWarning();
+    void theFolderIsMade();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
     void killedAtAnyTimeLeavesWholeFiles();
@@ -84,7 +86,14 @@ void CliAnimateTest::infoSaysWhatMoves() {
                                      {QStringLiteral("frames"), 6},
                                      {QStringLiteral("loop"), QStringLiteral("cycle")},
                                      {QStringLiteral("tracks"), 1}}));
-    QVERIFY(run("info wind.ifs --entry wind").out.contains("6 frames"));
+    // As many as animate draws.
+    QVERIFY(run("info wind.ifs --entry wind").out.contains(" 6 frames"));
+    QVERIFY(run("info wind.ifs --entry once").out.contains(" 7 frames"));
+    QVERIFY(run("info wind.ifs --entry back").out.contains(" 12 frames"));
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o a/#.png") + small).status, 0);
+    QCOMPARE(files("a").size(), 7);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o b/##.png") + small).status, 0);
+    QCOMPARE(files("b").size(), 12);
 }
 
 void CliAnimateTest::factsAreThoseOfTheFrame() {
@@ -389,6 +398,36 @@ void CliAnimateTest::aMomentWithoutAttractorIsNamed() {
     const Result result = run(QByteArray("animate lost.ifs -o a/f.##.png --frames 1") + small);
     QCOMPARE(result.status, 0);
     QVERIFY2(result.err.contains("At frame 16 "), result.err.constData()); // where the map is 1 wide
+}
+
+// From frame 16 on, the first map is at least 1 wide.
+void CliAnimateTest::framesWithoutAttractorAreOneWarning() {
+    write("lost.ifs", "lost {\n; barycage: animation 32 24/1 off\n; barycage: track map 1\n"
+                      "; barycage: key 0 linear\n; barycage: value .5 0 0 .5 0 0 1\n"
+                      "; barycage: key 32 linear\n; barycage: value 1.5 0 0 .5 0 0 1\n"
+                      " .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
+    const Result result =
+        run(QByteArray("animate lost.ifs -o a/f.##.png --frames 14-22,30 --view 0,0,4") + small);
+    QCOMPARE(result.status, 0);
+    QCOMPARE(files("a").size(), 10);
+    QVERIFY2(result.err.contains("At the frames 16–21, 29 of “lost” there is no attractor."),
+             result.err.constData());
+    QCOMPARE(result.err.count("attractor"), 1);
+    QCOMPARE(result.err.count("warning"), 1);
+    const Result one = run(QByteArray("animate lost.ifs -o b/f.##.png --frames 1,20 --view 0,0,4") + small);
+    QVERIFY2(one.err.contains("At frame 19 of “lost”"), one.err.constData());
+    QCOMPARE(one.err.count("warning"), 1);
+    const Result fine = run(QByteArray("animate wind.ifs -o c/f.##.png --view 0,0,4") + small);
+    QVERIFY2(!fine.err.contains("warning"), fine.err.constData());
+}
+
+void CliAnimateTest::theFolderIsMade() {
+    QVERIFY(!QDir(path("a/deep")).exists());
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/deep/down/f.#.png --frames 1-2") + small).status, 0);
+    QCOMPARE(files("a/deep/down").size(), 2);
+    write("b/file", "no folder");
+    QCOMPARE(run(QByteArray("animate wind.ifs -o b/file/f.#.png --frames 1") + small).status, 3);
+    QCOMPARE(read("b/file"), QByteArray("no folder"));
 }
 
 void CliAnimateTest::wrongUsageIsRefused_data() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/zoom_box.h"
 #include "canvas/geometry/coordinate_text.h"
+#include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
@@ -71,6 +72,35 @@ private slots:
         m_document->edit(QStringLiteral("another cage"), fractal);
         m_canvas->fit();
         QVERIFY2(share() > 0.7 && share() < 1, qPrintable(QString::number(share())));
+    }
+
+    // A window that changes its size shows the moment that was fitted again, even where there is no
+    // attractor.
+    void resizingLeavesTheViewOfAnAnimation() {
+        document::Fractal fractal = m_document->fractal();
+        document::plane(fractal)->animation.emplace();
+        document::plane(fractal)->animation->length = 32;
+        document::plane(fractal)->animation->motions = {animation::Breathe<2>{{}, 0.5, 1, {0, 0}}};
+        for (auto& map : document::plane(fractal)->system.maps)
+            map.map.linear *= 1.6;
+        m_document->setFile(document::fileOf(fractal));
+        m_canvas->fit();
+        const attractor::Camera fitted = m_canvas->camera();
+        const QSize size = m_canvas->size();
+        const auto lost = document::firstWithoutAttractor(m_document->entryFractal());
+        QVERIFY(lost);
+        for (const animation::Moment& moment : {animation::moment(1), lost->moment}) {
+            m_document->setMoment(moment);
+            QCOMPARE(m_canvas->camera(), fitted);
+            m_canvas->resize(size - QSize(0, 60));
+            QTRY_VERIFY(m_canvas->camera().height < fitted.height);
+            QVERIFY(m_canvas->navigation().isFitted());
+            m_canvas->resize(size);
+            QTRY_COMPARE(m_canvas->camera().height, fitted.height);
+            QTRY_VERIFY(std::abs(m_canvas->camera().pixelsPerUnit - fitted.pixelsPerUnit) <
+                        1e-6 * fitted.pixelsPerUnit);
+            QVERIFY((m_canvas->camera().centre - fitted.centre).norm() < 1e-6);
+        }
     }
 
     // One corner is far away; those just outside the attractor are in the view nevertheless.

@@ -19,9 +19,11 @@ Playback::Playback(document::Document* document, QObject* parent) : QObject(pare
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
         if (!isPlaying()) return;
-        if (change.parts & (Change::Current | Change::File))
+        const bool isMovedOtherwise = change.parts & Change::Animation;
+        const bool stands = isMovedOtherwise && !document::animationFacts(m_document->entryFractal());
+        if (stands || change.parts & (Change::Current | Change::File))
             setPlaying(false);
-        else if (change.parts & Change::Animation)
+        else if (isMovedOtherwise)
             restart(position()); // at another rate, perhaps
     });
 }

@@ -59,7 +59,7 @@ void Timeline::follow(const document::Change& change) {
     using document::Change;
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (isAnother) {
-        m_row = 0;
+        m_row = m_wantedRow = 0;
         m_selected.clear();
     }
     // While something is dragged or played, only keys can change what the rows show.
@@ -85,7 +85,7 @@ void Timeline::read() {
     m_motions = motionNames(document::plane(entry));
     if (m_motions.empty()) m_motions = motionNames(document::space(entry));
     m_timing = document::timingOf(entry);
-    m_row = std::clamp(m_row, 0, std::max(0, rowCount() - 1));
+    m_row = std::clamp(m_wantedRow, 0, std::max(0, rowCount() - 1));
     keepSelection();
 }
 
@@ -163,6 +163,7 @@ void Timeline::setTiming(const QString& text, const document::Timing& timing) {
 
 void Timeline::setRow(int row) {
     row = std::clamp(row, 0, std::max(0, rowCount() - 1));
+    m_wantedRow = row;
     if (row == m_row) return;
     m_row = row;
     emit selectionChanged();

@@ -104,6 +104,7 @@ private:
     std::vector<QString> m_motions;
     document::Timing m_timing;
     int m_row = 0;
+    int m_wantedRow = 0; // which may be gone, and come back with undo
     std::vector<document::KeyAt> m_selected;
     KeyCommands m_keys{this};
 };

@@ -63,18 +63,13 @@ TrackView::TrackView(Timeline* timeline, QWidget* parent)
     });
     connect(timeline, &Timeline::changed, this, [this] {
         layOut();
-        describe();
-        viewport()->update();
+        refresh();
     });
     connect(timeline, &Timeline::frameChanged, this, [this] {
-        if (m_drag != Drag::Playhead && hasFocus()) reveal();
-        describe();
-        viewport()->update();
+        if (m_drag != Drag::Playhead && hasFocus()) revealPlayhead();
+        refresh();
     });
-    connect(timeline, &Timeline::selectionChanged, this, [this] {
-        describe();
-        viewport()->update();
-    });
+    connect(timeline, &Timeline::selectionChanged, this, &TrackView::refresh);
     layOut();
     describe();
 }
@@ -146,7 +141,10 @@ void TrackView::layOut() {
     horizontalScrollBar()->setPageStep(width);
     horizontalScrollBar()->setSingleStep(std::max(1, int(m_scale)));
     const int height = size.height() - rowHeight();
+    const int down = m_down; // as far as there are rows; those that undo brings back are where they were
     verticalScrollBar()->setRange(0, std::max(0, m_timeline->rowCount() * rowHeight() - height));
+    verticalScrollBar()->setValue(down);
+    m_down = down;
     verticalScrollBar()->setPageStep(height);
     verticalScrollBar()->setSingleStep(rowHeight());
     m_unit->setGeometry(2, 1, namesWidth() - 4, rowHeight() - 2);
@@ -161,11 +159,15 @@ void TrackView::zoomAt(double x, double factor) {
     viewport()->update();
 }
 
-void TrackView::reveal() {
+void TrackView::revealPlayhead() {
     const double x = xOf(m_timeline->frame());
     QScrollBar* across = horizontalScrollBar();
     if (x < left() || x > viewport()->width() - edge)
         across->setValue(int(m_timeline->frame() * m_scale) - across->pageStep() / 2);
+}
+
+void TrackView::reveal() {
+    revealPlayhead();
     QScrollBar* down = verticalScrollBar();
     const int top = m_timeline->row() * rowHeight();
     if (top < down->value()) down->setValue(top);
@@ -583,7 +585,8 @@ void TrackView::resizeEvent(QResizeEvent*) {
     layOut();
 }
 
-void TrackView::scrollContentsBy(int, int) {
+void TrackView::scrollContentsBy(int, int dy) {
+    if (dy != 0) m_down = verticalScrollBar()->value();
     viewport()->update();
 }
 

@@ -68,7 +68,12 @@ private:
 
     void layOut();
     void zoomAt(double x, double factor);
+    void revealPlayhead();
     void describe();
+    void refresh() {
+        describe();
+        viewport()->update();
+    }
     int snapped(int by) const;
     document::KeyMove moveKind() const;
     void pressKey(const document::KeyAt& key);
@@ -90,6 +95,7 @@ private:
     QToolButton* m_unit;
     double m_scale = 8; // pixels for one frame
     bool m_isFitted = true;
+    int m_down = 0; // that rows are scrolled, if there are so many
     std::optional<double> m_flawed;
     Drag m_drag = Drag::None;
     QPointF m_pressed, m_pointer;

@@ -18,6 +18,7 @@ class LostAttractorTest : public QObject {
 private slots:
     void initTestCase() { support::useOwnSettings(); }
     void theTimelineSaysWhen();
+    void motionsAreNamedWhereThereAreSome();
     void theExportSaysWhen();
 };
 
@@ -89,6 +90,30 @@ void LostAttractorTest::theTimelineSaysWhen() {
     QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), patience);
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     QVERIFY(!warning->isVisible()); // at once: it was about another entry
+}
+
+// A map that is keyed to grow.
+document::Fractal growing() {
+    document::Fractal fractal = breathing(0);
+    document::Shape<2>& shape = *document::plane(fractal);
+    shape.animation->motions.clear();
+    shape.animation->maps = {{shape.system.maps[0].id,
+                              {{0, {ifs::affineMap(.5, 0, 0, .5, 0, 0), 1}, {}},
+                               {32, {ifs::affineMap(1.5, 0, 0, 1.5, 0, 0), 1}, {}}}}};
+    return fractal;
+}
+
+void LostAttractorTest::motionsAreNamedWhereThereAreSome() {
+    document::Document document;
+    view::TimelinePanel panel(&document);
+    panel.show();
+    const QLabel* warning = warningIn(panel);
+    document.setFile(document::fileOf(growing()));
+    QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), patience);
+    QVERIFY2(warning->text().contains(QStringLiteral("no attractor")), qPrintable(warning->text()));
+    QVERIFY2(!warning->text().contains(QStringLiteral("motion")), qPrintable(warning->text()));
+    document.setFile(document::fileOf(breathing(0.5)));
+    QTRY_VERIFY_WITH_TIMEOUT(warning->text().contains(QStringLiteral("motions")), patience);
 }
 
 void LostAttractorTest::theExportSaysWhen() {

@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QThread>
 #include <QTimer>
 
@@ -21,6 +22,8 @@ private slots:
     void draggedKeysSnap();
     void timeIsNeverLate();
     void theRateIsShown();
+    void undoLeavesTheRowsInPlace();
+    void playingDoesNotScrollTheRows();
 
 private:
     view::Timeline& timeline() { return m_panel->timeline(); }
@@ -29,6 +32,18 @@ private:
     void drag(const QPoint& from, const QPoint& to);
     int lastKey() { return timeline().tracks()[0].keys.back().frame; }
 };
+
+namespace {
+
+// With more rows than are seen at once.
+document::Fractal manyMaps() {
+    document::Fractal fractal = document::sierpinskiTriangle();
+    for (int i = 0; i < 20; ++i)
+        ifs::append(document::plane(fractal)->system, ifs::affineMap(.3, 0, 0, .3, .03 * i, .2), .1);
+    return fractal;
+}
+
+} // namespace
 
 void TimelinePlayingTest::key(int row, int frame) {
     timeline().setRow(row);
@@ -120,6 +135,52 @@ void TimelinePlayingTest::theRateIsShown() {
     QVERIFY2(rate > 0 && rate < 60, qPrintable(label->text())); // one every 20 ms at most
     playback.setPlaying(false);
     QCOMPARE(label->text(), QString());
+}
+
+// With a motion its row comes and goes; what is scrolled and selected is as before, and nothing plays on.
+void TimelinePlayingTest::undoLeavesTheRowsInPlace() {
+    m_document->setFile(document::fileOf(manyMaps()));
+    key(0, 0); // so that the rows stay when the motion goes
+    m_panel->motions().front()->trigger();
+    QTRY_COMPARE(timeline().motions().size(), std::size_t(1));
+    const int row = timeline().rowCount() - 1;
+    QTRY_COMPARE(timeline().row(), row);
+    const QScrollBar& bar = *tracks().verticalScrollBar();
+    QTRY_VERIFY(bar.maximum() > 0 && bar.value() == bar.maximum());
+    const int scrolled = bar.value();
+    m_document->undoStack()->undo();
+    QVERIFY(timeline().motions().empty());
+    QTRY_VERIFY(bar.value() < scrolled);
+    m_document->undoStack()->redo();
+    QCOMPARE(timeline().row(), row);
+    QTRY_COMPARE(bar.value(), scrolled);
+
+    // The first motion of all: without it nothing moves, and time stands still.
+    m_document->setFile(document::fileOf(document::sierpinskiTriangle()));
+    m_panel->motions().front()->trigger();
+    QTRY_VERIFY(timeline().playback().isPlaying());
+    QTRY_VERIFY(timeline().frame() > 1);
+    m_document->undoStack()->undo();
+    QVERIFY(!timeline().playback().isPlaying());
+    m_document->undoStack()->redo();
+    QVERIFY(!timeline().playback().isPlaying());
+}
+
+// A playhead that runs does not draw the rows back to the current one.
+void TimelinePlayingTest::playingDoesNotScrollTheRows() {
+    m_document->setFile(document::fileOf(manyMaps()));
+    key(0, 0);
+    timeline().setRow(timeline().rowCount() - 1);
+    m_panel->activateWindow();
+    tracks().setFocus();
+    QTRY_VERIFY(tracks().hasFocus());
+    tracks().verticalScrollBar()->setValue(0);
+    QTRY_VERIFY(tracks().verticalScrollBar()->maximum() > 0);
+    timeline().setFrame(5);
+    QCOMPARE(tracks().verticalScrollBar()->value(), 0);
+    timeline().playback().setPlaying(true);
+    QTRY_VERIFY(timeline().frame() > 6);
+    QCOMPARE(tracks().verticalScrollBar()->value(), 0);
 }
 
 QTEST_MAIN(TimelinePlayingTest)
