@@ -21,9 +21,13 @@ PictureSource::PictureSource(QObject* parent) : QObject(parent) {
 
 PictureSource::~PictureSource() = default;
 
-void PictureSource::draw(attractor::Pattern pattern) {
+QString PictureSource::wishFor(attractor::Pattern pattern) {
     const auto name = attractor::nameOf(pattern);
-    const QString wish = QString::fromLatin1(name.data(), qsizetype(name.size()));
+    return QString::fromLatin1(name.data(), qsizetype(name.size()));
+}
+
+void PictureSource::draw(attractor::Pattern pattern) {
+    const QString wish = wishFor(pattern);
     if (std::exchange(m_wish, wish) == wish) return;
     m_work.setFuture(io::inBackground<Outcome>([pattern](QPromise<Outcome>& promise) {
         promise.addResult(

@@ -23,7 +23,8 @@ public:
 
     void draw(attractor::Pattern pattern);
     void read(const QString& path);                // absolute
-    const QString& wish() const { return m_wish; } // the path, or the name of the pattern
+    const QString& wish() const { return m_wish; } // the path, or wishFor() the pattern
+    static QString wishFor(attractor::Pattern pattern);
 
 signals:
     void ready(const std::shared_ptr<const attractor::MipPicture>& picture);

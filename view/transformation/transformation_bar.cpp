@@ -102,6 +102,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     connect(m_stack, &QToolButton::toggled, this, &TransformationBar::stacked);
     connect(m_remedy, &QToolButton::clicked, this, [this] {
         if (m_wanted == Remedy::DivideWords) emit divideWanted();
+        if (m_wanted == Remedy::ResetOrder) emit resetOrderWanted();
         if (m_wanted == Remedy::FindPicture) emit pictureWanted();
     });
     showProblem({}, Remedy::None);
@@ -161,16 +162,27 @@ void TransformationBar::showContinuity(const QString& sentence) {
     showStatus();
 }
 
+std::pair<QString, QString> TransformationBar::textsOf(Remedy remedy) {
+    switch (remedy) {
+    case Remedy::FindPicture:
+        return {tr("Find Picture…"), tr("Choose the current location of the picture")};
+    case Remedy::ResetOrder:
+        return {tr("Reset Order"), tr("Put the maps back in the order of their numbers")};
+    case Remedy::DivideWords:
+    case Remedy::None:
+        break;
+    }
+    return {tr("Divide Words"), tr("Divide maps of both entries into words until both have the same number")};
+}
+
 void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
     m_problem = sentence;
     m_wanted = remedy;
     m_remedy->setVisible(remedy != Remedy::None);
-    const QString text = remedy == Remedy::FindPicture ? tr("Find Picture…") : tr("Divide Words");
+    const auto [text, tip] = textsOf(remedy);
     m_remedy->setText(text);
     m_remedy->setAccessibleName(text);
-    m_remedy->setToolTip(remedy == Remedy::FindPicture
-                             ? tr("Choose the current location of the picture")
-                             : tr("Divide maps of both entries into words until both have the same number"));
+    m_remedy->setToolTip(tip);
     showStatus();
 }
 

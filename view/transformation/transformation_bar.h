@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <utility>
+
 class QComboBox;
 class QLabel;
 class QToolButton;
@@ -28,7 +30,7 @@ public:
     void show(const document::FractalFile& file, document::EntryId current, document::EntryId partner,
               const document::KeptTheft& theft);
     void showContinuity(const QString& sentence);
-    enum class Remedy { None, DivideWords, FindPicture };
+    enum class Remedy { None, DivideWords, ResetOrder, FindPicture };
     void showProblem(const QString& sentence, Remedy remedy); // an empty sentence: there is none
     QString problem() const;
     QString continuity() const;
@@ -42,6 +44,7 @@ signals:
     void pictureWanted(); // from a file
     void starterChosen(document::TheftFamily family);
     void divideWanted();
+    void resetOrderWanted();
     void exportWanted();
     void overlaid(bool on); // the partner over the fractal, translucent
     void stacked(bool on);  // the canvases one above the other, instead of side by side
@@ -49,6 +52,7 @@ signals:
 private:
     void addPictures();
     void addStarters();
+    static std::pair<QString, QString> textsOf(Remedy remedy); // of its button: name, tip
     void showStatus();
 
     QLabel* m_from;

@@ -62,11 +62,13 @@ private:
 
     void create();
     void connectBar();
+    void connectSource();
     void followTools();
     void arrange(Qt::Orientation orientation); // both canvases are as large
     void refresh();
     void showPicture();
     void showProblem();
+    void measureLater();
     void measure();
     void keep(const QString& text, const document::KeptTheft& theft);
     void start(document::TheftFamily family);
@@ -95,6 +97,7 @@ private:
     document::KeptTheft m_kept;                               // of the entry, or what would be likely
     document::EntryId m_guessedFor = document::EntryId::None; // the entry, where nothing is kept
     QString m_wanted;                                         // a picture that is to be kept once it is read
+    bool m_isOwnPicture = false;                              // the one that is shown is of this entry
     QString m_pictureFailure;                                 // of the one that is kept
     QString m_refusal;                                        // of one that was chosen
     QTimer m_rest;                                            // runs until the continuity is measured
