@@ -2,7 +2,8 @@
 #include "transformation/picture_source.h"
 
 #include "io/file/background.h"
-#include "io/tops/picture_reader.h"
+
+#include <QCryptographicHash>
 
 #include <utility>
 
@@ -35,10 +36,23 @@ void PictureSource::draw(attractor::Pattern pattern) {
     }));
 }
 
+QString PictureSource::wishFor(const QByteArray& file) {
+    return QString::fromLatin1(QCryptographicHash::hash(file, QCryptographicHash::Sha256).toHex());
+}
+
 void PictureSource::read(const QString& path) {
     m_wish = path;
-    m_work.setFuture(io::inBackground<Outcome>([path](QPromise<Outcome>& promise) {
-        io::ReadPicture read = io::readPicture(path);
+    wait([path] { return io::readPicture(path); });
+}
+
+void PictureSource::decode(const QByteArray& file) {
+    m_wish = wishFor(file);
+    wait([file] { return io::decodePicture(file); });
+}
+
+void PictureSource::wait(std::function<io::ReadPicture()> reader) {
+    m_work.setFuture(io::inBackground<Outcome>([reader = std::move(reader)](QPromise<Outcome>& promise) {
+        io::ReadPicture read = reader();
         Outcome outcome;
         if (read.failure)
             outcome.failure = *read.failure;

@@ -6,6 +6,7 @@
 #include "widgets/menu_button.h"
 #include "widgets/tooltip_text.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -113,6 +114,13 @@ void TransformationBar::addPictures() {
         menuButton(tr("Picture"), tr("The picture on the partner; you can also drop one there"), this);
     QMenu* menu = m_picture->menu();
     menu->addAction(tr("Choose Picture…"), this, &TransformationBar::pictureWanted);
+    m_embed = menu->addAction(tr("Embed in the File"));
+    m_embed->setCheckable(true);
+    m_embed->setToolTip(tr("Store the picture itself with the entry, not only its path"));
+    m_embed->setWhatsThis(
+        tr("Stores the picture itself with the entry, so that the file shows it wherever it goes. "
+           "A picture of more than 128 KB is stored smaller. Otherwise only its path is stored."));
+    connect(m_embed, &QAction::triggered, this, &TransformationBar::embedWanted);
     menu->addSeparator();
     const std::array<std::pair<attractor::Pattern, QString>, 8> patterns{{
         {attractor::Pattern::Wheel, tr("Colour Wheel")},
@@ -150,6 +158,8 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
     m_partner->setCurrentIndex(m_partner->findData(uint(partner)));
     m_partner->setEnabled(m_partner->count() > 0);
     m_mode->setCurrentIndex(m_mode->findData(int(theft.mode)));
+    m_embed->setEnabled(!theft.picture.isEmpty());
+    m_embed->setChecked(!theft.embedded.isEmpty());
     m_picture->setEnabled(theft.mode != TheftMode::DeformationGrid);
     m_picture->setToolTip(
         theft.picture.isEmpty()

@@ -9,6 +9,7 @@
 
 #include <utility>
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QToolButton;
@@ -42,6 +43,7 @@ signals:
     void modeChosen(document::TheftMode mode);
     void patternChosen(attractor::Pattern pattern);
     void pictureWanted(); // from a file
+    void embedWanted(bool embedded);
     void starterChosen(document::TheftFamily family);
     void divideWanted();
     void resetOrderWanted();
@@ -59,6 +61,7 @@ private:
     QComboBox* m_partner;
     QComboBox* m_mode;
     QToolButton* m_picture;
+    QAction* m_embed;
     QToolButton* m_starters;
     QToolButton* m_export;
     ElidedLabel* m_status;

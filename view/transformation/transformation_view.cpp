@@ -135,6 +135,7 @@ void TransformationView::create() {
         measureLater();
         if (change.parts & (document::Change::Current | document::Change::File)) {
             m_wanted.clear(); // by the entry before
+            m_embedding.future().cancel();
             m_isOwnPicture = false;
         }
         if (!change.live && m_isShown) refresh();
@@ -163,6 +164,7 @@ void TransformationView::connectSource() {
         keepPicture();
         showProblem();
     });
+    connect(&m_embedding, &QFutureWatcherBase::finished, this, &TransformationView::keepEmbedded);
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
         if (const QString wanted = std::exchange(m_wanted, QString()); !wanted.isEmpty()) {
             m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(wanted), sentence);
@@ -217,6 +219,7 @@ void TransformationView::connectBar() {
         KeptTheft theft = m_kept;
         theft.pattern = pattern;
         theft.picture.clear();
+        theft.embedded.clear();
         m_wanted.clear();
         keep(tr("Choose Picture"), placed(theft, m_partner->document().fractal()));
         showPicture(); // also where it is the one that was kept
@@ -229,6 +232,7 @@ void TransformationView::connectBar() {
     connect(m_order, &MapOrder::ordered, this, putInOrder);
     connect(m_bar, &TransformationBar::resetOrderWanted, this, [putInOrder] { putInOrder({}); });
     connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
+    connect(m_bar, &TransformationBar::embedWanted, this, &TransformationView::embedPicture);
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
     connect(m_bar, &TransformationBar::stacked, this,
             [this](bool on) { arrange(on ? Qt::Vertical : Qt::Horizontal); });
@@ -255,6 +259,7 @@ void TransformationView::refresh() {
     if (partner == current) partner = EntryId::None;
     m_refusal.clear();
     const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));
+    if (before.picture != m_kept.picture) m_embedding.future().cancel();
     if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
         const document::Fractal& fractal = *file.entries[index].fractal;
         m_kept.partner = fractal.name;
@@ -278,12 +283,16 @@ void TransformationView::refresh() {
 
 void TransformationView::showPicture() {
     if (!m_wanted.isEmpty()) return; // it is being read, and is kept then
-    const QString path = m_kept.picture.isEmpty() ? QString() : QDir(folder()).filePath(m_kept.picture);
+    const bool isEmbedded = !m_kept.embedded.isEmpty(), isPattern = !isEmbedded && m_kept.picture.isEmpty();
+    const QString wish = isEmbedded  ? PictureSource::wishFor(m_kept.embedded)
+                         : isPattern ? PictureSource::wishFor(m_kept.pattern)
+                                     : QDir(folder()).filePath(m_kept.picture);
     const bool isOwn = std::exchange(m_isOwnPicture, true);
-    if (m_source->wish() == (path.isEmpty() ? PictureSource::wishFor(m_kept.pattern) : path)) return;
+    if (m_source->wish() == wish) return;
     m_pictureFailure.clear();
     if (!isOwn) m_theft->setPicture(nullptr); // another entry's must not be seen on this one
-    path.isEmpty() ? m_source->draw(m_kept.pattern) : m_source->read(path);
+    if (isEmbedded) return m_source->decode(m_kept.embedded);
+    isPattern ? m_source->draw(m_kept.pattern) : m_source->read(wish);
 }
 
 void TransformationView::showProblem() {
@@ -371,9 +380,38 @@ void TransformationView::keepPicture() {
     const QString path = std::exchange(m_wanted, QString());
     KeptTheft theft = m_kept;
     theft.picture = folder().isEmpty() ? path : QDir(folder()).relativeFilePath(path);
+    theft.embedded.clear();
     if (theft.mode == document::TheftMode::DeformationGrid) theft.mode = document::TheftMode::StealColours;
     theft = placed(theft, m_partner->document().fractal());
     keep(tr("Choose Picture"), theft);
+}
+
+void TransformationView::embedPicture(bool embedded) {
+    m_embedding.future().cancel();
+    if (embedded) {
+        m_embedding.setFuture(io::inBackground<io::PictureToEmbed>(
+            [path = QDir(folder()).filePath(m_kept.picture)](QPromise<io::PictureToEmbed>& promise) {
+                promise.addResult(io::pictureToEmbed(path));
+            }));
+        return;
+    }
+    KeptTheft theft = m_kept;
+    theft.embedded.clear();
+    keep(tr("Do Not Embed Picture"), theft);
+}
+
+void TransformationView::keepEmbedded() {
+    if (m_embedding.isCanceled() || m_embedding.future().resultCount() == 0 || m_kept.picture.isEmpty())
+        return;
+    const io::PictureToEmbed found = m_embedding.result();
+    if (found.failure) {
+        m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(m_kept.picture), *found.failure);
+        m_bar->show(m_document->file(), m_document->currentId(), m_partner->id(), m_kept);
+        return showProblem();
+    }
+    KeptTheft theft = m_kept;
+    theft.embedded = found.bytes;
+    keep(tr("Embed Picture"), theft);
 }
 
 void TransformationView::choosePicture() {

@@ -6,8 +6,10 @@
 #include "window_fixture.h"
 
 #include <QAction>
+#include <QFile>
 #include <QImage>
 #include <QListWidget>
+#include <QMenu>
 #include <QTemporaryDir>
 #include <QThread>
 #include <QToolButton>
@@ -31,6 +33,7 @@ private slots:
     void picturesStayWithTheirEntries();
     void anotherEntryDropsWhatIsBeingRead();
     void lateFramesOfAnotherEntryAreDropped();
+    void anEmbeddedPictureNeedsNoFile();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -199,6 +202,44 @@ void TransformationStateTest::lateFramesOfAnotherEntryAreDropped() {
         disconnect(watch);
         QVERIFY(!isLate);
     }
+}
+
+void TransformationStateTest::anEmbeddedPictureNeedsNoFile() {
+    open(threeOfThree);
+    QTRY_VERIFY(view()->isPainted());
+    QAction* embed = nullptr;
+    for (const auto* candidate : view()->bar()->findChildren<QToolButton*>())
+        if (const QMenu* menu = candidate->menu())
+            for (QAction* action : menu->actions())
+                if (action->text() == QStringLiteral("Embed in the File")) embed = action;
+    QVERIFY(embed && !embed->isEnabled()); // a pattern is no file
+    const QTemporaryDir folder;
+    QImage blue(40, 40, QImage::Format_RGB32);
+    blue.fill(QColor(20, 60, 250));
+    const QString path = folder.filePath(QStringLiteral("blue.png"));
+    QVERIFY(blue.save(path));
+    view()->usePicture(path);
+    QTRY_COMPARE(kept().picture, path);
+    QVERIFY(kept().embedded.isEmpty() && embed->isEnabled() && !embed->isChecked());
+    const int steps = document().undoStack()->count();
+    embed->trigger();
+    QTRY_VERIFY(!kept().embedded.isEmpty());
+    QCOMPARE(document().undoStack()->count(), steps + 1);
+    QVERIFY(embed->isChecked());
+    QVERIFY(QFile::remove(path));
+    const document::EntryId own = document().currentId();
+    document().setCurrent(document().file().entries[2].id);
+    QTRY_VERIFY(view()->isPainted());
+    QVERIFY(!embed->isChecked());
+    document().setCurrent(own);
+    QTRY_VERIFY(view()->theft()->picture() && view()->theft()->picture()->width() == 40);
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    embed->trigger(); // now it is looked for where it was
+    QVERIFY(kept().embedded.isEmpty());
+    QTRY_VERIFY(problem().contains(QStringLiteral("blue.png")));
+    embed->trigger();
+    QTRY_VERIFY(!embed->isChecked()); // it cannot be read
+    QVERIFY(kept().embedded.isEmpty());
 }
 
 QTEST_MAIN(TransformationStateTest)
