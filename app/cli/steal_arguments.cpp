@@ -100,7 +100,10 @@ document::KeptTheft theftOf(const StealArguments& arguments, const document::Fra
                              .arg(printableLine(entry.name))};
     if (arguments.order) theft.order = orderOf(arguments);
     if (arguments.mode) theft.mode = modeOf(arguments);
-    if (arguments.picture) theft.picture.clear();
+    if (arguments.picture) {
+        theft.picture.clear();
+        theft.embedded.clear();
+    }
     if (arguments.picture && !arguments.from) theft.view.reset(); // it was of the picture that is kept
     return theft;
 }

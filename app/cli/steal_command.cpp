@@ -278,11 +278,11 @@ ExitStatus printTear(const document::CoupledEntries& entries, const StealArgumen
                    ExitStatus::Done);
 }
 
-// Empty where a pattern is drawn.
+// Empty where a pattern is drawn, or a picture that is embedded.
 QString picturePath(const Sources& sources, const StealArguments& arguments) {
     if (arguments.picture) return fileNameOf(*arguments.picture);
     const QString& kept = sources.theft.picture;
-    if (kept.isEmpty()) return {};
+    if (kept.isEmpty() || !sources.theft.embedded.isEmpty()) return {};
     const QDir folder = arguments.file == "-" ? QDir() : QFileInfo(fileNameOf(arguments.file)).dir();
     return QDir::cleanPath(folder.filePath(kept));
 }
@@ -290,12 +290,16 @@ QString picturePath(const Sources& sources, const StealArguments& arguments) {
 std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
                                                        const StealArguments& arguments) {
     const QString path = picturePath(sources, arguments);
-    if (path.isEmpty())
+    QByteArray bytes = sources.theft.embedded;
+    if (path.isEmpty() && bytes.isEmpty())
         return std::make_shared<const attractor::MipPicture>(attractor::picture(sources.theft.pattern));
-    const io::Loaded loaded = io::loadFile(path);
-    if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
-    io::ReadPicture read = io::decodePicture(loaded.bytes);
-    if (read.failure) throw InputError{path, *read.failure};
+    if (!path.isEmpty()) {
+        io::Loaded loaded = io::loadFile(path);
+        if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
+        bytes = std::move(loaded.bytes);
+    }
+    io::ReadPicture read = io::decodePicture(bytes);
+    if (read.failure) throw InputError{path.isEmpty() ? sources.file->name : path, *read.failure};
     return std::make_shared<const attractor::MipPicture>(std::move(read.picture));
 }
 

@@ -44,6 +44,7 @@ void TheftBridge::setActive(bool active) {
 void TheftBridge::setTheft(const document::KeptTheft& theft) {
     if (m_theft == theft) return;
     m_theft = theft;
+    m_firstJob = m_lastJob + 1;
     request(false);
 }
 
@@ -53,6 +54,7 @@ void TheftBridge::setOverlay(double opacity) {
 
 void TheftBridge::setPicture(std::shared_ptr<const attractor::MipPicture> picture) {
     m_picture = std::move(picture);
+    m_firstJob = m_lastJob + 1;
     request(false);
 }
 
@@ -60,12 +62,16 @@ void TheftBridge::request(bool live) {
     if (!m_isActive || !m_picture || m_partner->id() == document::EntryId::None ||
         !document::plane(m_host->fractal())) {
         m_thread->cancel();
+        m_from.reset();
+        setFlaw(std::nullopt);
         substitute(false);
         return;
     }
+    compare(live);
     document::TheftJob job;
-    job.from = {m_host->sharedFractal(), m_onHost->camera(), m_onHost->requested()};
-    job.to = {m_partner->document().sharedFractal(), m_onPartner->camera(), m_onPartner->requested()};
+    job.number = ++m_lastJob;
+    job.from = {m_from, m_onHost->camera(), m_onHost->requested()};
+    job.to = {m_to, m_onPartner->camera(), m_onPartner->requested()};
     job.order = m_theft.order;
     job.mode = m_theft.mode;
     job.view = m_theft.view;
@@ -75,12 +81,31 @@ void TheftBridge::request(bool live) {
     m_thread->submit(std::move(job));
 }
 
+// After an edit, what is known of the entries before it is not true any more. In a gesture it stays until
+// there is better, so that nothing flickers.
+void TheftBridge::compare(bool live) {
+    const auto from = m_host->sharedFractal(), to = m_partner->document().sharedFractal();
+    if (from == m_from && to == m_to && m_theft.order == m_order) return;
+    m_from = from;
+    m_to = to;
+    m_order = m_theft.order;
+    if (live) return;
+    m_firstJob = m_lastJob + 1;
+    setFlaw(document::evidentFlaw(*from, *to, m_order));
+}
+
+void TheftBridge::setFlaw(std::optional<document::CouplingOutcome> flaw) {
+    const bool isSaid = m_flaw || flaw;
+    m_flaw = std::move(flaw);
+    if (isSaid) emit flawChanged();
+}
+
 void TheftBridge::takeFrames() {
     const std::shared_ptr<const document::StolenFrames> frames = m_thread->newest();
-    if (!frames || !m_isActive || m_partner->id() == document::EntryId::None) return;
-    const bool hadFlaw = m_flaw.has_value();
-    m_flaw = frames->flaw;
-    if (m_flaw || hadFlaw) emit flawChanged();
+    if (!frames || frames->number < m_firstJob || !m_isActive || !m_picture ||
+        m_partner->id() == document::EntryId::None)
+        return;
+    setFlaw(frames->flaw);
     if (m_flaw) return substitute(false);
     if (!m_isSubstituting) return substitute(true); // which asks for pictures of its own
     if (frames->from) m_onHost->take(frames->from);

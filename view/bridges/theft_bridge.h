@@ -7,8 +7,11 @@
 
 #include <QObject>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace view {
 
@@ -30,7 +33,7 @@ public:
     void setPicture(std::shared_ptr<const attractor::MipPicture> picture); // null: none yet
 
     const std::shared_ptr<const attractor::MipPicture>& picture() const { return m_picture; }
-    // Why there is no transformation, as far as is known; without value where there is one.
+    // Why there is no transformation between the entries as they are now, as far as is known.
     const std::optional<document::CouplingOutcome>& flaw() const { return m_flaw; }
 
 signals:
@@ -39,6 +42,8 @@ signals:
 
 private:
     void request(bool live);
+    void compare(bool live);
+    void setFlaw(std::optional<document::CouplingOutcome> flaw);
     void takeFrames();
     void substitute(bool on);
 
@@ -49,6 +54,10 @@ private:
     document::KeptTheft m_theft;
     std::shared_ptr<const attractor::MipPicture> m_picture;
     std::optional<document::CouplingOutcome> m_flaw;
+    std::shared_ptr<const document::Fractal> m_from, m_to; // of the last job, and the order
+    std::vector<std::size_t> m_order;
+    std::uint64_t m_lastJob = 0;
+    std::uint64_t m_firstJob = 1; // frames of earlier ones show other entries, or another picture
     double m_overlay = 0;
     bool m_isActive = false;
     bool m_isSubstituting = false;

@@ -47,28 +47,39 @@ MapOrder::MapOrder(QWidget* parent) : QWidget(parent), m_list(new QListWidget(th
     m_down = flatButton(QString(), QStringLiteral("↓"), tr("Move the map towards the bottom"), this);
     for (QToolButton* button : {m_up, m_down})
         button->setAccessibleName(button->toolTip());
+    m_reset = flatButton(QStringLiteral("reset"), tr("Reset Order"),
+                         tr("Reset Order: puts the maps back in the order of their numbers"), this);
+    m_reset->setWhatsThis(
+        tr("Puts the maps back in the order of their numbers, which is that of the Maps panel: "
+           "map 1 is on top. This is one step that you can undo."));
     auto* title = new QLabel(tr("On top"), this);
     title->setBuddy(m_list);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_up);
     buttons->addWidget(m_down);
+    buttons->addWidget(m_reset);
+    buttons->setSpacing(0);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(title);
     layout->addWidget(m_list, 1);
     layout->addLayout(buttons);
-    setFixedWidth(std::max(letters * fontMetrics().averageCharWidth() + 36, title->sizeHint().width() + 8));
+    setFixedWidth(std::max({letters * fontMetrics().averageCharWidth() + 36, title->sizeHint().width() + 8,
+                            buttons->sizeHint().width() + 8}));
     connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
     connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
+    connect(m_reset, &QToolButton::clicked, this, [this] { emit ordered({}); });
     connect(m_list, &QListWidget::currentRowChanged, this, &MapOrder::updateButtons);
     // Once the drop is over: the list is filled anew.
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &MapOrder::report, Qt::QueuedConnection);
+    m_reset->setEnabled(false);
     updateButtons();
 }
 
 void MapOrder::show(const document::Fractal& fractal, const std::vector<std::size_t>& order) {
     m_maps = activeIndices(fractal);
     const bool isEach = order.size() == m_maps.size() && std::ranges::is_permutation(order, m_maps);
+    m_reset->setEnabled(!order.empty());
     const int row = m_list->currentRow();
     const QSignalBlocker quiet(m_list);
     m_list->clear();

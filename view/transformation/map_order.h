@@ -13,14 +13,15 @@ class QToolButton;
 
 namespace view {
 
-// The order of the maps, the one on top first, each in its colour: dragged, or moved by two buttons.
+// The order of the maps, the one on top first, each in its colour: dragged, moved by two buttons, or all
+// put back by a third.
 class MapOrder : public QWidget {
     Q_OBJECT
 
 public:
     explicit MapOrder(QWidget* parent = nullptr);
 
-    // The active maps of the fractal; an order that does not name each once is as they are.
+    // The active maps of the fractal; where the order does not name each once, they are shown as they are.
     void show(const document::Fractal& fractal, const std::vector<std::size_t>& order);
 
 signals:
@@ -34,6 +35,7 @@ private:
     QListWidget* m_list;
     QToolButton* m_up;
     QToolButton* m_down;
+    QToolButton* m_reset;
     std::vector<std::size_t> m_maps; // active, as they are
 };
 

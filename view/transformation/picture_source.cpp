@@ -2,7 +2,8 @@
 #include "transformation/picture_source.h"
 
 #include "io/file/background.h"
-#include "io/tops/picture_reader.h"
+
+#include <QCryptographicHash>
 
 #include <utility>
 
@@ -21,9 +22,13 @@ PictureSource::PictureSource(QObject* parent) : QObject(parent) {
 
 PictureSource::~PictureSource() = default;
 
-void PictureSource::draw(attractor::Pattern pattern) {
+QString PictureSource::wishFor(attractor::Pattern pattern) {
     const auto name = attractor::nameOf(pattern);
-    const QString wish = QString::fromLatin1(name.data(), qsizetype(name.size()));
+    return QString::fromLatin1(name.data(), qsizetype(name.size()));
+}
+
+void PictureSource::draw(attractor::Pattern pattern) {
+    const QString wish = wishFor(pattern);
     if (std::exchange(m_wish, wish) == wish) return;
     m_work.setFuture(io::inBackground<Outcome>([pattern](QPromise<Outcome>& promise) {
         promise.addResult(
@@ -31,10 +36,23 @@ void PictureSource::draw(attractor::Pattern pattern) {
     }));
 }
 
+QString PictureSource::wishFor(const QByteArray& file) {
+    return QString::fromLatin1(QCryptographicHash::hash(file, QCryptographicHash::Sha256).toHex());
+}
+
 void PictureSource::read(const QString& path) {
     m_wish = path;
-    m_work.setFuture(io::inBackground<Outcome>([path](QPromise<Outcome>& promise) {
-        io::ReadPicture read = io::readPicture(path);
+    wait([path] { return io::readPicture(path); });
+}
+
+void PictureSource::decode(const QByteArray& file) {
+    m_wish = wishFor(file);
+    wait([file] { return io::decodePicture(file); });
+}
+
+void PictureSource::wait(std::function<io::ReadPicture()> reader) {
+    m_work.setFuture(io::inBackground<Outcome>([reader = std::move(reader)](QPromise<Outcome>& promise) {
+        io::ReadPicture read = reader();
         Outcome outcome;
         if (read.failure)
             outcome.failure = *read.failure;

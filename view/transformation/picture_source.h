@@ -2,11 +2,14 @@
 #pragma once
 
 #include "attractor/tops/picture_patterns.h"
+#include "io/tops/picture_reader.h"
 
+#include <QByteArray>
 #include <QFutureWatcher>
 #include <QObject>
 #include <QString>
 
+#include <functional>
 #include <memory>
 
 namespace view {
@@ -23,7 +26,10 @@ public:
 
     void draw(attractor::Pattern pattern);
     void read(const QString& path);                // absolute
-    const QString& wish() const { return m_wish; } // the path, or the name of the pattern
+    void decode(const QByteArray& file);           // of a picture
+    const QString& wish() const { return m_wish; } // the path, or wishFor() the rest
+    static QString wishFor(attractor::Pattern pattern);
+    static QString wishFor(const QByteArray& file);
 
 signals:
     void ready(const std::shared_ptr<const attractor::MipPicture>& picture);
@@ -34,6 +40,8 @@ private:
         Picture picture;
         QString failure;
     };
+
+    void wait(std::function<io::ReadPicture()> reader);
 
     QString m_wish;
     QFutureWatcher<Outcome> m_work;

@@ -16,15 +16,16 @@ struct Text {
 };
 
 QString sizeText(double size) {
-    return QString::number(size, 'g', 2);
+    return size < 99.5 ? QString::number(size, 'g', 2) : QString::number(size, 'f', 0);
 }
 
-ifs::Vector<2> middleOf(const std::array<ifs::Vector<2>, 2>& place) {
-    return (place.front() + place.back()) / 2;
+// How much of the whole attractor a bound is, in per cent.
+QString partText(const ifs::Tear& tear) {
+    return sizeText(tear.whole > 0 ? std::min(100 * tear.size / tear.whole, 100.0) : 100);
 }
 
-QString placeText(const std::array<ifs::Vector<2>, 2>& place) {
-    const ifs::Vector<2> middle = middleOf(place);
+QString placeText(const ifs::Tear& tear) {
+    const ifs::Vector<2> middle = (tear.place->front() + tear.place->back()) / 2;
     return QStringLiteral("(%1, %2)").arg(shortNumber(middle.x()), shortNumber(middle.y()));
 }
 
@@ -56,28 +57,30 @@ QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, c
 }
 
 QString sentenceOf(const ifs::Tear& tear) {
-    if (!tear.place) return Text::tr("Continuous: the pieces do not touch");
-    const ifs::Vector<2> place = middleOf(*tear.place);
-    const QString text = tear.isCutShort ? Text::tr("Continuous to %1 or better, worst at (%2, %3)")
-                                         : Text::tr("Continuous to %1, worst at (%2, %3)");
-    return text.arg(sizeText(tear.size), shortNumber(place.x()), shortNumber(place.y()));
+    if (!tear.place)
+        return tear.isCutShort ? Text::tr("Too many maps to bound the jumps")
+                               : Text::tr("Proved continuous: the pieces do not touch");
+    const QString text =
+        tear.isCutShort
+            ? Text::tr(
+                  "Proved so far: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3")
+            : Text::tr("Proved: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3");
+    return text.arg(sizeText(tear.size), partText(tear), placeText(tear));
 }
 
-QString sentenceOf(const ifs::Tear& there, const ifs::Tear& back, ifs::Homeomorphism verdict) {
-    if (verdict == ifs::Homeomorphism::Proved) return Text::tr("A homeomorphism, as is proved");
-    if (verdict == ifs::Homeomorphism::Refuted) {
-        if (!back.place) return Text::tr("Not a homeomorphism");
-        return Text::tr("Not a homeomorphism: torn by %1 on the way back, worst at %2")
-            .arg(sizeText(back.size), placeText(*back.place));
-    }
-    const bool isCutShort = there.isCutShort || back.isCutShort;
-    const QString size = sizeText(std::max(there.size, back.size));
+QString sentenceOf(const ifs::Tear& back, ifs::Homeomorphism verdict) {
+    if (verdict == ifs::Homeomorphism::Proved) return Text::tr("Proved to be a homeomorphism");
+    const bool isRefuted = verdict == ifs::Homeomorphism::Refuted;
     if (!back.place)
-        return (isCutShort ? Text::tr("Homeomorphism to %1 or better") : Text::tr("Homeomorphism to %1"))
-            .arg(size);
-    return (isCutShort ? Text::tr("Homeomorphism to %1 or better, worst on the way back at %2")
-                       : Text::tr("Homeomorphism to %1, worst on the way back at %2"))
-        .arg(size, placeText(*back.place));
+        return isRefuted ? Text::tr("Proved not to be a homeomorphism")
+                         : Text::tr("Not known whether it is a homeomorphism");
+    const QString text =
+        isRefuted
+            ? Text::tr("Proved not to be a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), "
+                       "worst near %3")
+            : Text::tr("Not known whether it is a homeomorphism; no jump back exceeds %1 (%2 % of this "
+                       "fractal), worst near %3");
+    return text.arg(sizeText(back.size), partText(back), placeText(back));
 }
 
 } // namespace view

@@ -10,8 +10,9 @@ namespace view {
 
 // What the user reads of a fractal transformation: why there is none, and how continuous it is.
 QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, const QString& to);
+// How far a transformation to the partner may jump, and that this is a bound.
 QString sentenceOf(const ifs::Tear& tear);
-// Whether it is a homeomorphism, to what is torn either way: from the first attractor to the second and back.
-QString sentenceOf(const ifs::Tear& there, const ifs::Tear& back, ifs::Homeomorphism verdict);
+// Whether it is a homeomorphism, and how far the way back may jump.
+QString sentenceOf(const ifs::Tear& back, ifs::Homeomorphism verdict);
 
 } // namespace view

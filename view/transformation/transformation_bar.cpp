@@ -6,6 +6,7 @@
 #include "widgets/menu_button.h"
 #include "widgets/tooltip_text.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -102,6 +103,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     connect(m_stack, &QToolButton::toggled, this, &TransformationBar::stacked);
     connect(m_remedy, &QToolButton::clicked, this, [this] {
         if (m_wanted == Remedy::DivideWords) emit divideWanted();
+        if (m_wanted == Remedy::ResetOrder) emit resetOrderWanted();
         if (m_wanted == Remedy::FindPicture) emit pictureWanted();
     });
     showProblem({}, Remedy::None);
@@ -112,6 +114,13 @@ void TransformationBar::addPictures() {
         menuButton(tr("Picture"), tr("The picture on the partner; you can also drop one there"), this);
     QMenu* menu = m_picture->menu();
     menu->addAction(tr("Choose Picture…"), this, &TransformationBar::pictureWanted);
+    m_embed = menu->addAction(tr("Embed in the File"));
+    m_embed->setCheckable(true);
+    m_embed->setToolTip(tr("Store the picture itself with the entry, not only its path"));
+    m_embed->setWhatsThis(
+        tr("Stores the picture itself with the entry, so that the file shows it wherever it goes. "
+           "A picture of more than 128 KB is stored smaller. Otherwise only its path is stored."));
+    connect(m_embed, &QAction::triggered, this, &TransformationBar::embedWanted);
     menu->addSeparator();
     const std::array<std::pair<attractor::Pattern, QString>, 8> patterns{{
         {attractor::Pattern::Wheel, tr("Colour Wheel")},
@@ -149,6 +158,8 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
     m_partner->setCurrentIndex(m_partner->findData(uint(partner)));
     m_partner->setEnabled(m_partner->count() > 0);
     m_mode->setCurrentIndex(m_mode->findData(int(theft.mode)));
+    m_embed->setEnabled(!theft.picture.isEmpty());
+    m_embed->setChecked(!theft.embedded.isEmpty());
     m_picture->setEnabled(theft.mode != TheftMode::DeformationGrid);
     m_picture->setToolTip(
         theft.picture.isEmpty()
@@ -161,16 +172,27 @@ void TransformationBar::showContinuity(const QString& sentence) {
     showStatus();
 }
 
+std::pair<QString, QString> TransformationBar::textsOf(Remedy remedy) {
+    switch (remedy) {
+    case Remedy::FindPicture:
+        return {tr("Find Picture…"), tr("Choose the current location of the picture")};
+    case Remedy::ResetOrder:
+        return {tr("Reset Order"), tr("Put the maps back in the order of their numbers")};
+    case Remedy::DivideWords:
+    case Remedy::None:
+        break;
+    }
+    return {tr("Divide Words"), tr("Divide maps of both entries into words until both have the same number")};
+}
+
 void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
     m_problem = sentence;
     m_wanted = remedy;
     m_remedy->setVisible(remedy != Remedy::None);
-    const QString text = remedy == Remedy::FindPicture ? tr("Find Picture…") : tr("Divide Words");
+    const auto [text, tip] = textsOf(remedy);
     m_remedy->setText(text);
     m_remedy->setAccessibleName(text);
-    m_remedy->setToolTip(remedy == Remedy::FindPicture
-                             ? tr("Choose the current location of the picture")
-                             : tr("Divide maps of both entries into words until both have the same number"));
+    m_remedy->setToolTip(tip);
     showStatus();
 }
 

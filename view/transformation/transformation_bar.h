@@ -7,6 +7,9 @@
 
 #include <QWidget>
 
+#include <utility>
+
+class QAction;
 class QComboBox;
 class QLabel;
 class QToolButton;
@@ -28,7 +31,7 @@ public:
     void show(const document::FractalFile& file, document::EntryId current, document::EntryId partner,
               const document::KeptTheft& theft);
     void showContinuity(const QString& sentence);
-    enum class Remedy { None, DivideWords, FindPicture };
+    enum class Remedy { None, DivideWords, ResetOrder, FindPicture };
     void showProblem(const QString& sentence, Remedy remedy); // an empty sentence: there is none
     QString problem() const;
     QString continuity() const;
@@ -40,8 +43,10 @@ signals:
     void modeChosen(document::TheftMode mode);
     void patternChosen(attractor::Pattern pattern);
     void pictureWanted(); // from a file
+    void embedWanted(bool embedded);
     void starterChosen(document::TheftFamily family);
     void divideWanted();
+    void resetOrderWanted();
     void exportWanted();
     void overlaid(bool on); // the partner over the fractal, translucent
     void stacked(bool on);  // the canvases one above the other, instead of side by side
@@ -49,12 +54,14 @@ signals:
 private:
     void addPictures();
     void addStarters();
+    static std::pair<QString, QString> textsOf(Remedy remedy); // of its button: name, tip
     void showStatus();
 
     QLabel* m_from;
     QComboBox* m_partner;
     QComboBox* m_mode;
     QToolButton* m_picture;
+    QAction* m_embed;
     QToolButton* m_starters;
     QToolButton* m_export;
     ElidedLabel* m_status;

@@ -92,6 +92,7 @@ void TransformationView::setTransformationShown(bool shown) {
         widget->setVisible(shown);
     if (shown) {
         refresh();
+        measureLater();
         arrange(m_splitter->orientation());
     }
     m_theft->setActive(shown);
@@ -129,14 +130,33 @@ void TransformationView::create() {
 
     followTools();
     connectBar();
+    connectSource();
     connect(m_document, &document::Document::changed, this, [this](const document::Change& change) {
-        m_rest.start();
+        measureLater();
+        if (change.parts & (document::Change::Current | document::Change::File)) {
+            m_wanted.clear(); // by the entry before
+            m_embedding.future().cancel();
+            m_isOwnPicture = false;
+        }
         if (!change.live && m_isShown) refresh();
     });
-    connect(&m_partner->document(), &document::Document::changed, this, [this] { m_rest.start(); });
-    connect(m_partner.get(), &document::PartnerDocument::partnerChanged, this, [this] { m_rest.start(); });
+    connect(&m_partner->document(), &document::Document::changed, this, &TransformationView::measureLater);
+    connect(m_partner.get(), &document::PartnerDocument::partnerChanged, this,
+            &TransformationView::measureLater);
     connect(m_theft.get(), &TheftBridge::flawChanged, this, &TransformationView::showProblem);
     connect(m_theft.get(), &TheftBridge::paintedChanged, this, [this] { m_bar->setExportable(isPainted()); });
+    connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
+    connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
+        if (m_measuring.isCanceled() || m_measuring.future().resultCount() == 0) return; // memory was short
+        const Continuity found = m_measuring.result();
+        m_bar->showContinuity(found.there
+                                  ? QStringLiteral("%1. %2").arg(sentenceOf(*found.there),
+                                                                 sentenceOf(*found.back, found.verdict))
+                                  : QString());
+    });
+}
+
+void TransformationView::connectSource() {
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
         if (!m_wanted.isEmpty()) m_refusal.clear(); // else it is the one before, and the refusal still holds
@@ -144,6 +164,7 @@ void TransformationView::create() {
         keepPicture();
         showProblem();
     });
+    connect(&m_embedding, &QFutureWatcherBase::finished, this, &TransformationView::keepEmbedded);
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
         if (const QString wanted = std::exchange(m_wanted, QString()); !wanted.isEmpty()) {
             m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(wanted), sentence);
@@ -153,15 +174,6 @@ void TransformationView::create() {
             m_theft->setPicture(nullptr);
         }
         showProblem();
-    });
-    connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
-    connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
-        if (m_measuring.future().resultCount() == 0) return; // memory was short
-        const Continuity found = m_measuring.result();
-        m_bar->showContinuity(
-            found.there ? QStringLiteral("%1. %2").arg(sentenceOf(*found.there),
-                                                       sentenceOf(*found.there, *found.back, found.verdict))
-                        : QString());
     });
 }
 
@@ -207,15 +219,20 @@ void TransformationView::connectBar() {
         KeptTheft theft = m_kept;
         theft.pattern = pattern;
         theft.picture.clear();
+        theft.embedded.clear();
         m_wanted.clear();
         keep(tr("Choose Picture"), placed(theft, m_partner->document().fractal()));
+        showPicture(); // also where it is the one that was kept
     });
-    connect(m_order, &MapOrder::ordered, this, [this](const std::vector<std::size_t>& order) {
+    const auto putInOrder = [this](const std::vector<std::size_t>& order) {
         KeptTheft theft = m_kept;
         theft.order = order;
-        keep(tr("Reorder Tops"), theft);
-    });
+        keep(order.empty() ? tr("Reset Order") : tr("Reorder Tops"), theft);
+    };
+    connect(m_order, &MapOrder::ordered, this, putInOrder);
+    connect(m_bar, &TransformationBar::resetOrderWanted, this, [putInOrder] { putInOrder({}); });
     connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
+    connect(m_bar, &TransformationBar::embedWanted, this, &TransformationView::embedPicture);
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
     connect(m_bar, &TransformationBar::stacked, this,
             [this](bool on) { arrange(on ? Qt::Vertical : Qt::Horizontal); });
@@ -242,6 +259,7 @@ void TransformationView::refresh() {
     if (partner == current) partner = EntryId::None;
     m_refusal.clear();
     const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));
+    if (before.picture != m_kept.picture) m_embedding.future().cancel();
     if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
         const document::Fractal& fractal = *file.entries[index].fractal;
         m_kept.partner = fractal.name;
@@ -264,12 +282,17 @@ void TransformationView::refresh() {
 }
 
 void TransformationView::showPicture() {
-    if (m_kept.picture.isEmpty()) {
-        m_pictureFailure.clear();
-        return m_source->draw(m_kept.pattern);
-    }
-    const QString path = QDir(folder()).filePath(m_kept.picture);
-    if (path != m_source->wish()) m_source->read(path);
+    if (!m_wanted.isEmpty()) return; // it is being read, and is kept then
+    const bool isEmbedded = !m_kept.embedded.isEmpty(), isPattern = !isEmbedded && m_kept.picture.isEmpty();
+    const QString wish = isEmbedded  ? PictureSource::wishFor(m_kept.embedded)
+                         : isPattern ? PictureSource::wishFor(m_kept.pattern)
+                                     : QDir(folder()).filePath(m_kept.picture);
+    const bool isOwn = std::exchange(m_isOwnPicture, true);
+    if (m_source->wish() == wish) return;
+    m_pictureFailure.clear();
+    if (!isOwn) m_theft->setPicture(nullptr); // another entry's must not be seen on this one
+    if (isEmbedded) return m_source->decode(m_kept.embedded);
+    isPattern ? m_source->draw(m_kept.pattern) : m_source->read(wish);
 }
 
 void TransformationView::showProblem() {
@@ -290,14 +313,22 @@ void TransformationView::showProblem() {
     if (const auto& flaw = m_theft->flaw()) {
         const bool canAgree = flaw->flaw == document::CouplingFlaw::Counts &&
                               document::commonMapCount(flaw->fromCount, flaw->toCount);
-        return m_bar->showProblem(sentenceOf(*flaw, name, m_kept.partner),
-                                  canAgree ? Remedy::DivideWords : Remedy::None);
+        const Remedy remedy = canAgree                                      ? Remedy::DivideWords
+                              : flaw->flaw == document::CouplingFlaw::Order ? Remedy::ResetOrder
+                                                                            : Remedy::None;
+        return m_bar->showProblem(sentenceOf(*flaw, name, m_kept.partner), remedy);
     }
     m_bar->showProblem({}, Remedy::None);
 }
 
+// What was measured is of the entries before.
+void TransformationView::measureLater() {
+    m_measuring.future().cancel();
+    m_bar->showContinuity({});
+    m_rest.start();
+}
+
 void TransformationView::measure() {
-    m_measuring.future().cancel(); // what was measured before is out of date
     if (!m_isShown || m_partner->id() == EntryId::None) return m_bar->showContinuity({});
     m_measuring.setFuture(io::inBackground<Continuity>([from = m_document->sharedFractal(),
                                                         to = m_partner->document().sharedFractal(),
@@ -349,9 +380,38 @@ void TransformationView::keepPicture() {
     const QString path = std::exchange(m_wanted, QString());
     KeptTheft theft = m_kept;
     theft.picture = folder().isEmpty() ? path : QDir(folder()).relativeFilePath(path);
+    theft.embedded.clear();
     if (theft.mode == document::TheftMode::DeformationGrid) theft.mode = document::TheftMode::StealColours;
     theft = placed(theft, m_partner->document().fractal());
     keep(tr("Choose Picture"), theft);
+}
+
+void TransformationView::embedPicture(bool embedded) {
+    m_embedding.future().cancel();
+    if (embedded) {
+        m_embedding.setFuture(io::inBackground<io::PictureToEmbed>(
+            [path = QDir(folder()).filePath(m_kept.picture)](QPromise<io::PictureToEmbed>& promise) {
+                promise.addResult(io::pictureToEmbed(path));
+            }));
+        return;
+    }
+    KeptTheft theft = m_kept;
+    theft.embedded.clear();
+    keep(tr("Do Not Embed Picture"), theft);
+}
+
+void TransformationView::keepEmbedded() {
+    if (m_embedding.isCanceled() || m_embedding.future().resultCount() == 0 || m_kept.picture.isEmpty())
+        return;
+    const io::PictureToEmbed found = m_embedding.result();
+    if (found.failure) {
+        m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(m_kept.picture), *found.failure);
+        m_bar->show(m_document->file(), m_document->currentId(), m_partner->id(), m_kept);
+        return showProblem();
+    }
+    KeptTheft theft = m_kept;
+    theft.embedded = found.bytes;
+    keep(tr("Embed Picture"), theft);
 }
 
 void TransformationView::choosePicture() {

@@ -4,6 +4,7 @@
 #include "bridges/theft_bridge.h"
 #include "document/tops/partner_document.h"
 #include "ifs/tops/tear.h"
+#include "io/tops/picture_to_embed.h"
 #include "transformation/transformation_bar.h"
 
 #include <QFutureWatcher>
@@ -62,17 +63,21 @@ private:
 
     void create();
     void connectBar();
+    void connectSource();
     void followTools();
     void arrange(Qt::Orientation orientation); // both canvases are as large
     void refresh();
     void showPicture();
     void showProblem();
+    void measureLater();
     void measure();
     void keep(const QString& text, const document::KeptTheft& theft);
     void start(document::TheftFamily family);
     document::KeptTheft placed(document::KeptTheft theft, const document::Fractal& partner) const;
     void choosePicture();
     void keepPicture();
+    void embedPicture(bool embedded); // in the entry, once it is read
+    void keepEmbedded();
     bool isOverPartner(const QPoint& position) const;
     QString folder() const; // of the file; empty while it has none
     document::TheftJob job() const;
@@ -95,9 +100,11 @@ private:
     document::KeptTheft m_kept;                               // of the entry, or what would be likely
     document::EntryId m_guessedFor = document::EntryId::None; // the entry, where nothing is kept
     QString m_wanted;                                         // a picture that is to be kept once it is read
+    bool m_isOwnPicture = false;                              // the one that is shown is of this entry
     QString m_pictureFailure;                                 // of the one that is kept
     QString m_refusal;                                        // of one that was chosen
-    QTimer m_rest;                                            // runs until the continuity is measured
+    QFutureWatcher<io::PictureToEmbed> m_embedding;
+    QTimer m_rest; // runs until the continuity is measured
     QFutureWatcher<Continuity> m_measuring;
 };
 

@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace document {
 
@@ -29,9 +30,43 @@ Shown shownOf(const Fractal& fractal) {
     return shown;
 }
 
-// Positions among the maps that take part; the copies of a map under a symmetry stay together.
-std::optional<std::vector<std::size_t>> positions(std::span<const std::size_t> order,
-                                                  const std::vector<std::size_t>& indices) {
+struct Pair {
+    Shown from, to;
+    std::vector<std::size_t> places; // of the maps of `from`, in the order
+};
+
+// nullopt where something is evidently wrong, which the outcome says.
+std::optional<Pair> pairOf(const Fractal& from, const Fractal& to, std::span<const std::size_t> order,
+                           CouplingOutcome& outcome) {
+    Pair pair{shownOf(from), shownOf(to), {}};
+    outcome.fromCount = pair.from.active.maps.size();
+    outcome.toCount = pair.to.active.maps.size();
+    const auto failed = [&](CouplingFlaw flaw, bool isOfSecond) {
+        outcome.flaw = flaw;
+        outcome.isOfSecond = isOfSecond;
+        return std::nullopt;
+    };
+    if (pair.from.flaw) return failed(*pair.from.flaw, false);
+    if (pair.to.flaw) return failed(*pair.to.flaw, true);
+    if (outcome.fromCount != outcome.toCount) return failed(CouplingFlaw::Counts, false);
+    auto places = placesInOrder(order, pair.from.active.index);
+    if (!places) return failed(CouplingFlaw::Order, false);
+    pair.places = std::move(*places);
+    return pair;
+}
+
+template <class Value>
+std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& positions) {
+    std::vector<Value> result;
+    for (const std::size_t position : positions)
+        result.push_back(values[position]);
+    return result;
+}
+
+} // namespace
+
+std::optional<std::vector<std::size_t>> placesInOrder(std::span<const std::size_t> order,
+                                                      const std::vector<std::size_t>& indices) {
     std::vector<std::size_t> result;
     for (const std::size_t index : order) {
         const auto copies = std::ranges::equal_range(indices, index);
@@ -47,41 +82,30 @@ std::optional<std::vector<std::size_t>> positions(std::span<const std::size_t> o
     return isEach ? std::optional(result) : std::nullopt;
 }
 
-template <class Value>
-std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& positions) {
-    std::vector<Value> result;
-    for (const std::size_t position : positions)
-        result.push_back(values[position]);
-    return result;
-}
-
-} // namespace
-
 CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order) {
-    Shown f = shownOf(from), g = shownOf(to);
     CouplingOutcome outcome;
-    outcome.fromCount = f.active.maps.size();
-    outcome.toCount = g.active.maps.size();
-    const auto failed = [&](CouplingFlaw flaw, bool isOfSecond) {
-        outcome.flaw = flaw;
-        outcome.isOfSecond = isOfSecond;
-        return outcome;
-    };
-    if (f.flaw) return failed(*f.flaw, false);
-    if (g.flaw) return failed(*g.flaw, true);
-    if (outcome.fromCount != outcome.toCount) return failed(CouplingFlaw::Counts, false);
-    const auto places = positions(order, f.active.index);
-    if (!places) return failed(CouplingFlaw::Order, false);
-    auto fromAttractor = ifs::SupportFunction<2>::of(picked(f.active.maps, *places));
-    if (!fromAttractor) return failed(CouplingFlaw::NoAttractor, false);
-    auto toAttractor = ifs::SupportFunction<2>::of(picked(g.active.maps, *places));
-    if (!toAttractor) return failed(CouplingFlaw::NoAttractor, true);
-    outcome.entries = CoupledEntries{std::move(f.fractal),
-                                     std::move(g.fractal),
+    const std::optional<Pair> pair = pairOf(from, to, order, outcome);
+    if (!pair) return outcome;
+    const auto& [f, g, places] = *pair;
+    outcome.flaw = CouplingFlaw::NoAttractor;
+    auto fromAttractor = ifs::SupportFunction<2>::of(picked(f.active.maps, places));
+    if (!fromAttractor) return outcome;
+    auto toAttractor = ifs::SupportFunction<2>::of(picked(g.active.maps, places));
+    outcome.isOfSecond = !toAttractor;
+    if (!toAttractor) return outcome;
+    outcome.entries = CoupledEntries{f.fractal,
+                                     g.fractal,
                                      std::move(*fromAttractor),
                                      std::move(*toAttractor),
-                                     picked(f.active.probabilities, *places),
-                                     picked(f.active.index, *places)};
+                                     picked(f.active.probabilities, places),
+                                     picked(f.active.index, places)};
+    return outcome;
+}
+
+std::optional<CouplingOutcome> evidentFlaw(const Fractal& from, const Fractal& to,
+                                           std::span<const std::size_t> order) {
+    CouplingOutcome outcome;
+    if (pairOf(from, to, order, outcome)) return std::nullopt;
     return outcome;
 }
 

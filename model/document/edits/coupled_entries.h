@@ -12,6 +12,12 @@
 
 namespace document {
 
+// Of active maps, whose indices in the system are given: their positions in the order that lists these
+// indices, the one on top first; empty: as they are. Copies of a map under a symmetry stay together, in their
+// order. nullopt where the order does not name each map once.
+std::optional<std::vector<std::size_t>> placesInOrder(std::span<const std::size_t> order,
+                                                      const std::vector<std::size_t>& indices);
+
 // Two entries whose maps correspond, for a fractal transformation from the first to the second: of the maps
 // that take part, the k-th of one goes with the k-th of the other.
 struct CoupledEntries {
@@ -40,8 +46,11 @@ struct CouplingOutcome {
     std::size_t fromCount = 0, toCount = 0; // of maps that take part
 };
 
-// `order` lists the maps of the first entry by their indices, the one on top first; empty: as they are. Under
-// a symmetry, an index stands for all copies of its map, in their order.
+// `order` is that of the maps of the first entry, as in placesInOrder().
 CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order);
+
+// What coupled() would say against the entries before it looks for their attractors, which may take long.
+std::optional<CouplingOutcome> evidentFlaw(const Fractal& from, const Fractal& to,
+                                           std::span<const std::size_t> order);
 
 } // namespace document

@@ -16,6 +16,8 @@ const QString prefix = QStringLiteral("barycage: partner");
 constexpr qsizetype maxValue = 36; // letters of a path on one line, so that it stays under 70
 constexpr std::size_t maxOrder = 4096;
 constexpr qsizetype maxPath = 8192;
+constexpr qsizetype maxDataLine = 44; // letters, four of which hold three bytes
+const QByteArray::Base64Options dataLetters = QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals;
 
 const std::array<std::pair<TheftMode, const char*>, 5> modeNames{{
     {TheftMode::StealColours, "steal"},
@@ -51,10 +53,17 @@ std::optional<attractor::View> viewOf(const QString& value) {
     return attractor::View{{numbers[0], numbers[1]}, numbers[2]};
 }
 
-void readLine(const QString& key, const QString& value, KeptTheft& theft, QByteArray& path) {
+// What is spread over several lines.
+struct Encoded {
+    QByteArray path, data;
+};
+
+void readLine(const QString& key, const QString& value, KeptTheft& theft, Encoded& encoded) {
     if (key.isEmpty()) theft.partner = value;
     if (key == QLatin1String("-order")) readOrder(value, theft.order);
-    if (key == QLatin1String("-picture") && path.size() < maxPath) path += value.toLatin1();
+    if (key == QLatin1String("-picture") && encoded.path.size() < maxPath) encoded.path += value.toLatin1();
+    if (key == QLatin1String("-data") && encoded.data.size() < 2 * maxEmbeddedPicture)
+        encoded.data += value.toLatin1();
     if (key == QLatin1String("-view")) theft.view = viewOf(value);
     if (key == QLatin1String("-mode")) theft.mode = theftModeNamed(value).value_or(theft.mode);
     if (key == QLatin1String("-pattern"))
@@ -80,6 +89,9 @@ QStringList linesOf(const KeptTheft& theft) {
     const QByteArray path = QUrl::toPercentEncoding(theft.picture, "/");
     for (qsizetype at = 0; at < path.size(); at += maxValue)
         lines << line("-picture", QString::fromLatin1(path.mid(at, maxValue)));
+    const QByteArray data = theft.embedded.toBase64(dataLetters);
+    for (qsizetype at = 0; at < data.size(); at += maxDataLine)
+        lines << line("-data", QString::fromLatin1(data.mid(at, maxDataLine)));
     if (theft.view)
         lines << line("-view", QStringLiteral("%1 %2 %3")
                                    .arg(theft.view->centre.x(), 0, 'g', 12)
@@ -98,14 +110,15 @@ std::optional<TheftMode> theftModeNamed(const QString& name) {
 
 std::optional<KeptTheft> keptTheft(const Fractal& fractal) {
     KeptTheft theft;
-    QByteArray path;
+    Encoded encoded;
     for (const QString& comment : fractal.comments) {
         if (!isOurs(comment)) continue;
         const QString rest = comment.mid(prefix.size());
         const qsizetype blank = rest.indexOf(u' ');
-        if (blank >= 0) readLine(rest.left(blank), rest.mid(blank + 1).trimmed(), theft, path);
+        if (blank >= 0) readLine(rest.left(blank), rest.mid(blank + 1).trimmed(), theft, encoded);
     }
-    theft.picture = QUrl::fromPercentEncoding(path);
+    theft.picture = QUrl::fromPercentEncoding(encoded.path);
+    theft.embedded = QByteArray::fromBase64(encoded.data, dataLetters);
     return theft.partner.isEmpty() ? std::nullopt : std::optional(theft);
 }
 

@@ -5,6 +5,7 @@
 #include "attractor/tops/picture_patterns.h"
 #include "document/fractal.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <cstddef>
@@ -21,6 +22,8 @@ enum class TheftMode {
     Posterise,        // the same, and loses shades
 };
 
+inline constexpr qsizetype maxEmbeddedPicture = 128 * 1024; // bytes
+
 std::optional<TheftMode> theftModeNamed(const QString& name); // as it is kept: steal, transform, grid, …
 
 // What an entry keeps of its fractal transformation, in comments "barycage: partner…" of its own.
@@ -30,7 +33,8 @@ struct KeptTheft {
     std::vector<std::size_t> order; // indices of the maps, the one on top first; empty: as they are
     TheftMode mode = TheftMode::StealColours;
     attractor::Pattern pattern = attractor::Pattern::Wheel;
-    QString picture; // its path from the folder of the file, with slashes; empty: the pattern
+    QString picture;     // its path from the folder of the file, with slashes; empty: the pattern
+    QByteArray embedded; // a file of it in the entry itself, which is used in place of that path; empty: none
     // What the picture shows of the plane of G, for StealColours; nullopt: as it would be rendered. y
     // upwards.
     std::optional<attractor::View> view;

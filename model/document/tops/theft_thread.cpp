@@ -101,7 +101,7 @@ void TheftThread::State::serve() {
 
 void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) {
     couple(job);
-    if (!coupling.entries) return publish({nullptr, nullptr, coupling}, stop);
+    if (!coupling.entries) return publish({nullptr, nullptr, coupling, job.number}, stop);
     const auto begin = Clock::now();
     if (!show(job, livePoints, stop)) return;
     const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
@@ -130,6 +130,7 @@ bool TheftThread::State::show(const TheftJob& job, std::uint64_t points, const s
     const auto picture = laid(*coupling.entries, job.picture, job.mode, job.view, there, stop);
     if (!picture) return false;
     StolenFrames frames;
+    frames.number = job.number;
     if (isShown(job.from)) frames.from = drawFrom(job, *picture, points, stop);
     if (stop.stop_requested()) return false;
     if (isShown(job.to)) frames.to = drawTo(job, *picture, points, stop);

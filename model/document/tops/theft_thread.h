@@ -6,6 +6,7 @@
 #include "document/edits/coupled_entries.h"
 #include "document/tops/kept_theft.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@ struct TheftJob {
     std::shared_ptr<const attractor::MipPicture> picture; // not null
     double overlay = 0;                                   // opacity of G over F, in the picture of F
     bool isLive = false;                                  // more of the same is to come
+    std::uint64_t number = 0;                             // by which its frames are known
 
     friend bool operator==(const TheftJob&, const TheftJob&) = default;
 };
@@ -36,6 +38,7 @@ struct TheftJob {
 struct StolenFrames {
     std::shared_ptr<const attractor::Frame> from, to; // null where not drawn, or where there is a flaw
     std::optional<CouplingOutcome> flaw;              // why there is no transformation
+    std::uint64_t number = 0;                         // of the job
 };
 
 // A worker thread around DeferredTheft: the newest job wins, an older one is abandoned within milliseconds.

@@ -52,7 +52,7 @@ public:
         const std::size_t maps = m_from.maps().size();
         const double whole = diameterOf(m_aroundTo.corners);
         if (maps * maps > m_maxPairs || m_pieces.size() + maps > maxPieces)
-            return {whole * slack, std::nullopt, true};
+            return {whole * slack, std::nullopt, true, whole * slack};
         const std::uint32_t first = childrenOf(0);
         for (std::uint32_t i = 0; i < maps; ++i)
             for (std::uint32_t j = i + 1; j < maps; ++j)
@@ -61,11 +61,11 @@ public:
             const Pair pair = m_open.top();
             const bool isSettled =
                 std::max(m_pieces[pair.a].diameter, m_pieces[pair.b].diameter) <= m_epsilon;
-            if (isSettled || isFull()) return {pair.bound * slack, placeOf(pair), !isSettled};
+            if (isSettled || isFull()) return {pair.bound * slack, placeOf(pair), !isSettled, whole * slack};
             m_open.pop();
             divide(pair);
         }
-        return {};
+        return {0, std::nullopt, false, whole * slack};
     }
 
 private:

@@ -11,13 +11,14 @@
 namespace ifs {
 
 // Of words σ, ω that differ in their first symbol, the shortest whose pieces of F have diameters of at most ε
-// and lie within ε of each other: the largest diameter of v_σ(A_G) ∪ v_ω(A_G). No jump of T_FG between such
-// pieces is larger.
+// and lie within ε of each other: the largest diameter of v_σ(A_G) ∪ v_ω(A_G). This is proved: no jump of
+// T_FG between points of different pieces w_i(A_F) is larger.
 struct Tear {
     double size = 0;
     std::optional<std::array<Vector<2>, 2>>
         place;               // a point of F in each piece; none where no pieces are near
     bool isCutShort = false; // of pieces that are larger than ε: a bound all the same
+    double whole = 0;        // the same for all of A_G, which no jump can exceed
 };
 
 // As many maps in both, which correspond by their indices. ε > 0. About `maxPairs` pairs are kept at most.

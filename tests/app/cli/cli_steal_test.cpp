@@ -29,6 +29,7 @@ private slots:
     void cagesAreApplied();
     void sameBytes();
     void drawsWhatTheEntryKeeps();
+    void embeddedPicturesAreDrawn();
     void thePictureIsNotWrittenOver();
     void keptTransformationsAreChecked();
     void readsAnyPicture_data();
@@ -291,6 +292,31 @@ void CliStealTest::drawsWhatTheEntryKeeps() {
     const Result points = run("steal pictures/kept.ifs --map 0.5,0.5 --json");
     QCOMPARE(points.out,
              run("steal pictures/kept.ifs --from uneven --order 4,3,2,1 --map 0.5,0.5 --json").out);
+}
+
+// The picture in the entry, wherever the one is that it was made of.
+void CliStealTest::embeddedPicturesAreDrawn() {
+    const QByteArray picture = encoded(board(60, 60), "PNG");
+    const QByteArray data = picture.toBase64(QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals);
+    QByteArray lines = " ; barycage: partner uneven\n ; barycage: partner-picture lost.png\n";
+    for (qsizetype at = 0; at < data.size(); at += 44)
+        lines += " ; barycage: partner-data " + data.mid(at, 44) + '\n';
+    const QByteArray rows =
+        " .5 0 0 .5 0 0 .25\n .5 0 0 .5 0 .5 .25\n .5 0 0 .5 .5 0 .25\n .5 0 0 .5 .5 .5 .25\n}\n"
+        "uneven {\n .3 0 0 .4 0 0 .25\n .3 0 0 .6 0 .4 .25\n .7 0 0 .4 .3 0 .25\n"
+        " .7 0 0 .6 .3 .4 .25\n}\n";
+    write("embedded.ifs", "square {\n" + lines + rows);
+    write("board60.png", picture);
+    const QByteArray options = "-o - --size 60x60 --points 1M ";
+    const Result kept = run("steal embedded.ifs " + options);
+    QVERIFY2(kept.status == 0, kept.err.constData());
+    const Result given = run("steal embedded.ifs --picture board60.png " + options);
+    QVERIFY2(given.status == 0, given.err.constData());
+    QCOMPARE(QImage::fromData(kept.out), QImage::fromData(given.out));
+    write("damaged.ifs", "square {\n ; barycage: partner uneven\n ; barycage: partner-data AAAA\n" + rows);
+    const Result damaged = run("steal damaged.ifs " + options);
+    QCOMPARE(damaged.status, 1);
+    QVERIFY2(damaged.err.contains("damaged.ifs"), damaged.err.constData());
 }
 
 void CliStealTest::thePictureIsNotWrittenOver() {

@@ -49,6 +49,26 @@ private slots:
         QVERIFY(document::withTheft(kept, std::nullopt) == fractal);
     }
 
+    // A picture in the entry itself, of all bytes.
+    void embeddedPicturesComeBack() {
+        KeptTheft theft;
+        theft.partner = QStringLiteral("other");
+        theft.picture = QStringLiteral("photo.jpg");
+        for (int k = 0; k < 5000; ++k)
+            theft.embedded += char(k * 37 % 256);
+        const Fractal kept = document::withTheft(document::sierpinskiTriangle(), theft);
+        for (const QString& comment : kept.comments)
+            QVERIFY2(comment.toUtf8().size() < 70, qPrintable(comment));
+        const document::FractalFile read = io::readFractint(io::writeFractint(document::fileOf(kept)));
+        QCOMPARE(read.entries.size(), 1);
+        QVERIFY(read.entries.first().problems.isEmpty());
+        QCOMPARE(document::keptTheft(*read.entries.first().fractal), std::optional(theft));
+        Fractal longer = kept; // than anybody embeds
+        for (int k = 0; k < 20'000; ++k)
+            longer.comments << QStringLiteral("barycage: partner-data ") + QString(44, u'A');
+        QVERIFY(document::keptTheft(longer)->embedded.size() <= 2 * document::maxEmbeddedPicture);
+    }
+
     void nothingIsKeptWithoutAPartner() {
         const Fractal fractal = document::sierpinskiTriangle();
         KeptTheft theft;

@@ -124,6 +124,28 @@ private slots:
         QVERIFY(outcome.entries);
     }
 
+    // 3 above 1 above 2: the words are 11, 12, 13, 21, 22, 23, 3.
+    void dividedWordsInheritTheOrder() {
+        document::KeptTheft theft;
+        theft.partner = QStringLiteral("other");
+        theft.order = {2, 0, 1};
+        const Fractal whole = document::withTheft(document::sierpinskiTriangle(), theft);
+        const auto orderOf = [](const Fractal& fractal) { return document::keptTheft(fractal)->order; };
+        const Fractal divided = document::withWordsDivided(whole, 7);
+        QCOMPARE(orderOf(divided), (std::vector<std::size_t>{6, 2, 0, 1, 5, 3, 4}));
+        QVERIFY(document::coupled(divided, divided, orderOf(divided)).entries);
+        theft.order = {};
+        const Fractal inOrder = document::withTheft(whole, theft);
+        QVERIFY(orderOf(document::withWordsDivided(inOrder, 7)).empty());
+        theft.order = {0, 1}; // of other maps
+        QVERIFY(orderOf(document::withWordsDivided(document::withTheft(whole, theft), 7)).empty());
+        Fractal partly = whole; // a map that is off has an index all the same
+        document::system2(partly)->maps[0].enabled = false;
+        theft.order = {2, 1};
+        QCOMPARE(orderOf(document::withWordsDivided(document::withTheft(partly, theft), 3)),
+                 (std::vector<std::size_t>{2, 1, 0}));
+    }
+
     void copiesUnderASymmetryKeepTheirPlaceTogether() {
         document::Fractal fractal = document::sierpinskiTriangle();
         ifs::Symmetry<2> twice;

@@ -119,6 +119,12 @@ void TearTest::limitsItsWork() {
     QVERIFY(torn.isCutShort);
     const auto finer = ifs::tear(attractorOf(fern), attractorOf(fern), 1e-9, 20000);
     QVERIFY(finer.size > 0 && finer.size <= torn.size); // bounds both
+    const auto nothing =
+        ifs::tear(attractorOf(fern), attractorOf(fern), 1e-9, 10); // fewer than the first pairs
+    QVERIFY(nothing.isCutShort && !nothing.place);
+    for (const auto& bound : {torn, finer, nothing})
+        QVERIFY(bound.size <= bound.whole &&
+                bound.whole >= 0.999 * (attractorOf(fern)({0, 1}).value + attractorOf(fern)({0, -1}).value));
 }
 
 void TearTest::homeomorphisms_data() {

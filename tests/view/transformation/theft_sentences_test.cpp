@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <optional>
+
 using document::CouplingFlaw;
 using ifs::Homeomorphism;
 using ifs::Tear;
@@ -15,30 +17,37 @@ class TheftSentencesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void continuityHasItsPlace() {
-        const Tear torn{0.0041, Place{{{0.25, 0.5}, {0.25, 0.7}}}, false};
-        QCOMPARE(view::sentenceOf(torn), QStringLiteral("Continuous to 0.0041, worst at (0.25, 0.6)"));
+    // What is said is a bound that is proved, with its share of the whole and its place.
+    void boundsHaveTheirPlace() {
+        const Tear torn{0.0041, Place{{{0.25, 0.5}, {0.25, 0.7}}}, false, 4.1};
+        QCOMPARE(view::sentenceOf(torn),
+                 QStringLiteral("Proved: no jump between pieces exceeds 0.0041 (0.1 % of "
+                                "the partner), worst near (0.25, 0.6)"));
         Tear bound = torn;
         bound.isCutShort = true;
+        bound.size = bound.whole; // nothing better than the whole is known
         QCOMPARE(view::sentenceOf(bound),
-                 QStringLiteral("Continuous to 0.0041 or better, worst at (0.25, 0.6)"));
-        QCOMPARE(view::sentenceOf(Tear{}), QStringLiteral("Continuous: the pieces do not touch"));
+                 QStringLiteral("Proved so far: no jump between pieces exceeds 4.1 (100 % of "
+                                "the partner), worst near (0.25, 0.6)"));
+        QCOMPARE(view::sentenceOf(Tear{}), QStringLiteral("Proved continuous: the pieces do not touch"));
+        const Tear none{2, std::nullopt, true, 2}; // nothing was looked at
+        QCOMPARE(view::sentenceOf(none), QStringLiteral("Too many maps to bound the jumps"));
     }
 
-    // A homeomorphism to the larger of both tears, with the place in the partner.
-    void bothWaysCount() {
-        const Tear small{0.0041, Place{{{0.25, 0.5}, {0.25, 0.7}}}, false};
-        const Tear large{0.33, Place{{{0.5, 0}, {1.5, 0}}}, false};
+    // Nothing is called a homeomorphism that is not proved to be one.
+    void theWayBackIsBoundedToo() {
+        const Tear large{0.33, Place{{{0.5, 0}, {1.5, 0}}}, false, 1};
         const auto unknown = Homeomorphism::Unknown;
-        QCOMPARE(view::sentenceOf(small, large, unknown),
-                 QStringLiteral("Homeomorphism to 0.33, worst on the way back at (1, 0)"));
-        QCOMPARE(view::sentenceOf(large, small, unknown),
-                 QStringLiteral("Homeomorphism to 0.33, worst on the way back at (0.25, 0.6)"));
-        QCOMPARE(view::sentenceOf(small, Tear{}, unknown), QStringLiteral("Homeomorphism to 0.0041"));
-        Tear bound = large;
-        bound.isCutShort = true;
-        QCOMPARE(view::sentenceOf(small, bound, unknown),
-                 QStringLiteral("Homeomorphism to 0.33 or better, worst on the way back at (1, 0)"));
+        QCOMPARE(
+            view::sentenceOf(large, unknown),
+            QStringLiteral("Not known whether it is a homeomorphism; no jump back exceeds 0.33 (33 % of this "
+                           "fractal), worst near (1, 0)"));
+        QCOMPARE(view::sentenceOf(Tear{}, unknown),
+                 QStringLiteral("Not known whether it is a homeomorphism"));
+        QCOMPARE(view::sentenceOf(large, Homeomorphism::Refuted),
+                 QStringLiteral(
+                     "Proved not to be a homeomorphism; no jump back exceeds 0.33 (33 % of this fractal), "
+                     "worst near (1, 0)"));
     }
 
     // The interval, once torn into dust and once glued.
@@ -46,13 +55,15 @@ private slots:
         const auto whole = tops::attractorOf(tops::interval(0.5)), dust = tops::attractorOf(tops::cantor());
         const Tear there = ifs::tear(whole, dust, 0.01), back = ifs::tear(dust, whole, 0.01);
         QVERIFY(there.place && !back.place);
-        QCOMPARE(view::sentenceOf(there, back, ifs::homeomorphism(whole, dust)),
-                 QStringLiteral("Not a homeomorphism"));
-        const QString torn = view::sentenceOf(back, there, ifs::homeomorphism(dust, whole));
-        QVERIFY2(torn.startsWith(QStringLiteral("Not a homeomorphism: torn by 0.")), qPrintable(torn));
-        QVERIFY2(torn.contains(QStringLiteral("worst at (0.")), qPrintable(torn));
-        QCOMPARE(view::sentenceOf(back, back, ifs::homeomorphism(dust, dust)),
-                 QStringLiteral("A homeomorphism, as is proved"));
+        QVERIFY(there.size < there.whole && there.whole < 1.1); // the dust is as long as the interval
+        QCOMPARE(view::sentenceOf(back, ifs::homeomorphism(whole, dust)),
+                 QStringLiteral("Proved not to be a homeomorphism"));
+        const QString torn = view::sentenceOf(there, ifs::homeomorphism(dust, whole));
+        QVERIFY2(torn.startsWith(QStringLiteral("Proved not to be a homeomorphism; no jump back exceeds 0.")),
+                 qPrintable(torn));
+        QVERIFY2(torn.contains(QStringLiteral("worst near (0.")), qPrintable(torn));
+        QCOMPARE(view::sentenceOf(back, ifs::homeomorphism(dust, dust)),
+                 QStringLiteral("Proved to be a homeomorphism"));
     }
 
     void bentCagesAreRefused() {

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "bridges/render_bridge.h"
+#include "document/tops/kept_theft.h"
+#include "io/fractint/fractint_reader.h"
+#include "transformation/transformation_view.h"
+#include "window_fixture.h"
+
+#include <QAction>
+#include <QFile>
+#include <QImage>
+#include <QListWidget>
+#include <QMenu>
+#include <QTemporaryDir>
+#include <QThread>
+#include <QToolButton>
+
+#include <cstdint>
+#include <vector>
+
+using document::KeptTheft;
+using Order = std::vector<std::size_t>;
+
+// The order of the maps in the window of fractal transformations, and what it says once something has
+// changed.
+class TransformationStateTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void dividingKeepsTheOrder();
+    void theOrderIsReset();
+    void anOrderThatDoesNotFitIsReset();
+    void nothingOldIsSaid();
+    void picturesStayWithTheirEntries();
+    void anotherEntryDropsWhatIsBeingRead();
+    void lateFramesOfAnotherEntryAreDropped();
+    void anEmbeddedPictureNeedsNoFile();
+
+private:
+    document::Document& document() { return m_window->document(); }
+    view::TransformationView* view() const { return m_window->findChild<view::TransformationView*>(); }
+    void open(const char* text) {
+        document().setFile(io::readFractint(text));
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
+        QFAIL("no such action");
+    }
+    QToolButton* button(const QString& name) const { // null where none of that name is shown
+        for (auto* candidate : view()->findChildren<QToolButton*>())
+            if (candidate->isVisible() && candidate->accessibleName() == name) return candidate;
+        return nullptr;
+    }
+    KeptTheft kept() { return document::keptTheft(document().entryFractal()).value_or(KeptTheft()); }
+    QString problem() const { return view()->bar()->problem(); }
+    QStringList listed() const {
+        const auto* list = view()->findChild<QListWidget*>();
+        QStringList maps;
+        for (int row = 0; row < list->count(); ++row)
+            maps << list->item(row)->text();
+        return maps;
+    }
+};
+
+namespace {
+
+constexpr auto twoAndThree = "two {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n"
+                             "three {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n";
+constexpr auto threeOfThree = "a {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n"
+                              "b {\n .5 0 0 .5 0 0 .3\n .4 0 0 .4 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n"
+                              "c {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .4 0 0 .4 0 1 .4\n}\n";
+constexpr auto threeAndThree = "three {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n"
+                               "other {\n .5 0 0 .5 0 0 .3\n .4 0 0 .4 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n";
+
+} // namespace
+
+// The upper map stays on top of the words that it is divided into, and undoing brings back all.
+void TransformationStateTest::dividingKeepsTheOrder() {
+    open(twoAndThree);
+    QTRY_VERIFY(problem().startsWith(QStringLiteral("“two” has 2")));
+    view()->findChild<QListWidget*>()->setCurrentRow(1);
+    button(QStringLiteral("Move the map towards the top"))->click();
+    QCOMPARE(kept().order, (Order{1, 0}));
+    QTRY_VERIFY(button(QStringLiteral("Divide Words")));
+    button(QStringLiteral("Divide Words"))->click();
+    QTRY_COMPARE(listed(), QStringList({QStringLiteral("3"), QStringLiteral("2"), QStringLiteral("1")}));
+    QCOMPARE(kept().order, (Order{2, 1, 0})); // 2, 12, 11
+    QTRY_VERIFY2(problem().isEmpty() && view()->isPainted(), qPrintable(problem()));
+    document().undoStack()->undo();
+    QCOMPARE(kept().order, (Order{1, 0}));
+    QTRY_VERIFY(problem().startsWith(QStringLiteral("“two” has 2")));
+}
+
+void TransformationStateTest::theOrderIsReset() {
+    open(threeAndThree);
+    const QString name = QStringLiteral("Reset Order");
+    QVERIFY(button(name) && !button(name)->isEnabled());
+    view()->findChild<QListWidget*>()->setCurrentRow(2);
+    button(QStringLiteral("Move the map towards the top"))->click();
+    button(QStringLiteral("Move the map towards the top"))->click();
+    QCOMPARE(kept().order, (Order{2, 0, 1}));
+    QVERIFY(button(name)->isEnabled());
+    const int steps = document().undoStack()->count();
+    button(name)->click();
+    QCOMPARE(document().undoStack()->count(), steps + 1);
+    QVERIFY(kept().order.empty());
+    QCOMPARE(listed(), QStringList({QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")}));
+    QVERIFY(!button(name)->isEnabled());
+    document().undoStack()->undo();
+    QCOMPARE(kept().order, (Order{2, 0, 1}));
+    QVERIFY(button(name)->isEnabled());
+}
+
+// As of a file that was edited by hand. What is said has a remedy beside it.
+void TransformationStateTest::anOrderThatDoesNotFitIsReset() {
+    open(threeAndThree);
+    KeptTheft theft;
+    theft.partner = QStringLiteral("other");
+    theft.order = {0, 1};
+    document().editEntry(QStringLiteral("order"), document::withTheft(document().entryFractal(), theft));
+    QTRY_VERIFY(problem().startsWith(QStringLiteral("The stored order")));
+    QToolButton* remedy = nullptr;
+    for (auto* candidate : view()->bar()->findChildren<QToolButton*>())
+        if (candidate->isVisible() && candidate->text() == QStringLiteral("Reset Order")) remedy = candidate;
+    QVERIFY(remedy);
+    remedy->click();
+    QVERIFY(kept().order.empty());
+    QTRY_VERIFY2(problem().isEmpty() && view()->isPainted(), qPrintable(problem()));
+}
+
+// What was true before a step of the history goes with it, and does not wait for what is computed next.
+void TransformationStateTest::nothingOldIsSaid() {
+    open(twoAndThree);
+    QTRY_VERIFY(problem().startsWith(QStringLiteral("“two” has 2")));
+    button(QStringLiteral("Divide Words"))->click();
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    document().undoStack()->undo();
+    QVERIFY(problem().startsWith(QStringLiteral("“two” has 2")));
+    document().undoStack()->redo();
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QTRY_VERIFY(!view()->bar()->continuity().isEmpty());
+    document().undoStack()->undo();
+    QVERIFY(view()->bar()->continuity().isEmpty());
+}
+
+// Until the picture of an entry is there, the one of the entry before is not shown on it.
+void TransformationStateTest::picturesStayWithTheirEntries() {
+    open(threeOfThree);
+    QTRY_VERIFY(view()->isPainted());
+    const document::EntryId other = document().file().entries[2].id;
+    KeptTheft theft;
+    theft.partner = QStringLiteral("b");
+    theft.pattern = attractor::Pattern::Marble;
+    document().editEntry(QStringLiteral("marble"), document::withTheft(document().entryFractal(), theft));
+    const auto wheel = view()->theft()->picture();
+    QTRY_VERIFY(view()->theft()->picture() != wheel);
+    const auto marble = view()->theft()->picture();
+    QVERIFY(marble);
+    document().setCurrent(other);
+    QVERIFY(view()->theft()->picture() != marble);
+    QTRY_VERIFY(view()->theft()->picture() && view()->isPainted());
+    QVERIFY(view()->theft()->picture() != marble);
+}
+
+// A picture that is chosen is kept with its entry or not at all.
+void TransformationStateTest::anotherEntryDropsWhatIsBeingRead() {
+    open(threeOfThree);
+    QTRY_VERIFY(view()->isPainted());
+    const QTemporaryDir folder;
+    QImage blue(40, 40, QImage::Format_RGB32);
+    blue.fill(QColor(20, 60, 250));
+    const QString path = folder.filePath(QStringLiteral("blue.png"));
+    QVERIFY(blue.save(path));
+    const auto before = view()->theft()->picture();
+    view()->usePicture(path);
+    document().setCurrent(document().file().entries[2].id);
+    QTRY_VERIFY(view()->theft()->picture() && view()->theft()->picture() != before && view()->isPainted());
+    QCOMPARE(document().undoStack()->count(), 0);
+    for (const document::Entry& entry : document().file().entries)
+        QVERIFY(!document::keptTheft(*entry.fractal));
+    view()->usePicture(path); // here it is kept, whatever happens to the entry meanwhile
+    document::Fractal changed = document().entryFractal();
+    document::system2(changed)->maps[0].weight = 2;
+    document().editEntry(QStringLiteral("weight"), changed);
+    QTRY_COMPARE(kept().picture, path);
+}
+
+// They are finished but not yet shown when another entry is chosen.
+void TransformationStateTest::lateFramesOfAnotherEntryAreDropped() {
+    const auto* render = m_window->findChild<view::RenderBridge*>(); // the partner's is made later
+    open(threeOfThree);
+    QTRY_VERIFY(view()->isPainted());
+    for (int k = 0; k < 5; ++k) {
+        for (auto* overlay : view()->bar()->findChildren<QToolButton*>())
+            if (overlay->text() == QStringLiteral("Overlay")) overlay->click(); // asks for new frames
+        QThread::msleep(200);
+        const std::uint64_t last = render->requested();
+        bool isLate = false;
+        const auto watch = connect(render, &view::RenderBridge::frameChanged, this, [&] {
+            isLate = isLate || (render->frame() && render->frame()->revision <= last);
+        });
+        document().setCurrent(document().file().entries[k % 2 == 0 ? 2 : 0].id);
+        QTRY_VERIFY(render->frame() && render->frame()->revision > last);
+        disconnect(watch);
+        QVERIFY(!isLate);
+    }
+}
+
+void TransformationStateTest::anEmbeddedPictureNeedsNoFile() {
+    open(threeOfThree);
+    QTRY_VERIFY(view()->isPainted());
+    QAction* embed = nullptr;
+    for (const auto* candidate : view()->bar()->findChildren<QToolButton*>())
+        if (const QMenu* menu = candidate->menu())
+            for (QAction* action : menu->actions())
+                if (action->text() == QStringLiteral("Embed in the File")) embed = action;
+    QVERIFY(embed && !embed->isEnabled()); // a pattern is no file
+    const QTemporaryDir folder;
+    QImage blue(40, 40, QImage::Format_RGB32);
+    blue.fill(QColor(20, 60, 250));
+    const QString path = folder.filePath(QStringLiteral("blue.png"));
+    QVERIFY(blue.save(path));
+    view()->usePicture(path);
+    QTRY_COMPARE(kept().picture, path);
+    QVERIFY(kept().embedded.isEmpty() && embed->isEnabled() && !embed->isChecked());
+    const int steps = document().undoStack()->count();
+    embed->trigger();
+    QTRY_VERIFY(!kept().embedded.isEmpty());
+    QCOMPARE(document().undoStack()->count(), steps + 1);
+    QVERIFY(embed->isChecked());
+    QVERIFY(QFile::remove(path));
+    const document::EntryId own = document().currentId();
+    document().setCurrent(document().file().entries[2].id);
+    QTRY_VERIFY(view()->isPainted());
+    QVERIFY(!embed->isChecked());
+    document().setCurrent(own);
+    QTRY_VERIFY(view()->theft()->picture() && view()->theft()->picture()->width() == 40);
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    embed->trigger(); // now it is looked for where it was
+    QVERIFY(kept().embedded.isEmpty());
+    QTRY_VERIFY(problem().contains(QStringLiteral("blue.png")));
+    embed->trigger();
+    QTRY_VERIFY(!embed->isChecked()); // it cannot be read
+    QVERIFY(kept().embedded.isEmpty());
+}
+
+QTEST_MAIN(TransformationStateTest)
+#include "transformation_state_test.moc"
