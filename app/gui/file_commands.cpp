@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "file_commands.h"
 
+#include "panels/collage/collage_panel.h"
+#include "panels/collage/target_box.h"
 #include "save_question.h"
 #include "widgets/file_dialogs.h"
 
@@ -27,7 +29,7 @@ bool FileCommands::maybeSave() {
     m_context.canvas->cancelGesture();
     if (!m_context.document->isModified()) return true;
     switch (askToSave(m_context.window, tr("Unsaved changes"),
-                      tr("“%1” has unsaved changes.").arg(m_file->name()))) {
+                      tr("“%1” has unsaved changes.").arg(m_file->name()), targetRemark())) {
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:
@@ -116,10 +118,21 @@ bool FileCommands::save() {
     return true;
 }
 
+QString FileCommands::targetRemark() const {
+    const auto* collage = m_context.window->findChild<view::CollagePanel*>();
+    return collage != nullptr && collage->target()->hasTargets()
+               ? tr("The target in the Collage panel is not saved with the file.")
+               : QString();
+}
+
 void FileCommands::reportSaved() {
     QString sentence = tr("Saved %1.").arg(m_file->name());
     if (m_file->otherNames() > 0)
         sentence += u' ' + tr("Other names of the file (hard links) keep the old contents.");
+    if (const QString remark = targetRemark(); !remark.isEmpty() && !m_hasRemarkedOnTarget) {
+        sentence += u' ' + remark;
+        m_hasRemarkedOnTarget = true;
+    }
     m_context.messages->say(sentence);
 }
 

@@ -39,8 +39,10 @@ private:
     Answer askAboutDisk(OpenFile::OnDisk found);
     void reportOpened();
     void reportSaved();
+    QString targetRemark() const; // about the target of a collage, if there is one
 
     MenuContext m_context;
     OpenFile* m_file;
     Lessons m_lessons;
+    bool m_hasRemarkedOnTarget = false; // since the window is open
 };

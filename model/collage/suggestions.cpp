@@ -239,7 +239,7 @@ double Search::price(const Target& target, const Maps& maps) const {
 std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
     inParallel(candidates.size(), [&](std::size_t job, std::size_t thread) {
         Candidate& one = candidates[job];
-        one.maps = fittedAttractor(m_medium, one.maps, {m_options.constraints, 8, maxNorm});
+        one.maps = fittedAttractor(m_medium, one.maps, {m_options.constraints, 8, maxNorm}, {}, m_stop);
         one.score = price(m_medium, one.maps);
         if (thread == 0) report(searchShare + 0.2 * double(job + 1) / double(candidates.size()));
     });
@@ -247,7 +247,7 @@ std::vector<Candidate> Search::refined(std::vector<Candidate> candidates) {
     candidates.resize(std::min(candidates.size(), m_options.maxResults));
     inParallel(candidates.size(), [&](std::size_t job, std::size_t) {
         Candidate& one = candidates[job];
-        one.maps = fittedAttractor(m_fine, one.maps, {m_options.constraints, 3, maxNorm});
+        one.maps = fittedAttractor(m_fine, one.maps, {m_options.constraints, 3, maxNorm}, {}, m_stop);
         one.score = price(m_fine, one.maps);
     });
     std::ranges::sort(candidates, std::less<>());

@@ -5,6 +5,7 @@
 #include <QLayout>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -62,5 +63,16 @@ protected:
 private:
     Bar m_bar;
 };
+
+// Once the widget has its place, the areas around it scroll to where all of it is seen.
+inline void scrollIntoView(QWidget* widget) {
+    QTimer::singleShot(0, widget, [widget] {
+        for (QWidget* at = widget->parentWidget(); at != nullptr; at = at->parentWidget())
+            if (auto* area = qobject_cast<QScrollArea*>(at)) {
+                if (area->widget()->layout() != nullptr) area->widget()->layout()->activate();
+                area->ensureWidgetVisible(widget, 0);
+            }
+    });
+}
 
 } // namespace view

@@ -219,7 +219,8 @@ private:
 
 std::vector<ifs::AffineMap<2>> fittedAttractor(const Target& target, std::vector<ifs::AffineMap<2>> maps,
                                                const AttractorSchedule& schedule,
-                                               std::span<const std::uint8_t> locked) {
+                                               std::span<const std::uint8_t> locked,
+                                               const std::stop_token& stop) {
     if (contraction(maps) >= 1) return maps;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         if (!locked.empty() && locked[i] != 0) continue;
@@ -228,7 +229,8 @@ std::vector<ifs::AffineMap<2>> fittedAttractor(const Target& target, std::vector
         if (!(meeting == inside)) maps[i] = fromGrid(target.grid, meeting);
     }
     Descent descent(target, std::move(maps), schedule);
-    for (int iteration = 0; iteration < schedule.iterations && descent.step(locked); ++iteration) {}
+    for (int iteration = 0; iteration < schedule.iterations; ++iteration)
+        if (stop.stop_requested() || !descent.step(locked)) break;
     return descent.maps();
 }
 

@@ -199,7 +199,8 @@ Mask outerOutline(const Mask& mask) {
 }
 
 std::optional<CageFit> fittedCage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
-                                  std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates) {
+                                  std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates,
+                                  const std::stop_token& stop) {
     const Points outline = outlineOf(maps, rest);
     if (outline.empty() || contraction(maps) >= 1) return std::nullopt;
     const Eigen::MatrixXd rows = coordinatesOf(outline, rest, coordinates);
@@ -207,6 +208,7 @@ std::optional<CageFit> fittedCage(const Target& target, std::span<const ifs::Aff
     Eigen::MatrixX2d corners = startOf(target.grid, outline, closest.outline(), rest);
     std::optional<CageFit> best;
     for (int iteration = 0; iteration <= iterations; ++iteration) {
+        if (stop.stop_requested()) return std::nullopt;
         const double error = closest.pair(corners) * target.grid.cell;
         Points vertices = pointsOf(target.grid, corners);
         const bool isSound = corners.allFinite() && ifs::isSimplePolygon(vertices);

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace collage {
@@ -18,9 +19,10 @@ struct CageFit {
 // Where the corners of a cage must go so that the outline of the attractor, deformed by the cage, follows the
 // outline of the target: closest points, and least squares in the corners, as each point is Σ λ_j v_j.
 // docs/mathematics.md, "Collages". `rest` is a simple polygon that holds the attractor of the maps,
-// contractions all of them. nullopt when no part of the attractor has coordinates in it.
+// contractions all of them. nullopt when no part of the attractor has coordinates in it, and when stopped.
 std::optional<CageFit> fittedCage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
-                                  std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates);
+                                  std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates,
+                                  const std::stop_token& stop = {});
 
 // The cells of a mask from which a step leads out of the shape: to what is connected with its surroundings.
 Mask outerOutline(const Mask& mask);

@@ -91,8 +91,8 @@ void CollageFit::coverTarget(std::vector<PairSums>& sums) const {
 }
 
 void CollageFit::improve(std::vector<ifs::AffineMap<2>>& maps, const FitSchedule& schedule,
-                         std::span<const std::uint8_t> locked) {
-    for (int iteration = 0; iteration < schedule.iterations; ++iteration) {
+                         std::span<const std::uint8_t> locked, const std::stop_token& stop) {
+    for (int iteration = 0; iteration < schedule.iterations && !stop.stop_requested(); ++iteration) {
         place(maps);
         std::vector<PairSums> sums(maps.size());
         coverTarget(sums);

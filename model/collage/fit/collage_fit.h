@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 // The iterative closest point method for collages. docs/mathematics.md, "Collages".
@@ -25,9 +26,10 @@ class CollageFit {
 public:
     explicit CollageFit(const Target& target);
 
-    // Maps in grid coordinates. Those with `locked` stay bit for bit; an empty span locks none.
+    // Maps in grid coordinates. Those with `locked` stay bit for bit; an empty span locks none. A stop ends
+    // it between two iterations.
     void improve(std::vector<ifs::AffineMap<2>>& maps, const FitSchedule& schedule,
-                 std::span<const std::uint8_t> locked = {});
+                 std::span<const std::uint8_t> locked = {}, const std::stop_token& stop = {});
 
     // The mean distance, in cells, from the target to its images and from these to the target, both counted
     // half. Images beyond the grid count as if they were on its edge.

@@ -69,11 +69,11 @@ double visible(const TracedPicture& traced, const Maps& maps) {
 
 // ICP at one level; the maps that are locked keep their bits.
 Maps improved(const collage::Target& target, const Maps& maps, const collage::FitSchedule& schedule,
-              std::span<const std::uint8_t> locked) {
+              std::span<const std::uint8_t> locked, const std::stop_token& stop) {
     Maps inside;
     for (const auto& map : maps)
         inside.push_back(collage::inGrid(target.grid, map));
-    collage::CollageFit(target).improve(inside, schedule, locked);
+    collage::CollageFit(target).improve(inside, schedule, locked, stop);
     Maps result = maps;
     for (std::size_t k = 0; k < maps.size(); ++k)
         if (locked.empty() || locked[k] == 0) result[k] = collage::fromGrid(target.grid, inside[k]);
@@ -148,7 +148,7 @@ std::optional<Fractal> withMapsRefined(const Fractal& fractal, const TracedPictu
     for (const Level& at : levels) {
         if (stop.stop_requested()) return std::nullopt;
         maps = improved(level(traced, at.side), maps,
-                        {options.constraints, at.iterations, 0, maxNorm, maxNorm}, locked);
+                        {options.constraints, at.iterations, 0, maxNorm, maxNorm}, locked, stop);
         const double error = collageError(traced, maps);
         if (error < bestError) {
             best = maps;
@@ -168,7 +168,7 @@ std::optional<Fractal> withAttractorRefined(const Fractal& fractal, const Traced
     for (const Level& at : {Level{128, 8}, Level{256, 4}}) {
         if (stop.stop_requested()) return std::nullopt;
         maps = collage::fittedAttractor(level(traced, at.side), std::move(maps),
-                                        {options.constraints, at.iterations, 0.95}, locked);
+                                        {options.constraints, at.iterations, 0.95}, locked, stop);
     }
     if (stop.stop_requested() || !(visible(traced, maps) < visible(traced, before->maps)))
         return std::nullopt;
@@ -199,7 +199,8 @@ std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& t
     return collage::measureBound(densityOf(traced), maps->maps, weights, stop);
 }
 
-std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners) {
+std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners,
+                                        const std::stop_token& stop) {
     if (!planeObstacle(fractal).isEmpty() || !system2(fractal)->links.empty()) return std::nullopt;
     Fractal result = fractal;
     plane(result)->cage.reset();
@@ -215,14 +216,15 @@ std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPict
     Maps maps;
     for (const auto& map : ifs::activeMaps(*system2(*held)).maps)
         maps.push_back(map);
-    const auto fit = collage::fittedCage(traced.target, maps, rest, ifs::Coordinates::Wachspress);
+    const auto fit = collage::fittedCage(traced.target, maps, rest, ifs::Coordinates::Wachspress, stop);
     if (!fit) return std::nullopt;
     plane(*held)->cage = ifs::ControlCage<2>{std::move(rest), fit->vertices, ifs::Deformation::Bend};
     return *held == fractal ? std::nullopt : held;
 }
 
 std::optional<Fractal> withMapAdded(const Fractal& fractal, const TracedPicture& traced,
-                                    const ifs::Vector<2>& point, const collage::Constraints& constraints) {
+                                    const ifs::Vector<2>& point, const collage::Constraints& constraints,
+                                    const std::stop_token& stop) {
     auto before = collageMaps(fractal);
     if (!before) return std::nullopt;
     Fractal result = fractal;
@@ -237,7 +239,9 @@ std::optional<Fractal> withMapAdded(const Fractal& fractal, const TracedPicture&
     maps.push_back(added);
     std::vector<std::uint8_t> locked(maps.size(), 1);
     locked.back() = 0;
-    const ifs::AffineMap<2> fitted = improved(coarse, maps, {ofNew, 25, 10, 0.5, maxNorm}, locked).back();
+    const ifs::AffineMap<2> fitted =
+        improved(coarse, maps, {ofNew, 25, 10, 0.5, maxNorm}, locked, stop).back();
+    if (stop.stop_requested()) return std::nullopt;
     const auto back = ifs::inverse<2>(placement(fractal).affine());
     const auto map = back ? ifs::conjugate<2>(*back, fitted) : std::nullopt;
     if (!map || !ifs::isFinite(*map)) return std::nullopt;

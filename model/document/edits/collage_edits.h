@@ -52,9 +52,11 @@ std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& t
                                   const std::stop_token& stop = {});
 // A cage of so many corners, 3 or more, under which the outline of the attractor follows that of the target.
 // Needs no placement that can be undone: it is made anew.
-std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners);
+std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners,
+                                        const std::stop_token& stop = {});
 // One more map whose image of the target lies at that point, then fitted while the others stay.
 std::optional<Fractal> withMapAdded(const Fractal& fractal, const TracedPicture& traced,
-                                    const ifs::Vector<2>& point, const collage::Constraints& constraints);
+                                    const ifs::Vector<2>& point, const collage::Constraints& constraints,
+                                    const std::stop_token& stop = {});
 
 } // namespace document

@@ -13,8 +13,11 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QImage>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUrl>
 
 // A file dropped anywhere on the window is opened: on the canvas as on the panels.
@@ -26,6 +29,7 @@ private slots:
     void aDroppedFileIsOpened_data();
     void aDroppedFileIsOpened();
     void aDroppedPictureIsATarget();
+    void aTargetIsNotLostSilently();
     void aDroppedPictureWithASystemIsOpened();
 };
 
@@ -103,6 +107,37 @@ void FileDropTest::aDroppedPictureIsATarget() {
     QCOMPARE(collage::area(panel->target()->traced()->mask), std::size_t{32 * 20});
     QCOMPARE(window->windowTitle(), title);
     window->close(); // while it is measured
+}
+
+// It is not saved, and the question about unsaved changes says so.
+void FileDropTest::aTargetIsNotLostSilently() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    document::Fractal renamed = window->document().fractal();
+    renamed.name = QStringLiteral("renamed");
+    window->document().edit(QStringLiteral("Rename"), renamed);
+    QString said;
+    const auto closeWith = [&](QMessageBox::StandardButton answer) {
+        said.clear();
+        QTimer::singleShot(0, window, [&said, answer] {
+            for (QWidget* widget : QApplication::topLevelWidgets())
+                if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible()) {
+                    said = box->informativeText();
+                    box->button(answer)->click();
+                }
+        });
+        window->close();
+    };
+    closeWith(QMessageBox::Cancel);
+    QVERIFY2(said.contains(QStringLiteral("save them")), qPrintable(said));
+    QVERIFY2(!said.contains(QStringLiteral("target")), qPrintable(said));
+    auto* panel = window->findChild<view::CollagePanel*>();
+    panel->target()->take(window->document().sharedFractal());
+    QTRY_VERIFY(panel->target()->traced());
+    closeWith(QMessageBox::Cancel);
+    QVERIFY2(said.contains(QStringLiteral("target in the Collage panel is not saved")), qPrintable(said));
+    closeWith(QMessageBox::Discard);
 }
 
 void FileDropTest::aDroppedPictureWithASystemIsOpened() {

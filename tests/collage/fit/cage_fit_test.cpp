@@ -84,6 +84,14 @@ private slots:
         }
     }
 
+    void aStopEndsTheFit() {
+        const Target l = target(convex(64, {{-0.5, -0.5}, {0.5, -0.5}, {0, 0.5}}), 1, 0.25);
+        std::stop_source source;
+        QVERIFY(fittedCage(l, square(), unitSquare, ifs::Coordinates::Wachspress, source.get_token()));
+        source.request_stop();
+        QVERIFY(!fittedCage(l, square(), unitSquare, ifs::Coordinates::Wachspress, source.get_token()));
+    }
+
     void moreCornersFollowBetter() {
         const Mask disc = drawings::drawn(256, [](double x, double y) { return x * x + y * y < 0.6; });
         const Target l = target(disc, 1, 0.25);

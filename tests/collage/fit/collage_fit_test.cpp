@@ -89,6 +89,21 @@ private slots:
         QCOMPARE(fittedAttractor(l, before, {}, std::vector<std::uint8_t>(4, 1)), before);
     }
 
+    // Not only between the levels of a refinement.
+    void aStopEndsFitsBetweenIterations() {
+        const Target l = mapleTarget();
+        std::stop_source source;
+        source.request_stop();
+        Maps maps = onGrid(l.grid, disturbed());
+        const Maps before = maps;
+        CollageFit(l).improve(maps, {}, {}, source.get_token());
+        QCOMPARE(maps, before);
+        CollageFit(l).improve(maps, {});
+        QVERIFY(maps != before);
+        QCOMPARE(fittedAttractor(l, disturbed(), {}, {}, source.get_token()), disturbed());
+        QVERIFY(fittedAttractor(l, disturbed(), {}) != disturbed());
+    }
+
     // Against differences of the same points, found again with each number a little changed.
     void derivativesOfPoints() {
         const Maps maps{ifs::affineMap(0.6, -0.2, 0.3, 0.5, 4, 3),

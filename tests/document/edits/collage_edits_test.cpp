@@ -59,6 +59,20 @@ private slots:
         const double after = meanDistance(*refined, traced);
         QVERIFY2(after < 0.2, qPrintable(QStringLiteral("%1 → %2").arg(before).arg(after)));
     }
+
+    void allFitsCanBeStopped() {
+        const TracedPicture traced = square();
+        std::stop_source source;
+        const auto token = source.get_token();
+        QVERIFY(withCageFittedTo(quarters(), traced, 4, token));
+        QVERIFY(withMapAdded(quarters(), traced, {0, 0}, {}, token));
+        source.request_stop();
+        QVERIFY(!withMapsRefined(quarters(), traced, {}, token));
+        QVERIFY(!withAttractorRefined(quarters(), traced, {}, token));
+        QVERIFY(!withWeightsFitted(quarters(), traced, token));
+        QVERIFY(!withCageFittedTo(quarters(), traced, 4, token));
+        QVERIFY(!withMapAdded(quarters(), traced, {0, 0}, {}, token));
+    }
 };
 
 QTEST_APPLESS_MAIN(CollageEditsTest)

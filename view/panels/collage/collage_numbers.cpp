@@ -46,7 +46,30 @@ QString guarantee(const document::MeasuredFractal& measured) {
     return CollageNumbers::tr("%1 (s = %2)").arg(bound, factor);
 }
 
+constexpr double visibleGrowth = 0.01; // pixels, the last digit shown
+
+QString boundText(const std::optional<double>& bound) {
+    return bound ? pixels(*bound) : CollageNumbers::tr("none");
+}
+
 } // namespace
+
+QString refinementText(const Refinement& refinement) {
+    const auto& [compared, before, after] = refinement;
+    const QString distance = compared == document::Compared::Collage
+                                 ? CollageNumbers::tr("Mean distance of the collage: %1 → %2.")
+                                 : CollageNumbers::tr("Mean distance of the attractor: %1 → %2.");
+    QString text =
+        distance.arg(pixels(before.agreement.mean), pixels(after.agreement.mean)) + u' ' +
+        CollageNumbers::tr("Guarantee: %1 → %2.").arg(boundText(before.bound), boundText(after.bound));
+    if (after.agreement.mean >= before.agreement.mean + visibleGrowth)
+        text += u' ' + CollageNumbers::tr("The distance has increased, but the overlap (IoU) has improved.");
+    if (before.bound && !after.bound)
+        text += u' ' + CollageNumbers::tr("Nothing is guaranteed any more.");
+    else if (before.bound && *after.bound >= *before.bound + visibleGrowth)
+        text += u' ' + CollageNumbers::tr("The guarantee is now weaker.");
+    return text;
+}
 
 CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
@@ -82,6 +105,7 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         auto* value = new QLabel(m_values);
         value->setAccessibleName(name);
         value->setToolTip(tip);
+        value->setWordWrap(true); // a guarantee may name another norm
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         grid->addWidget(label, row, 0);
         grid->addWidget(value, row, 1);

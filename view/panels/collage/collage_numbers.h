@@ -11,6 +11,14 @@ class QLabel;
 
 namespace view {
 
+// The numbers before and after a refinement of what is compared.
+struct Refinement {
+    document::Compared compared;
+    document::MeasuredFractal before, after;
+};
+// The distance and the guarantee of both, and which of them has become worse.
+QString refinementText(const Refinement& refinement);
+
 // How well the fractal agrees with the target, in numbers.
 class CollageNumbers : public QWidget {
     Q_OBJECT

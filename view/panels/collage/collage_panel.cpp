@@ -6,7 +6,6 @@
 #include "document/edits/collage_edits.h"
 #include "document/edits/map_locks.h"
 #include "panels/collage/collage_layer.h"
-#include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_box.h"
 #include "widgets/number_text.h"
@@ -25,11 +24,12 @@ namespace view {
 namespace {
 
 using Task = FitBox::Task;
+using document::Compared;
 
 constexpr int progressInterval = 100; // milliseconds
 // In a drag the picture comes first, and the numbers are measured when it has had this time.
 constexpr int pictureFirst = 8;
-constexpr qsizetype maxLocksNamed = 12; // on the button
+constexpr qsizetype maxLocksNamed = 6; // on the button, which is no wider than the panel
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -68,6 +68,7 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
       m_compared(new QComboBox(this)),
       m_numbers(new CollageNumbers(this)),
       m_fit(new FitBox(this)),
+      m_refined(new QLabel(this)),
       m_shades(new QLabel(this)),
       m_suggestions(new SuggestionList(this)),
       m_progressTimer(new QTimer(this)),
@@ -94,6 +95,11 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     layout->addWidget(m_numbers);
     layout->addWidget(heading(tr("Fit"), this));
     layout->addWidget(m_fit);
+    m_refined->setAccessibleName(tr("Result of refining"));
+    m_refined->setToolTip(tr("What the last refinement has made of the distance and of the guarantee"));
+    m_refined->setWordWrap(true);
+    m_refined->hide();
+    layout->addWidget(m_refined);
     m_shades->setAccessibleName(tr("Guarantee for the shades"));
     m_shades->setToolTip(tr("Moved by at most this distance on average, the shades of the attractor become "
                             "those of the picture"));
@@ -138,7 +144,7 @@ void CollagePanel::connectParts() {
         if (m_layer) m_layer->setTarget(m_target->traced());
         bringTargetIntoView();
         m_measured.reset();
-        m_shades->hide();
+        forgetResults();
         m_measuring.cancel();    // it is of another target,
         m_suggestions->forget(); // and so are these
         if (m_running) {
@@ -174,7 +180,8 @@ void CollagePanel::follow(const document::Change& change) {
     }
     if (change.parts & Change::Name) showLocks();
     if (!(change.parts & (Change::System | Change::Cage | Change::Current | Change::File))) return;
-    m_shades->hide();
+    forgetResults();
+    m_suggestions->highlight(m_document->fractal());
     if (change.live) {
         if (!m_liveTimer->isActive()) m_liveTimer->start();
     } else {
@@ -212,6 +219,19 @@ void CollagePanel::showMeasured(std::optional<document::MeasuredFractal> measure
     if (m_layer) m_layer->setMeasured(m_measured);
 }
 
+void CollagePanel::showRefinement(const Refinement& refinement) {
+    const QString text = refinementText(refinement);
+    m_refined->setText(text);
+    m_refined->show();
+    emit message(text);
+}
+
+// They are of other maps, or of another target.
+void CollagePanel::forgetResults() {
+    m_refined->hide();
+    m_shades->hide();
+}
+
 void CollagePanel::showShadesBound(const std::optional<double>& pixels) {
     m_shades->setText(pixels
                           ? tr("On average, the shades of the attractor are guaranteed to lie within %1 px "
@@ -232,6 +252,17 @@ std::vector<ifs::MapId> CollagePanel::fixedMaps() const {
     return fixed;
 }
 
+CollagePanel::Result CollagePanel::refined(std::optional<document::Fractal> after,
+                                           const document::Fractal& before,
+                                           const document::TracedPicture& traced, Compared compared) {
+    Result result{{}, std::move(after)};
+    if (!result.fractal) return result;
+    auto was = document::measured(before, traced, compared),
+         is = document::measured(*result.fractal, traced, compared);
+    if (was && is) result.refinement = Refinement{compared, *std::move(was), *std::move(is)};
+    return result;
+}
+
 CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const document::Fractal>& fractal) {
     const auto traced = m_target->traced();
     const document::CollageFitOptions options{m_fit->constraints(), fixedMaps()};
@@ -243,11 +274,13 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
         };
     case Task::RefineMaps:
         return [=](const std::stop_token& stop) {
-            return Result{{}, document::withMapsRefined(*fractal, *traced, options, stop)};
+            return refined(document::withMapsRefined(*fractal, *traced, options, stop), *fractal, *traced,
+                           Compared::Collage);
         };
     case Task::RefineAttractor:
         return [=](const std::stop_token& stop) {
-            return Result{{}, document::withAttractorRefined(*fractal, *traced, options, stop)};
+            return refined(document::withAttractorRefined(*fractal, *traced, options, stop), *fractal,
+                           *traced, Compared::Attractor);
         };
     case Task::FitWeights:
         return [=](const std::stop_token& stop) {
@@ -256,16 +289,16 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
             return Result{{}, std::move(fitted), bound};
         };
     case Task::FitCage:
-        return [=, corners = m_fit->cageCorners()](const std::stop_token&) {
-            return Result{{}, document::withCageFittedTo(*fractal, *traced, corners)};
+        return [=, corners = m_fit->cageCorners()](const std::stop_token& stop) {
+            return Result{{}, document::withCageFittedTo(*fractal, *traced, corners, stop)};
         };
     case Task::AddMap:
         break;
     }
-    return
-        [=, worst = m_measured ? m_measured->agreement.worst : ifs::Vector<2>(0, 0)](const std::stop_token&) {
-            return Result{{}, document::withMapAdded(*fractal, *traced, worst, options.constraints)};
-        };
+    return [=, worst = m_measured ? m_measured->agreement.worst
+                                  : ifs::Vector<2>(0, 0)](const std::stop_token& stop) {
+        return Result{{}, document::withMapAdded(*fractal, *traced, worst, options.constraints, stop)};
+    };
 }
 
 void CollagePanel::run(Task task) {
@@ -310,6 +343,7 @@ void CollagePanel::finish(std::optional<Result> result) {
     } else {
         emit message(tr("No better agreement was found."));
     }
+    if (result->refinement) showRefinement(*result->refinement);
     if (done.task == Task::FitWeights) showShadesBound(result->shadesBound);
 }
 

@@ -3,6 +3,7 @@
 
 #include "document/document.h"
 #include "document/edits/agreement_picture.h"
+#include "panels/collage/collage_numbers.h"
 #include "panels/collage/fit_box.h"
 #include "widgets/newest_work.h"
 
@@ -20,7 +21,6 @@ namespace view {
 
 class CanvasView;
 class CollageLayer;
-class CollageNumbers;
 class SuggestionList;
 class TargetBox;
 
@@ -33,7 +33,7 @@ public:
     CollagePanel(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
     ~CollagePanel() override;
 
-    TargetBox* target() { return m_target; }
+    TargetBox* target() const { return m_target; }
     // Nothing runs in the background, and what is shown is of the fractal as it is.
     bool isSettled() const;
 
@@ -45,6 +45,7 @@ private:
         std::vector<collage::Suggestion> suggestions;
         std::optional<document::Fractal> fractal;
         std::optional<double> shadesBound = {}; // of fitted weights
+        std::optional<Refinement> refinement = {};
     };
     struct Running {
         FitBox::Task task;
@@ -58,8 +59,12 @@ private:
     void follow(const document::Change& change);
     void measure(document::Detail detail = document::Detail::Full);
     void showMeasured(std::optional<document::MeasuredFractal> measured);
+    void showRefinement(const Refinement& refinement);
+    void forgetResults();
     void showShadesBound(const std::optional<double>& pixels);
     void run(FitBox::Task task);
+    static Result refined(std::optional<document::Fractal> after, const document::Fractal& before,
+                          const document::TracedPicture& traced, document::Compared compared);
     Work workFor(FitBox::Task task, const std::shared_ptr<const document::Fractal>& fractal);
     void finish(std::optional<Result> result);
     void cancel();
@@ -76,7 +81,8 @@ private:
     QComboBox* m_compared;
     CollageNumbers* m_numbers;
     FitBox* m_fit;
-    QLabel* m_shades; // what is guaranteed of the weights that were fitted last
+    QLabel* m_refined; // what the last refinement has made of the numbers
+    QLabel* m_shades;  // what is guaranteed of the weights that were fitted last
     SuggestionList* m_suggestions;
     std::optional<document::MeasuredFractal> m_measured;
     std::optional<Running> m_running;

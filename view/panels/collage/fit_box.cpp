@@ -3,6 +3,7 @@
 
 #include "io/picture/png_export.h"
 #include "widgets/number_box.h"
+#include "widgets/vertical_scroll_area.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -215,6 +216,7 @@ void FitBox::setProgress(const std::optional<double>& share) {
     m_isBusy = share.has_value();
     m_progress->setRange(0, share && *share < 0 ? 0 : 100); // below 0: nobody knows how long it takes
     if (share && *share >= 0) m_progress->setValue(int(100 * *share));
+    if (m_isBusy && m_busy->isHidden()) scrollIntoView(m_busy);
     m_busy->setVisible(m_isBusy);
     m_escape->setEnabled(m_isBusy);
     enableTasks();

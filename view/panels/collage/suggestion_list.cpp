@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "panels/collage/suggestion_list.h"
 
+#include "document/edits/cage_edits.h"
 #include "widgets/number_text.h"
+#include "widgets/vertical_scroll_area.h"
 
-#include <QLayout>
-#include <QScrollArea>
-#include <QTimer>
-
+#include <algorithm>
 #include <utility>
 
 namespace view {
@@ -57,16 +56,16 @@ void SuggestionList::show(const std::vector<collage::Suggestion>& suggestions,
         showPicture(count() - 1);
     }
     setVisible(count() > 0);
-    if (count() > 0) QTimer::singleShot(0, this, [this] { scrollIntoView(); });
+    if (count() > 0) scrollIntoView(this);
 }
 
-// The panel may be longer than its dock, and the list is at its end.
-void SuggestionList::scrollIntoView() {
-    for (QWidget* at = parentWidget(); at != nullptr; at = at->parentWidget())
-        if (auto* area = qobject_cast<QScrollArea*>(at)) {
-            if (area->widget()->layout() != nullptr) area->widget()->layout()->activate();
-            area->ensureWidgetVisible(this, 0);
-        }
+void SuggestionList::highlight(const document::Fractal& current) {
+    const auto used = std::ranges::find_if(m_fractals, [&](const auto& one) {
+        return document::isSameSystem(*one, current) && document::isCageAlike(*one, current);
+    });
+    if (used != m_fractals.end()) return setCurrentRow(int(used - m_fractals.begin()));
+    setCurrentItem(nullptr);
+    clearSelection();
 }
 
 void SuggestionList::forget() {

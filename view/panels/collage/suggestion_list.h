@@ -24,6 +24,8 @@ public:
     void show(const std::vector<collage::Suggestion>& suggestions,
               std::vector<std::shared_ptr<const document::Fractal>> fractals);
     void forget();
+    // Highlights the suggestion that this fractal has the maps and the cage of, or none.
+    void highlight(const document::Fractal& current);
     const std::shared_ptr<const document::Fractal>& fractal(int row) const {
         return m_fractals.at(std::size_t(row));
     }
@@ -35,7 +37,6 @@ signals:
 
 private:
     void showPicture(int row);
-    void scrollIntoView();
 
     Thumbnails* m_thumbnails;
     quint64 m_sheet = 0; // counts them, for the keys of the pictures

@@ -29,6 +29,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace view {
 
 namespace {
@@ -138,6 +140,11 @@ void TargetBox::createControls() {
     crops->addWidget(m_whole);
     crops->addStretch();
     grid->addLayout(crops, 3, 0, 1, 3);
+    auto* note = new QLabel(tr("The target is not saved with the file. It is kept while the file is open."),
+                            m_controls);
+    note->setWordWrap(true);
+    note->setForegroundRole(QPalette::PlaceholderText);
+    grid->addWidget(note, 4, 0, 1, 3);
     layout()->addWidget(m_controls);
     connectControls();
 }
@@ -278,6 +285,11 @@ void TargetBox::take(const std::shared_ptr<const document::Fractal>& entry) {
             return state;
         },
         entry->name);
+}
+
+bool TargetBox::hasTargets() const {
+    return std::any_of(m_states.cbegin(), m_states.cend(),
+                       [](const State& state) { return state.picture != nullptr; });
 }
 
 void TargetBox::remove() {

@@ -40,6 +40,7 @@ public:
     void take(const std::shared_ptr<const document::Fractal>& entry); // its attractor
 
     const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
+    bool hasTargets() const; // for any entry of the file
     bool isBusy() const { return m_reading.isBusy() || m_tracing.isBusy(); }
 
 signals:

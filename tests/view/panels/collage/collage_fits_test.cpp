@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/cage_edits.h"
 #include "document/edits/map_locks.h"
+#include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
 #include "view/panels/collage_panel_fixture.h"
 
@@ -194,6 +195,75 @@ private slots:
         QVERIFY(std::abs(ifs::determinant<2>(system().maps[0].map.linear)) < 1e-9);
         for (const std::size_t i : {1U, 2U, 3U})
             QVERIFY(std::abs(ifs::determinant<2>(system().maps[i].map.linear)) > 1e-6);
+    }
+
+    void refiningSaysWhatItHasDone() {
+        traceLeaf();
+        takeRoughMaps();
+        auto* said = named<QLabel>(QStringLiteral("Result of refining"));
+        QVERIFY(said->isHidden());
+        const auto numbers = [this] {
+            return std::pair(number("Mean distance"),
+                             number("Guarantee").section(QStringLiteral(" ("), 0, 0));
+        };
+        const auto [distance, guarantee] = numbers();
+        push("Refine Maps");
+        settle();
+        QVERIFY(!said->isHidden());
+        const auto [shorter, other] = numbers();
+        QVERIFY(shorter != distance && other != guarantee);
+        QCOMPARE(said->text().section(QStringLiteral(". "), 0, 0),
+                 QStringLiteral("Mean distance of the collage: %1 → %2").arg(distance, shorter));
+        QVERIFY2(said->text().contains(QStringLiteral("Guarantee: %1 → %2.").arg(guarantee, other)),
+                 qPrintable(said->text()));
+        m_document->undoStack()->undo(); // it was of other maps
+        QVERIFY(said->isHidden());
+    }
+
+    void whatBecomesWorseIsSaid_data() {
+        QTest::addColumn<double>("distance"); // 1 before
+        QTest::addColumn<double>("bound");    // 20 before; 0: none
+        QTest::addColumn<QString>("worse");
+        QTest::newRow("nothing") << 0.5 << 10.0 << QString();
+        QTest::newRow("the same") << 1.0 << 20.0 << QString();
+        QTest::newRow("distance") << 1.5 << 10.0 << QStringLiteral("The distance has increased");
+        QTest::newRow("guarantee") << 0.5 << 30.0 << QStringLiteral("The guarantee is now weaker.");
+        QTest::newRow("no guarantee") << 0.5 << 0.0 << QStringLiteral("Nothing is guaranteed any more.");
+    }
+    void whatBecomesWorseIsSaid() {
+        QFETCH(double, distance);
+        QFETCH(double, bound);
+        QFETCH(QString, worse);
+        view::Refinement refinement{document::Compared::Attractor, {}, {}};
+        refinement.before.agreement.mean = 1;
+        refinement.before.bound = 20;
+        refinement.after.agreement.mean = distance;
+        if (bound > 0) refinement.after.bound = bound;
+        const QString text = view::refinementText(refinement);
+        QVERIFY2(text.startsWith(QStringLiteral("Mean distance of the attractor: 1 px → ")),
+                 qPrintable(text));
+        for (const char* part : {"The distance has increased", "The guarantee is now weaker.",
+                                 "Nothing is guaranteed any more."}) {
+            const bool isExpected = !worse.isEmpty() && worse == QLatin1String(part);
+            QVERIFY2(text.contains(QLatin1String(part)) == isExpected, qPrintable(text));
+        }
+    }
+
+    // The panel stays as narrow as it was.
+    void longGuaranteesWrap() {
+        view::CollageNumbers numbers(nullptr);
+        document::MeasuredFractal measured;
+        measured.bound = 1234.5;
+        measured.norm.norm = ifs::NormKind::Words;
+        measured.norm.wordLength = 12;
+        measured.norm.contractivity = 0.987;
+        numbers.show(measured);
+        const QLabel* guarantee = nullptr;
+        for (const QLabel* label : numbers.findChildren<QLabel*>())
+            if (label->accessibleName() == QLatin1String("Guarantee")) guarantee = label;
+        QVERIFY(guarantee && guarantee->text().contains(QStringLiteral("any 12 maps in a row")));
+        QVERIFY(numbers.minimumSizeHint().width() <
+                guarantee->fontMetrics().horizontalAdvance(guarantee->text()));
     }
 
     void onlySelectedMapsAreRefined() {

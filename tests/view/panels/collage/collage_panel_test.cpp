@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGuiApplication>
+#include <QProgressBar>
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QSlider>
@@ -285,6 +286,30 @@ private slots:
         QCOMPARE(system().maps.size(), std::size_t{4});
     }
 
+    // It marks the suggestion that is on the canvas, or none.
+    void theHighlightFollowsTheHistory() {
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
+        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3); // 4
+        push("Suggest");
+        settle();
+        auto* list = m_panel->findChild<view::SuggestionList*>();
+        QVERIFY(list->count() > 0);
+        const auto highlighted = [&] {
+            const QList<QListWidgetItem*> items = list->selectedItems();
+            return items.isEmpty() ? -1 : list->row(items.front());
+        };
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        settle();
+        QCOMPARE(highlighted(), 0);
+        m_document->undoStack()->undo();
+        QCOMPARE(highlighted(), -1);
+        m_document->undoStack()->redo();
+        QCOMPARE(highlighted(), 0);
+        takeRoughMaps();
+        QCOMPARE(highlighted(), -1);
+    }
+
     void cancellingAndLeavingStopASearch() {
         traceLeaf();
         named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
@@ -349,6 +374,25 @@ private slots:
         };
         QVERIFY(list->count() > 0);
         QTRY_VERIFY(isSeen());
+        area.takeWidget();
+    }
+
+    void progressScrollsIntoView() {
+        QScrollArea area;
+        area.setWidgetResizable(true);
+        area.resize(360, 300);
+        area.setWidget(m_panel.get());
+        area.show();
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
+        push("Suggest");
+        auto* bar = m_panel->findChild<QProgressBar*>();
+        auto* cancel = named<QPushButton>(QStringLiteral("Cancel"));
+        const auto isWhole = [](const QWidget* widget) {
+            return widget->visibleRegion().boundingRect() == widget->rect();
+        };
+        QTRY_VERIFY(isWhole(bar) && isWhole(cancel));
+        push("Cancel");
         area.takeWidget();
     }
 
