@@ -213,7 +213,7 @@ void TransformationView::connectBar() {
     connect(m_order, &MapOrder::ordered, this, [this](const std::vector<std::size_t>& order) {
         KeptTheft theft = m_kept;
         theft.order = order;
-        keep(tr("Reorder Tops"), theft);
+        keep(tr("Reorder Overlapping Maps"), theft);
     });
     connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
