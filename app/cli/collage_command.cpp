@@ -82,7 +82,7 @@ collage::SearchOptions optionsOf(const CollageArguments& arguments) {
     collage::SearchOptions options;
     readMaps(arguments.maps, options);
     if (arguments.seconds && arguments.starts)
-        throw UsageError{tr("--seconds and --starts exclude each other.")};
+        throw UsageError{tr("--seconds and --starts cannot be used together.")};
     if (arguments.seconds)
         options.time = std::chrono::duration<double>(secondsArgument("--seconds", *arguments.seconds));
     if (arguments.starts)
@@ -140,7 +140,7 @@ collage::Mask targetOf(const CollageArguments& arguments) {
     const std::size_t area = collage::area(mask);
     if (area == 0 || area == mask.cells.size())
         throw InputError{name, threshold ? tr("With this threshold, the shape is empty or fills the picture.")
-                                         : tr("The picture has one shade only, so there is no shape in it.")};
+                                         : tr("The picture has only one shade, so it contains no shape.")};
     return mask;
 }
 

@@ -26,8 +26,8 @@ void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
                          const char* description, const char* standard, const char* group) {
         command.add_option(name, value, description)->type_name(shown)->default_str(standard)->group(group);
     };
-    add("--voxel", arguments.voxel, "H",
-        "Size of a voxel in mm: the surface lies within √3 H of the attractor", "by --resolution", "Solids");
+    add("--voxel", arguments.voxel, "H", "Size of a voxel in mm: the surface is within √3 H of the attractor",
+        "by --resolution", "Solids");
     add("--resolution", arguments.resolution, "N", "Voxels along the longest side of the solid", "128",
         "Solids");
     add("--wall", arguments.wall, "W", "Smallest thickness in mm; thinner parts are thickened", "one voxel",

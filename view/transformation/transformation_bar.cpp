@@ -67,9 +67,9 @@ TransformationBar::TransformationBar(QWidget* parent)
     m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
     m_export->setEnabled(false);
     m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
-    m_overlay = flatButton(
-        QString(), tr("Overlay"),
-        tr("Show the partner half transparent over the fractal, where it lies in the same plane"), this);
+    m_overlay =
+        flatButton(QString(), tr("Overlay"),
+                   tr("Show the partner half transparent over the fractal, in the same coordinates"), this);
     m_overlay->setCheckable(true);
     m_stack = flatButton(QString(), tr("Stack"),
                          tr("Show the two fractals one above the other instead of side by side"), this);

@@ -227,7 +227,7 @@ void TransformationView::connectBar() {
     const auto putInOrder = [this](const std::vector<std::size_t>& order) {
         KeptTheft theft = m_kept;
         theft.order = order;
-        keep(order.empty() ? tr("Reset Order") : tr("Reorder Tops"), theft);
+        keep(order.empty() ? tr("Reset Order") : tr("Reorder Overlapping Maps"), theft);
     };
     connect(m_order, &MapOrder::ordered, this, putInOrder);
     connect(m_bar, &TransformationBar::resetOrderWanted, this, [putInOrder] { putInOrder({}); });

@@ -3,6 +3,7 @@
 
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/arithmetic/double_double.h"
+#include "attractor/cut/coinciding.h"
 #include "attractor/cut/thinning.h"
 #include "attractor/samples/chaos_game.h"
 
@@ -374,6 +375,7 @@ private:
                 if (next.size() > maxWaiting) thinOut(next, View::maxWords);
             }
             open.swap(next);
+            if (m_settings.mergesCoinciding) mergeCoinciding(open);
             if (m_followsBend && open.size() > View::maxWords) settleBent(open, done, threshold);
             thinOverlaps(open);
         }

@@ -68,7 +68,8 @@ struct CutSettings {
     std::uint64_t seed = 1;          // decides which words stand for others where there are too many
     std::size_t maxLooks = 1U << 25; // words looked at; then those that are open stay as they are
     double samples = 0; // in view; bends and blends are not followed into words that would get fewer than 32
-    ColourCoordinates colours{}; // empty: along the address
+    ColourCoordinates colours{};   // empty: along the address
+    bool mergesCoinciding = false; // words of one map become one word; where no colour tells them apart
 };
 
 // Words of the address tree that meet the grid: A ∩ view = ∪ w_σ(A) ∩ view.

@@ -74,6 +74,7 @@ CutSettings DensityFold::cutSettings() const {
     settings.samples = static_cast<double>(request.samples);
     settings.colours = prepared().coordinates();
     const ColourBy colourBy = request.appearance.colourBy;
+    settings.mergesCoinciding = system.coincides && !prepared().coloured();
     if (colourBy == ColourBy::Map) settings.minDepth = 1;
     // Where maps blend, the cut divides what needs it, unless no word may be longer than the others.
     if (colourBy == ColourBy::Address || (colourBy == ColourBy::Blend && !(system.meanLogarithm < 0)))

@@ -3,6 +3,7 @@
 
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/samples/finite_maps.h"
+#include "attractor/samples/rounded_map.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/support_function.h"
@@ -15,6 +16,8 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <unordered_set>
+#include <utility>
 
 namespace attractor {
 
@@ -313,6 +316,33 @@ void prepareLinked(PreparedSystem& system) {
         placeBoxByOrbit(system);
 }
 
+// Among the words of one map, and of two and three maps where these are not too many: exact overlaps show in
+// such words, or nearly never. Up to rounding.
+bool shortWordsCoincide(const PreparedSystem& system) {
+    constexpr std::size_t maxWords = 256;
+    constexpr double perUnit = 0x1p40; // in boxes
+    const double size = system.halfExtent.maxCoeff();
+    const auto key = [&](const ifs::AffineMap<2>& map) {
+        const Vector<2> shift = (map(system.centre) - system.centre) / size;
+        const ifs::Matrix<2>& m = map.linear;
+        return RoundedMap({m(0, 0), m(0, 1), m(1, 0), m(1, 1), shift.x(), shift.y()}, perUnit);
+    };
+    std::vector<ifs::AffineMap<2>> words = system.maps;
+    for (int length = 1; length <= 3; ++length) {
+        std::unordered_set<RoundedMap, RoundedMapHash> known;
+        for (const ifs::AffineMap<2>& word : words)
+            if (!known.insert(key(word)).second) return true;
+        if (words.size() * system.maps.size() > maxWords) break;
+        std::vector<ifs::AffineMap<2>> longer;
+        longer.reserve(words.size() * system.maps.size());
+        for (const ifs::AffineMap<2>& word : words)
+            for (const ifs::AffineMap<2>& map : system.maps)
+                longer.push_back(word * map);
+        words = std::move(longer);
+    }
+    return false;
+}
+
 } // namespace
 
 PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
@@ -336,6 +366,7 @@ PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
     if (!(result.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
         result.meanLogarithm = naturalLogarithm(existence.contractivity);
     placeBox(result);
+    result.coincides = shortWordsCoincide(result);
     return result;
 }
 

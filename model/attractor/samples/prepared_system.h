@@ -24,6 +24,7 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
     // Σ p ln‖A‖. Unless it is negative, composing maps only expands, and restarted orbits are all there is.
     double meanLogarithm = 0;
     RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
+    bool coincides = false;             // some short words of maps that are not linked are the same map
 
     // Of linked maps: the chain of the maps applied, and for each map which sample set holds the points that
     // it is applied to. Empty otherwise.

@@ -324,8 +324,9 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
         lines.add(Text::tr("connectedness"), connectednessText(contacts->connectedness));
         for (const auto& overlap : contacts->overlaps)
             lines.add(Text::tr("overlap"),
-                      (overlap.isExact ? Text::tr("the words %1 and %2 are the same map")
-                                       : Text::tr("the words %1 and %2 are the same map to rounding"))
+                      (overlap.isExact
+                           ? Text::tr("the words %1 and %2 are the same map")
+                           : Text::tr("the words %1 and %2 are the same map within rounding error"))
                           .arg(wordText(overlap.first, index), wordText(overlap.second, index)));
     }
     addTile(lines, invariants.tile);

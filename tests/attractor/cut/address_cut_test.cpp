@@ -8,8 +8,10 @@
 
 #include <QtTest>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <set>
 
 using namespace attractor;
 
@@ -86,6 +88,36 @@ private slots:
         const auto rows = counted(whole, samples, part, 2e6);
         for (std::size_t cell = 0; cell < part.cells(); ++cell)
             QCOMPARE(rows[cell], everything[cell + 96U * 320U]);
+    }
+
+    // Two Takagi curves: the words 13 and 31 are the same map, and so are 24 and 42.
+    void wordsOfOneMapBecomeOne() {
+        const auto system = systems::system({{{.5, 0, .5, .5, 0, 0}, .25},
+                                             {{.5, 0, -.5, .5, .5, .5}, .25},
+                                             {{.5, 0, -.5, .5, 0, 0}, .25},
+                                             {{.5, 0, .5, .5, .5, -.5}, .25}});
+        QVERIFY(prepared(system).coincides);
+        QVERIFY(!prepared(systems::maple()).coincides);
+        QVERIFY(!prepared(systems::fern()).coincides);
+        const Camera camera = systems::camera(system, 320, 320);
+        CutSettings settings;
+        settings.words = 256;
+        const auto shown = [](const AddressCut& cut) {
+            std::set<std::array<float, 6>> maps;
+            for (const Word& word : cut.words)
+                maps.insert(
+                    {word.xx, word.xy, word.yx, word.yy, std::round(16 * word.x), std::round(16 * word.y)});
+            return maps;
+        };
+        const AddressCut each = addressCut(prepared(system), projection(camera, {}, 1), settings);
+        QVERIFY(shown(each).size() < each.words.size());
+        settings.mergesCoinciding = true;
+        const AddressCut merged = addressCut(prepared(system), projection(camera, {}, 1), settings);
+        QCOMPARE(shown(merged).size(), merged.words.size());
+        QVERIFY(merged.words.size() >= 256);
+        QVERIFY(std::abs(merged.probability - each.probability) < 1e-12);
+        for (const Word& word : merged.words)
+            QVERIFY(word.probability <= 1.0 / 256);
     }
 
     void aStoppedCutIsEmpty() {

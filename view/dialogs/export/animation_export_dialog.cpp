@@ -179,7 +179,7 @@ QWidget* AnimationExportDialog::createResult() {
     auto* page = new QWidget(this);
     m_plan = new QLabel(page);
     m_plan->setWordWrap(true);
-    m_plan->setAccessibleName(tr("What will be written"));
+    m_plan->setAccessibleName(tr("Summary of the export"));
     m_lost = new QLabel(page);
     m_lost->setWordWrap(true);
     m_lost->setAccessibleName(tr("Frame without an attractor"));

@@ -141,7 +141,7 @@ void ClusterQueue::takeStates(int exitCode) {
 }
 
 void ClusterQueue::fail(const QString& sentence) {
-    emit stateChanged(tr("Slurm did not take the job: %1").arg(sentence));
+    emit stateChanged(tr("Slurm did not accept the job: %1").arg(sentence));
     emit finished(false);
 }
 

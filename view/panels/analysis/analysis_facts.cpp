@@ -179,7 +179,7 @@ template <int Dim> void Facts::addMaps() {
     const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
     const QString verdict = existenceSentence(facts.existence, facts.active.index);
     add(tr("Attractor"),
-        tr("A compact set to which the iterates of every compact set converge. A system has one exactly "
+        tr("A compact set to which the iterates of every compact set converge. A system has one if and only "
            "if its maps contract in some norm."),
         true, [verdict](const Analysis&, Format) { return verdict; });
     add(tr("Contraction"), tr("‖A‖ of each active map: the largest factor by which it stretches distances."),
@@ -250,7 +250,7 @@ template <int Dim> void Facts::addContacts() {
             return tr("unknown");
         });
     add(tr("Connectedness"),
-        tr("An attractor is connected exactly if its pieces are joined by common points (Hata). Common "
+        tr("An attractor is connected if and only if its pieces are joined by common points (Hata). Common "
            "points are looked for among fixed points of short words, and their absence is proved by "
            "disjoint covers."),
         invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
@@ -304,7 +304,7 @@ template <int Dim> void Facts::addInvariants() {
     const auto& invariants = factsIn<Dim>(*m_analysis).invariants;
     add(tr("Joint spectral radius"),
         tr("The largest factor per map by which long words stretch. Both ends of the interval are proved; a "
-           "system contracts in some norm exactly if it is less than 1."),
+           "system contracts in some norm if and only if it is less than 1."),
         invariants.jointSpectralRadius && std::isfinite(invariants.jointSpectralRadius->most),
         [](const Analysis& analysis, Format number) {
             const auto [least, most] = *factsIn<Dim>(analysis).invariants.jointSpectralRadius;
@@ -471,7 +471,7 @@ template <int Dim> void Facts::addHull() {
     else
         add(tr("Hull volume"),
             tr("Volume of the computed hull, whose vertices are points of the attractor. The exact convex "
-               "hull is larger by the error at most."),
+               "hull is larger by at most the error."),
             isKnown, [](const Analysis& analysis, Format number) {
                 const auto& hull = *analysis.solid->hull;
                 const double error = ifs::volumeError(hull), size = std::pow(sizeOf(*analysis.solid), 3);

@@ -86,10 +86,10 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     row->addWidget(heading(tr("Agreement"), this));
     m_compared->addItems({tr("of the collage"), tr("of the attractor"), tr("not shown")});
     m_compared->setAccessibleName(tr("Agreement"));
-    m_compared->setToolTip(tr("What is compared with the target on the canvas"));
+    m_compared->setToolTip(tr("Choose what the canvas compares with the target"));
     m_compared->setWhatsThis(
-        tr("What is compared with the target: the images of the target under the maps, or the "
-           "attractor. Agreement is grey, excess red, and what is missing blue."));
+        tr("Compares the target with its images under the maps, or with the attractor. Agreement is "
+           "grey, excess red, and missing parts blue."));
     row->addWidget(m_compared, 1);
     layout->addLayout(row);
     layout->addWidget(m_numbers);

@@ -99,11 +99,11 @@ QVariant LinksModel::data(const QModelIndex& index, int role) const {
                    ? QVariant()
                    : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
     case Qt::ToolTipRole:
-        return weight(index) > 0 ? tr("Just after map %1, map %2 is applied with its weight times %3.")
+        return weight(index) > 0 ? tr("Directly after map %1, map %2 has %3 times its weight.")
                                        .arg(index.row() + 1)
                                        .arg(index.column() + 1)
                                        .arg(fullNumber(weight(index)))
-                                 : tr("Just after map %1, map %2 is never applied.")
+                                 : tr("Map %2 is never applied directly after map %1.")
                                        .arg(index.row() + 1)
                                        .arg(index.column() + 1);
     case Qt::AccessibleTextRole:

@@ -125,7 +125,7 @@ EaseDialog::EaseDialog(const animation::Ease& ease, QWidget* parent)
                              tr("Time of the second handle"), tr("Progress of the second handle")};
     auto* grid = new QGridLayout;
     grid->addWidget(new QLabel(tr("Time")), 0, 1);
-    grid->addWidget(new QLabel(tr("Way")), 0, 2);
+    grid->addWidget(new QLabel(tr("Progress")), 0, 2);
     grid->addWidget(new QLabel(tr("First handle:")), 1, 0);
     grid->addWidget(new QLabel(tr("Second handle:")), 2, 0);
     for (int i = 0; i < 4; ++i) {

@@ -319,9 +319,9 @@ void AnimationExportDialogTest::failuresAreSaid() {
 
 void AnimationExportDialogTest::whatAFormatLacksIsSaid() {
     number(QStringLiteral("Width"))->setValue(65);
-    QVERIFY(named<QLabel>(QStringLiteral("What will be written"))->text().contains(QStringLiteral("even")));
+    QVERIFY(named<QLabel>(QStringLiteral("Summary of the export"))->text().contains(QStringLiteral("even")));
     number(QStringLiteral("Width"))->setValue(64);
-    QVERIFY(!named<QLabel>(QStringLiteral("What will be written"))->text().contains(QStringLiteral("even")));
+    QVERIFY(!named<QLabel>(QStringLiteral("Summary of the export"))->text().contains(QStringLiteral("even")));
     document::Fractal fast = wind();
     document::plane(fast)->animation->rate = {120, 1};
     open(fast);
