@@ -12,8 +12,10 @@
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
 #include "io/fractint/space_comments.h"
+#include "io/overlay/space_overlay.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
+#include "io/report/figure_error.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
@@ -96,10 +98,13 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     refuseIf(options.iterations.has_value(), "--iterations", plane);
     refuseIf(options.svg.has_value(), "--svg", plane);
     refuseIf(options.depth.has_value(), "--depth", plane);
-    refuseIf(options.overlay.has_value(), "--overlay", plane);
     refuseIf(options.legend, "--legend", plane);
     refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
              tr("--look depth and normals show data, which cannot be seen in stereo."));
+    refuseIf(options.overlay && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--overlay",
+             tr("--look depth and normals show data, which nothing can be drawn over."));
+    refuseIf(options.overlay && options.stereo, "--overlay",
+             tr("nothing can be drawn over a picture in stereo."));
     refuseIf(options.colour && look == LookInSpace::XRay, "--colour",
              tr("--look x-ray shows the mean depth with the palette."));
     if (look == LookInSpace::Depth || attractor::showsCloud(look))
@@ -213,6 +218,22 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
     return animation::orbited(camera, shown.orbit);
 }
 
+document::Fractal placedIn(document::Fractal fractal, const std::optional<ifs::ControlCage<3>>& cage) {
+    document::space(fractal)->cage = cage;
+    return fractal;
+}
+
+// With what is drawn over the picture.
+attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, const Shown& shown,
+                                       const document::Fractal& placed, const io::PictureOverlay& overlay,
+                                       double margin) {
+    const auto marks = document::reachOfVertices(io::spaceOverlayPoints(placed, overlay));
+    const auto reach = [&](const ifs::Vector<3>& u) {
+        return std::max(shown.support ? shown.support(u) : document::extentAlong(placed, u).high, marks(u));
+    };
+    return attractor::fitted(camera, reach, margin);
+}
+
 attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& options,
                                 const attractor::PreparedSpace& system,
                                 const ifs::SupportFunction<3>* support,
@@ -239,6 +260,9 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     }
     if (shown.camera) return camera;
     const double margin = options.margin ? marginArgument("--margin", *options.margin) : 0.05;
+    const io::PictureOverlay overlay = overlayOf(options);
+    if (support != nullptr && (overlay.maps || overlay.cage))
+        return fittedWithMarks(camera, shown, placedIn(shown.fractal, stored), overlay, margin);
     if (shown.support) return attractor::fitted(camera, shown.support, margin);
     if (isBent) return attractor::fitted(camera, document::reachOfVertices(stored->current), margin);
     if (support != nullptr) return attractor::fitted(camera, *support, cage, margin);
@@ -266,6 +290,31 @@ attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& f
     request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
                                      : std::max<std::uint64_t>(100 * pixels, 1'000'000);
     return request;
+}
+
+io::OverlayMarks marksOf(const io::SpaceExport& picture, const RenderArguments& options) {
+    const io::PictureOverlay overlay = overlayOf(options);
+    const document::Fractal placed = placedIn(picture.fractal, picture.request.cage);
+    if (overlay.hull && !document::spaceSupport(placed))
+        throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
+    if (overlay.hull && picture.request.cage && ifs::bends(*picture.request.cage))
+        throw UsageError{tr("--overlay hull cannot be used here: the cage bends the picture.")};
+    return io::spaceOverlayMarks(placed, picture.request.camera, overlay);
+}
+
+void warnOfEmptySlice(const io::SpaceExport& picture, const QString& fileName) {
+    const document::Fractal placed = placedIn(picture.fractal, picture.request.cage);
+    const attractor::SpaceClip& clip = *picture.request.clip;
+    const double length = clip.normal.stableNorm();
+    if (!document::spaceSupport(placed)) return; // how far it extends is not certain
+    const document::Extent extent = document::extentAlong(placed, clip.normal / length);
+    const double noise = 1e-9 * (extent.high - extent.low);
+    if (clip.lowest > (extent.high + noise) * length || clip.highest < (extent.low - noise) * length)
+        reportWarning(fileName,
+                      tr("The slice misses the attractor, so the picture is empty: along its normal, "
+                         "the attractor extends from %1 to %2.")
+                          .arg(io::withoutNoise(extent.low, noise) * length, 0, 'g', 6)
+                          .arg(io::withoutNoise(extent.high, noise) * length, 0, 'g', 6));
 }
 
 } // namespace
@@ -303,6 +352,8 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
     picture.quality = qualityOf(options);
     picture.dotsPerInch = dotsPerInch(options);
     picture.request = requestOf(shown, fractal, options, fileName);
+    if (options.slice) warnOfEmptySlice(picture, fileName);
+    if (options.overlay) picture.marks = marksOf(picture, options);
     if (options.frame) fractal = shown.entry;
     if (io::memoryFor(picture) > maxBytes)
         throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};

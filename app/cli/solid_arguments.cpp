@@ -30,8 +30,8 @@ void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
         "by --resolution", "Solids");
     add("--resolution", arguments.resolution, "N", "Voxels along the longest side of the solid", "128",
         "Solids");
-    add("--wall", arguments.wall, "W", "Smallest thickness in mm; thinner parts are thickened", "one voxel",
-        "Solids");
+    add("--wall", arguments.wall, "W",
+        "Smallest thickness in mm; thinner parts are thickened. By default, none is", "", "Solids");
     command.add_flag("--fill", arguments.fill, "Fill cavities that are closed off from outside")
         ->group("Solids");
     add("--longest", arguments.longest, "MM", "Longest side of the attractor in mm",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/space_outlines.h"
 
+#include "document/space_geometry.h"
 #include "ifs/extent/convex_hull_3d.h"
 
 #include <Eigen/Eigenvalues>
@@ -134,6 +135,13 @@ std::vector<SpaceOutline> spaceOutlines(const SpaceFacts& facts, const Fractal& 
             if (const auto fixed = ifs::fixedPoint(displayed.active.maps[k]))
                 shapes.push_back({Outline::FixedPoints, {*fixed}, {}, colours[displayed.active.index[k]]});
     return shapes;
+}
+
+std::optional<SpaceOutline> hullOutline(const Fractal& fractal) {
+    const auto support = spaceSupport(fractal);
+    const auto cage = support ? spaceCage(fractal) : std::nullopt;
+    if (!cage || ifs::bends(*cage)) return std::nullopt;
+    return hullOf(*support, hullTolerance, ifs::displayMap(*cage));
 }
 
 } // namespace document

@@ -33,4 +33,8 @@ struct SpaceFacts {
 std::vector<SpaceOutline> spaceOutlines(const SpaceFacts& facts, const Fractal& fractal,
                                         const std::set<Outline>& outlines, int cylinderDepth);
 
+// The edges of the convex hull of the attractor as it is displayed; nullopt without one, and where the cage
+// bends.
+std::optional<SpaceOutline> hullOutline(const Fractal& fractal);
+
 } // namespace document

@@ -20,8 +20,12 @@ ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas,
     m_defineInSpace = addHint(tr(
         "Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes "
         "it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels"));
-    m_space = addHint(tr("Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
-                         "scales  ·  drag anywhere else to turn the view"));
+    m_space =
+        addHint(tr("Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
+                   "scales  ·  drag anywhere else to turn the view"));
+    m_mapsInSpace =
+        addHint(tr("Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z "
+                   "keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));
     connect(canvas, &CanvasView::toolChanged, this, &ToolOptionsBar::follow);
     follow();
 }
@@ -52,7 +56,8 @@ void ToolOptionsBar::follow() {
     using Tool = CanvasView::Tool;
     const Tool tool = m_canvas->tool();
     QWidget* page = tool == Tool::Cage ? m_cage : tool == Tool::DefineTriangle ? m_define : m_branches;
-    if (m_isSpace) page = tool == Tool::DefineTriangle ? m_defineInSpace : m_space;
+    if (m_isSpace)
+        page = tool == Tool::DefineTriangle ? m_defineInSpace : tool == Tool::Maps ? m_mapsInSpace : m_space;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();
     if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it

@@ -17,7 +17,7 @@ class ToolOptionsBar : public QStackedWidget {
 public:
     ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
-    void setSpace(bool isSpace); // the window into space is shown, which has one tool
+    void setSpace(bool isSpace); // the window into space is shown, whose tools have no options
     QString hint() const;        // what is said of a tool without options; empty for the others
 
 private:
@@ -31,6 +31,7 @@ private:
     QWidget* m_define;
     QWidget* m_defineInSpace;
     QWidget* m_space;
+    QWidget* m_mapsInSpace;
 };
 
 } // namespace view

@@ -29,6 +29,7 @@ public:
     std::optional<ifs::Simplex<3>> click(const attractor::OrbitCamera& camera, const ifs::Vector<2>& pixel);
     void follow(const attractor::OrbitCamera& camera,
                 const ifs::Vector<2>& pixel); // what the next click gives
+    bool hasBegun() const { return !m_points.empty(); }
     bool isLifting() const { return m_points.size() == 3; }
     void lift(double share); // farther towards the eye, in heights of the regular tetrahedron
     bool takeBack();         // the last point; false when there is none

@@ -5,6 +5,7 @@
 #include "canvas/geometry/canvas_note.h"
 #include "canvas/items/note_item.h"
 #include "document/space_geometry.h"
+#include "io/report/figure_error.h"
 #include "space/space_symmetry.h"
 
 #include <QContextMenuEvent>
@@ -12,6 +13,7 @@
 #include <QMenu>
 #include <QWindow>
 
+#include <algorithm>
 #include <utility>
 
 namespace view {
@@ -101,8 +103,10 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 }
 
 void SpaceView::showNote() {
-    const auto frame = m_bridge->frame();
-    const QString said = m_definition.isActive() ? m_definition.prompt() : m_stop;
+    // One of several views says only what happens in it: the others would say the same.
+    const bool isSpokenFor = m_isFixed && !m_definition.hasBegun();
+    const auto frame = m_isFixed ? nullptr : m_bridge->frame();
+    const QString said = !m_definition.isActive() ? m_stop : isSpokenFor ? QString() : m_definition.prompt();
     m_note->setText(!said.isEmpty() ? said : frame ? noteInSpace(frame->note, frame->isCoarse) : QString());
 }
 
@@ -122,6 +126,7 @@ void SpaceView::fixDirection(const attractor::Direction& direction, const QStrin
     setAccessibleName(tr("Canvas in space: %1").arg(title));
     m_navigation.fixDirection(direction);
     m_input.fixDirection();
+    showNote();
     layOut();
 }
 
@@ -157,7 +162,10 @@ void SpaceView::describeFocus() {
             "the corner in focus or turn the view, F6 leaves the canvas."));
         return;
     }
-    const ifs::Vector<3>& at = vertices[*vertex];
+    double size = 0;
+    for (const ifs::Vector<3>& corner : vertices)
+        size = std::max(size, corner.norm());
+    const ifs::Vector<3> at = io::withoutNoise(vertices[*vertex], 1e-15 * size);
     const auto map = m_maps.selected();
     const QString pattern = map ? tr("Map %5, corner %1 at %2, %3, %4") : tr("Vertex %1 at %2, %3, %4");
     QString text =

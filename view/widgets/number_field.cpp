@@ -10,6 +10,7 @@
 #include <QValidator>
 #include <QWheelEvent>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace view {
@@ -93,7 +94,8 @@ QString NumberField::valueText() const {
 }
 
 void NumberField::showValue() {
-    const QString shown = hasFocus() || !typedText().isEmpty() ? valueText() : shortNumber(m_value);
+    const double known = std::abs(m_value) <= m_rounding ? 0 : m_value;
+    const QString shown = hasFocus() || !typedText().isEmpty() ? valueText() : shortNumber(known);
     if (text() != shown) setText(shown);
     showProblem({});
 }

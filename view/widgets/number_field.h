@@ -27,6 +27,7 @@ public:
     QString typedText() const; // how the value was written; empty when as a plain number
 
     void setRange(const NumberRange& range);
+    void setRounding(double rounding) { m_rounding = rounding; } // what is no larger reads 0, until edited
     // Of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1, Ctrl: ×10).
     void setStep(double step) { m_step = step; }
     // As the wheel does, also without the focus: one edit until endSteps(), or none after cancelSteps().
@@ -68,6 +69,7 @@ private:
     double m_typedValue = 0;
     QString m_typed; // an expression that gives it
     double m_step = 0.01;
+    double m_rounding = 0;
     NumberRange m_range;
     bool m_edited = false;
     int m_wheelRest = 0; // eighths of a degree not yet worth a step

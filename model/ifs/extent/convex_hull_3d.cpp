@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/extent/convex_hull_3d.h"
 
+#include "ifs/extent/convex_hull.h"
 #include "ifs/extent/polygon.h"
 
 #include <Eigen/Geometry>
@@ -336,6 +337,45 @@ ConvexHull3 flatHull(const Points& points, double flatness) {
     return hull;
 }
 
+// Of an attractor in the plane of those points, by its maps there. How far they are from what the maps do
+// counts as error, as in a collage. nullopt where they are not seen to contract, or when stopped.
+std::optional<ConvexHull3> hullInPlane(const SupportFunction<3>& support, const Points& points,
+                                       double tolerance, const std::stop_token& stop) {
+    const Eigen::Matrix<double, 3, 2> axes = spread(points).matrixU().leftCols<2>();
+    const Vector<3> origin = meanOf(points);
+    std::vector<AffineMap<2>> maps;
+    for (const auto& map : support.maps())
+        maps.push_back({axes.transpose() * map.linear * axes, axes.transpose() * (map(origin) - origin)});
+    const auto inPlane = SupportFunction<2>::of(maps);
+    const auto polygon = inPlane ? convexHull(*inPlane, tolerance, stop) : std::nullopt;
+    if (!polygon) return std::nullopt;
+    ConvexHull3 hull;
+    for (const auto& corner : polygon->vertices)
+        hull.vertices.push_back(origin + axes * corner);
+    for (int k = 2; k < int(hull.vertices.size()); ++k)
+        hull.facets.push_back({0, k - 1, k});
+    double off = 0;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const AffineMap<3>& map = support.maps()[i];
+        const double leaving = (map.linear * axes - axes * maps[i].linear).norm();
+        for (const auto& corner : polygon->vertices)
+            off = std::max(off, (map(origin + axes * corner) - origin - axes * maps[i](corner)).norm() +
+                                    leaving * polygon->error);
+    }
+    hull.error = polygon->error + support.normEquivalence() / (1 - support.contractivity()) * off +
+                 support.roundingError(64);
+    return hull;
+}
+
+// The better of what is known of points that span no space.
+std::optional<ConvexHull3> hullOfFlat(const SupportFunction<3>& support, const Points& points,
+                                      ConvexHull3 known, double tolerance, const std::stop_token& stop) {
+    if (known.error <= tolerance || points.size() < 3) return known;
+    auto inPlane = hullInPlane(support, points, tolerance, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    return inPlane && inPlane->error < known.error ? std::move(inPlane) : std::optional(std::move(known));
+}
+
 } // namespace
 
 ConvexHull3 convexHull(const SupportFunction<3>& support, double tolerance) {
@@ -363,6 +403,7 @@ std::optional<ConvexHull3> convexHull(const SupportFunction<3>& support, double 
     hull.error =
         std::min(refined.error, widening * escape(hull, refined.faces, support.maps(), 1e-14 * size) +
                                     support.roundingError(64));
+    if (refined.faces.empty()) return hullOfFlat(support, refined.points, std::move(hull), tolerance, stop);
     return hull;
 }
 

@@ -44,9 +44,11 @@ public:
         : m_maps(support.maps()),
           m_seen(support.conditioning() ? support.conditioning()->support : support),
           m_off(support.conditioning() ? support.conditioning()->error : 0),
-          m_size(support.radius() + support.centre().norm()) {
+          m_telling(1e-6 * support.radius()) {
+        double size = support.radius() + support.centre().norm();
         for (const auto& map : m_maps)
-            m_size = std::max(m_size, map.translation.norm());
+            size = std::max(size, map.translation.norm());
+        m_near = 1e-12 * size;
     }
 
     PieceContacts found() {
@@ -84,13 +86,12 @@ private:
             order.emplace_back(place(words[k]), k);
         std::ranges::sort(order);
         std::vector<Overlap> result;
-        const double near = 1e-12 * m_size;
         for (std::size_t k = 0; k < order.size(); ++k)
             for (std::size_t n = k + 1;
-                 n < order.size() && n < k + 16 && order[n].first - order[k].first <= 16 * near; ++n) {
+                 n < order.size() && n < k + 16 && order[n].first - order[k].first <= 16 * m_near; ++n) {
                 const auto &a = words[std::min(order[k].second, order[n].second)],
                            &b = words[std::max(order[k].second, order[n].second)];
-                if (a.word.front() != b.word.front() && agree(a.map, b.map, near))
+                if (a.word.front() != b.word.front() && agree(a.map, b.map))
                     result.push_back({a.word, b.word});
             }
         const auto length = [](const Overlap& overlap) {
@@ -109,10 +110,10 @@ private:
     }
 
     // As far as rounding tells, and by less than a millionth of the size of the piece.
-    bool agree(const AffineMap<Dim>& a, const AffineMap<Dim>& b, double near) const {
+    bool agree(const AffineMap<Dim>& a, const AffineMap<Dim>& b) const {
         const double size = a.linear.cwiseAbs().maxCoeff();
         return (a.linear - b.linear).cwiseAbs().maxCoeff() <= 1e-12 * size &&
-               (a.translation - b.translation).cwiseAbs().maxCoeff() <= std::min(near, 1e-6 * size * m_size);
+               (a.translation - b.translation).cwiseAbs().maxCoeff() <= std::min(m_near, size * m_telling);
     }
 
     std::size_t pairIndex(std::size_t i, std::size_t j) const { return i * m_maps.size() + j; }
@@ -213,7 +214,6 @@ private:
     void meet(const std::vector<KnownPoint>& points, std::size_t i, std::size_t j, std::vector<bool>& exact,
               std::vector<bool>& rounded) const {
         constexpr int maxExact = 8;
-        const double near = 1e-12 * m_size;
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t k = 0; k < points.size(); ++k)
             order.emplace_back(m_maps[j](points[k].point)[0], k);
@@ -221,11 +221,12 @@ private:
         int asked = 0;
         for (const KnownPoint& known : points) {
             const Vector<Dim> here = m_maps[i](known.point);
-            for (auto it = std::ranges::lower_bound(order, std::pair{here[0] - near, std::size_t(0)});
-                 it != order.end() && it->first <= here[0] + near; ++it) {
+            for (auto it = std::ranges::lower_bound(order, std::pair{here[0] - m_near, std::size_t(0)});
+                 it != order.end() && it->first <= here[0] + m_near; ++it) {
                 const KnownPoint& other = points[it->second];
-                if (!((m_maps[j](other.point) - here).norm() <= near)) continue;
-                rounded[pairIndex(i, j)] = true;
+                const double apart = (m_maps[j](other.point) - here).norm();
+                if (!(apart <= m_near)) continue;
+                if (apart <= m_telling) rounded[pairIndex(i, j)] = true;
                 if (++asked > maxExact) return;
                 if (isSame(exactImage(i, known), exactImage(j, other))) {
                     exact[pairIndex(i, j)] = true;
@@ -243,8 +244,9 @@ private:
 
     const std::vector<AffineMap<Dim>>& m_maps;
     const SupportFunction<Dim>& m_seen;
-    double m_off; // by which a point of the attractor is off where it is seen
-    double m_size;
+    double m_off;     // by which a point of the attractor is off where it is seen
+    double m_near;    // what rounding may move a point by, generously
+    double m_telling; // where rounding moves points farther, nothing follows from places that agree
 };
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 
 #include <cmath>
+#include <limits>
 
 namespace ifs {
 
@@ -95,6 +96,10 @@ RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
         r.row(2) *= -1;
         q.col(2) *= -1;
     }
+    // What is below the rounding of its own column is not there.
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row <= column; ++row)
+            if (std::abs(r(row, column)) <= 4e-15 * linear.col(column).norm()) r(row, column) = 0;
     RotationScaleShear3 result{q, r.diagonal(), Matrix<3>::Identity()};
     const double negligible = 1e-15 * linear.cwiseAbs().maxCoeff();
     for (int row = 0; row < 2; ++row)
@@ -110,7 +115,10 @@ Matrix<3> linearPart(const RotationScaleShear3& parts) {
 
 AxisAngle axisAngle(const Matrix<3>& rotation) {
     const Eigen::AngleAxisd turn(rotation);
-    return {turn.axis(), turn.angle()};
+    // The less it turns, the less is known of the axis.
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() / std::sin(turn.angle() / 2);
+    const auto known = [&](double x) { return std::abs(x) <= rounding && rounding < 1 ? 0 : x; };
+    return {turn.axis().unaryExpr(known), turn.angle()};
 }
 
 Matrix<3> rotationAbout(const AxisAngle& turn) {

@@ -179,6 +179,16 @@ OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Cam
     return Shapes(fractal, camera, overlay, faces).taken();
 }
 
+QImage imageOver(std::span<std::uint32_t> pixels, int width) {
+    return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
+            qsizetype(width) * 4, QImage::Format_ARGB32_Premultiplied};
+}
+
+QImage imageOver(std::span<attractor::Rgba16> pixels, int width) {
+    return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
+            qsizetype(width) * 8, QImage::Format_RGBA64};
+}
+
 void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow) {
     QPainter painter(&rows);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);

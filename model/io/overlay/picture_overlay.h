@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/light/tone_map16.h"
 #include "attractor/request/camera.h"
 #include "document/fractal.h"
 #include "document/tops/map_faces.h"
 #include "io/overlay/overlay_marks.h"
 
 #include <QImage>
+
+#include <cstdint>
+#include <span>
 
 namespace io {
 
@@ -26,6 +30,10 @@ struct PictureOverlay {
 // Its maps have those faces; empty: their own.
 OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
                           const PictureOverlay& overlay, const document::MapFaces& faces = {});
+
+// An image that paints into whole rows of pixels.
+QImage imageOver(std::span<std::uint32_t> pixels, int width);
+QImage imageOver(std::span<attractor::Rgba16> pixels, int width);
 
 // Over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
 void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow);

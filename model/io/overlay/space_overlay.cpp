@@ -3,6 +3,7 @@
 
 #include "document/space_geometry.h"
 #include "document/space_map_handles.h"
+#include "document/space_outlines.h"
 #include "ifs/cage/cage_surface.h"
 
 #include <algorithm>
@@ -56,38 +57,38 @@ public:
     }
     // A number in a disc.
     void addNumber(const ifs::Vector<3>& point, std::size_t number, const QColor& disc, const QColor& rim) {
-        const auto centre = onScreen(point);
+        const double radius = 7.5 * m_width;
+        const auto centre = addDisc(point, radius, disc, rim);
         if (!centre) return;
-        OverlayMark mark;
-        mark.centre = *centre;
-        mark.radius = 7.5 * m_width;
-        mark.fill = disc;
-        mark.stroke = rim;
-        mark.width = m_width;
-        m_marks.push_back(mark);
         OverlayMark digits;
         digits.centre = *centre;
         digits.word = QString::number(number);
-        digits.letterSize = mark.radius * (digits.word.size() < 3 ? 1.1 : 0.8);
+        digits.letterSize = radius * (digits.word.size() < 3 ? 1.1 : 0.8);
         digits.fill = qGray(disc.rgb()) > 130 ? QColor(14, 18, 26) : QColor(250, 252, 255);
         m_marks.push_back(std::move(digits));
     }
     void addDot(const ifs::Vector<3>& point, const QColor& colour) {
-        const auto centre = onScreen(point);
-        if (!centre) return;
-        OverlayMark mark;
-        mark.centre = *centre;
-        mark.radius = 3 * m_width;
-        mark.fill = colour;
-        mark.stroke = m_halo;
-        mark.width = m_width;
-        m_marks.push_back(std::move(mark));
+        addDisc(point, 3 * m_width, colour, m_halo);
     }
     const QColor& ink() const { return m_ink; }
     const QColor& halo() const { return m_halo; }
     OverlayMarks taken() { return std::move(m_marks); }
 
 private:
+    // Its centre, or nullopt behind the eye.
+    std::optional<QPointF> addDisc(const ifs::Vector<3>& point, double radius, const QColor& fill,
+                                   const QColor& rim) {
+        const auto centre = onScreen(point);
+        if (!centre) return std::nullopt;
+        OverlayMark mark;
+        mark.centre = *centre;
+        mark.radius = radius;
+        mark.fill = fill;
+        mark.stroke = rim;
+        mark.width = m_width;
+        m_marks.push_back(std::move(mark));
+        return centre;
+    }
     std::optional<QPointF> onScreen(const ifs::Vector<3>& point) const {
         const ifs::Vector<2> pixel = toScreen(m_camera, point).pixel;
         return pixel.allFinite() ? std::optional(QPointF(pixel.x(), pixel.y())) : std::nullopt;
@@ -132,6 +133,8 @@ OverlayMarks spaceOverlayMarks(const document::Fractal& fractal, const attractor
     const auto cage = document::spaceCage(fractal);
     if (!cage) return {};
     Marks marks(fractal, camera);
+    if (const auto hull = overlay.hull ? document::hullOutline(fractal) : std::nullopt)
+        marks.addLines(hull->points, hull->edges, marks.ink());
     if (overlay.maps || overlay.fixedPoints || overlay.numbers) addMaps(marks, fractal, *cage, overlay);
     if (overlay.cage) {
         marks.addLines(cage->current, edgesOf(cage->rest), overlay.isCageInked ? marks.ink() : cageColour());

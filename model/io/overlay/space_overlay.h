@@ -7,9 +7,9 @@
 
 namespace io {
 
-// The same of an entry in space: the edges of the cage with numbered corners and, for each map, those of the
-// image of the tetrahedron that its handles are. There is no hull. In perspective, what lies behind the eye
-// is left out.
+// The same of an entry in space: the edges of the hull, those of the cage with numbered corners and, for each
+// map, those of the image of the tetrahedron that its handles are. Under a cage that bends there is no hull.
+// In perspective, what lies behind the eye is left out.
 OverlayMarks spaceOverlayMarks(const document::Fractal& fractal, const attractor::OrbitCamera& camera,
                                const PictureOverlay& overlay);
 

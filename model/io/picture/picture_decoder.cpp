@@ -101,6 +101,16 @@ QSize reduced(const QSize& size) {
     return {std::max(1, int(size.width() * factor)), std::max(1, int(size.height() * factor))};
 }
 
+// An interlaced picture is not scaled row by row. If all of it needs more than may be allocated, Qt would
+// tell the terminal.
+bool isTooLargeAtOnce(const QByteArray& bytes, const QByteArray& format, const QSize& size) {
+    constexpr qsizetype depthAt = 24, coloursAt = 25, interlaceAt = 28;
+    if (format != "png" || bytes.size() <= interlaceAt || bytes[interlaceAt] == 0) return false;
+    const bool isOneByte = bytes[coloursAt] == 0 || bytes[coloursAt] == 3; // grey, or with a palette
+    const qint64 bytesPerPixel = bytes[depthAt] == 16 ? 8 : isOneByte ? 1 : 4;
+    return pixelsOf(size) * bytesPerPixel > qint64(megabytes) << 20;
+}
+
 // Why the picture cannot be used, as far as can be told before it is decoded.
 std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes, LargePicture large) {
     const QByteArray format = reader.format();
@@ -109,6 +119,7 @@ std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes, Lar
     const QSize size = reader.size();
     const bool isLarge = pixelsOf(size) > maxDecodedPixels;
     if (isLarge && (large == LargePicture::Refused || !isReducible(format, size))) return tooLarge(size);
+    if (isTooLargeAtOnce(bytes, format, size)) return tooLarge(size);
     if (isDamaged(bytes, format)) return damaged();
     if (format.startsWith("jp") && jpegFacts(bytes).components > 3)
         return Text::tr(
@@ -184,8 +195,7 @@ DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large) {
     const bool isLarge = pixelsOf(size) > maxDecodedPixels;
     if (isLarge) reader.setScaledSize(reduced(size));
     QImage image = reader.read();
-    if (image.isNull()) // an interlaced picture is not scaled row by row, and needs too much memory
-        return {{}, isLarge ? tooLarge(size) : damaged()};
+    if (image.isNull()) return {{}, isLarge ? tooLarge(size) : damaged()};
     return inSrgb(std::move(image));
 }
 

@@ -21,16 +21,6 @@ constexpr double shareOfDrawing = 0.8; // of the progress; the rest is compressi
 
 enum class Drawn { All, Stopped, Refused };
 
-QImage imageOver(std::span<std::uint32_t> pixels, int width) {
-    return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
-            qsizetype(width) * 4, QImage::Format_ARGB32_Premultiplied};
-}
-
-QImage imageOver(std::span<Rgba16> pixels, int width) {
-    return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
-            qsizetype(width) * 8, QImage::Format_RGBA64};
-}
-
 const document::Fractal& explained(const PngExport& picture) {
     return picture.explained ? *picture.explained : picture.fractal;
 }

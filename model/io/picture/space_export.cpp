@@ -5,6 +5,7 @@
 #include "attractor/render/cloud_rendering.h"
 #include "attractor/render/solid_rendering.h"
 #include "io/fractint/entry_writer.h"
+#include "io/overlay/picture_overlay.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/solid_picture.h"
 #include "io/text/number.h"
@@ -169,7 +170,14 @@ ExportOutcome eyePixels(const SpaceExport& picture, double eyeShift, std::span<P
 template <class Pixel>
 ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
                        const std::stop_token& stop) {
-    if (picture.stereo == Stereo::None) return eyePixels(picture, pixels, progress, stop);
+    if (picture.stereo == Stereo::None) {
+        const ExportOutcome outcome = eyePixels(picture, pixels, progress, stop);
+        if (!picture.marks.empty()) {
+            QImage image = imageOver(pixels, picture.request.camera.size.width);
+            paintOverlay(image, picture.marks, 0);
+        }
+        return outcome;
+    }
     const attractor::RasterSize& size = picture.request.camera.size;
     std::vector<Pixel> left(std::size_t(size.width) * std::size_t(size.height)), right(left.size());
     const auto half = [&](double done) {
@@ -215,7 +223,8 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
     if (picture.look == LookInSpace::Depth)
         return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
     const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
-    if (!attractor::showsCloud(picture.look)) return stereo + memoryFor(solidOf(picture));
+    const std::uint64_t marked = picture.marks.empty() ? 0 : pixels * sizeof(attractor::Rgba16);
+    if (!attractor::showsCloud(picture.look)) return stereo + marked + memoryFor(solidOf(picture));
     const auto side = std::uint64_t(picture.request.appearance.supersample);
     const std::uint64_t cell =
         picture.look == LookInSpace::XRay || attractor::coloursSamples(picture.request.appearance.colourBy)
@@ -233,7 +242,8 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const 
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (picture.look == LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
-    if (!attractor::showsCloud(picture.look) && picture.moments.empty() && picture.stereo == Stereo::None)
+    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && picture.marks.empty();
+    if (!attractor::showsCloud(picture.look) && isPlain)
         return writeSolidRows(picture, buffer, progress, stop);
     return picture.depth == PngFormat::Depth::Bits16
                ? drawPixels<attractor::Rgba16>(picture, buffer, progress, stop)

@@ -5,6 +5,7 @@
 #include "attractor/light/stereo.h"
 #include "attractor/request/space_request.h"
 #include "document/fractal.h"
+#include "io/overlay/overlay_marks.h"
 #include "io/picture/png_export.h"
 
 #include <QByteArray>
@@ -33,6 +34,7 @@ struct SpaceExport {
     std::optional<attractor::Exposure> exposure{}; // of a cloud, mean density included; else its own
     PictureFile file = PictureFile::Png;           // of Depth: PNG
     std::optional<int> quality{};                  // as in PictureFormat
+    OverlayMarks marks{};                          // drawn over it, but not over Depth or in stereo
 };
 
 // Memory that drawSpacePng() takes, in bytes, about.

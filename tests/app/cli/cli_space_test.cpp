@@ -26,6 +26,7 @@ private slots:
     void theFirstEntryMayLieInSpace();
     void aLargePictureHasNoHoles();
     void piecesThatAreMissingAreSaid();
+    void overlaysAreDrawn();
     void optionsThatMakeNoSenseAreRefused_data();
     void optionsThatMakeNoSenseAreRefused();
 
@@ -173,6 +174,17 @@ void CliSpaceTest::aSliceKeepsWhatIsBetweenItsPlanes() {
         across += upright.isEmpty(x, 30) ? 0 : 1;
     QVERIFY(across >= 1 && across <= 3); // an infinitely thin slice is a pixel wide
     QVERIFY(depths(view + "--slice 0,0,1,-1").isEmpty(40, 30));
+    const QByteArray call = "render cube.ifs -o sliced.png --size 8x6 --slice ";
+    QVERIFY(run(call + "0,0,2,0.5").err.isEmpty());
+    QVERIFY(
+        run(call + "0,0,2,-1").err.contains("empty: along its normal, the attractor extends from 0 to 2"));
+    const Result between = run(call + "0,0,1,1.5,0.25");
+    QCOMPARE(between.status, 0);
+    QVERIFY(between.err.contains("The slice misses the attractor"));
+    // What counts is where the cage puts it.
+    QVERIFY(run(call +
+                "0,0,1,1.5,0.25 --rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1\" --cage \"0,0,1 1,0,1 0,1,1 0,0,2\"")
+                .err.isEmpty());
 }
 
 void CliSpaceTest::stereoShowsBothEyes() {
@@ -256,6 +268,55 @@ void CliSpaceTest::piecesThatAreMissingAreSaid() {
     QCOMPARE(run("render ball.ifs -o ball.png --size 200x200 --look cloud").err, QByteArray());
 }
 
+void CliSpaceTest::overlaysAreDrawn() {
+    const auto picture = [&](const QByteArray& arguments) {
+        const Result result =
+            run("render cube.ifs -o over.png --size 240x180 --orbit 0,0 --background white " + arguments);
+        if (result.status != 0) qWarning("%s", result.err.constData());
+        return QImage(path("over.png"));
+    };
+    const QByteArray view = "--view 0.5,0.5,0.5,2 "; // 90 pixels a side: from 75 to 165 and from 45 to 135
+    const QImage plain = picture(view);
+    const auto changed = [&](const QImage& over) {
+        QRect found;
+        for (int y = 0; y < plain.height(); ++y)
+            for (int x = 0; x < plain.width(); ++x)
+                if (over.pixel(x, y) != plain.pixel(x, y)) found |= QRect(x, y, 1, 1);
+        return found;
+    };
+    const auto isNear = [](const QRect& a, const QRect& b) {
+        constexpr int disc = 7;
+        return std::abs(a.left() - b.left()) <= disc && std::abs(a.top() - b.top()) <= disc &&
+               std::abs(a.right() - b.right()) <= disc && std::abs(a.bottom() - b.bottom()) <= disc;
+    };
+    const QImage hull = picture(view + "--overlay hull");
+    QVERIFY(isNear(changed(hull), QRect(75, 45, 90, 90)));
+    QVERIFY(hull.pixelColor(120, 90) == plain.pixelColor(120, 90)); // no diagonal, which is no edge of a cube
+    QVERIFY(hull.pixelColor(100, 45) != plain.pixelColor(100, 45));
+    QVERIFY(isNear(changed(picture(view + "--overlay fixed-points")), QRect(75, 45, 90, 90)));
+    const QImage cage =
+        picture(view + "--rest-cage box --look cloud --points 100000 --overlay cage --bits 16");
+    QVERIFY(
+        isNear(changed(picture(view + "--rest-cage box --overlay cage")).intersected(QRect(75, 45, 90, 90)),
+               QRect(75, 45, 90, 90)));
+    QCOMPARE(cage.size(), plain.size());
+    QVERIFY(!changed(picture(view + "--overlay maps")).isNull());
+    QVERIFY(!changed(picture(view + "--overlay numbers")).isNull());
+    // Without a view, there is room for the images of the tetrahedron, which reach far beyond the cube.
+    const QImage maps = picture("--overlay maps");
+    for (int x = 0; x < maps.width(); ++x)
+        QVERIFY(maps.pixelColor(x, 0) == QColor(Qt::white) && maps.pixelColor(x, 179) == QColor(Qt::white));
+    for (int y = 0; y < maps.height(); ++y)
+        QVERIFY(maps.pixelColor(0, y) == QColor(Qt::white) && maps.pixelColor(239, y) == QColor(Qt::white));
+    QVERIFY(maps != picture({}));
+    // A cage that bends has a hull of its own.
+    const Result bent =
+        run("render cube.ifs -o bent.png --overlay hull --rest-cage box --cage \"-1,0,0 1,0,0 0,1,0 "
+            "1,1,0 0,0,1 1,0,1 0,1,1 1,1,1\"");
+    QCOMPARE(bent.status, 2);
+    QVERIFY2(bent.err.contains("the cage bends the picture"), bent.err.constData());
+}
+
 void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::addColumn<QByteArray>("arguments");
     QTest::addColumn<QByteArray>("message");
@@ -268,6 +329,10 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
                                 << QByteArray("even width");
     QTest::newRow("stereo depth") << QByteArray("cube.ifs -o a.png --look depth --stereo anaglyph")
                                   << QByteArray("in stereo");
+    QTest::newRow("overlay on depths")
+        << QByteArray("cube.ifs -o a.png --look depth --overlay cage") << QByteArray("show data");
+    QTest::newRow("overlay in stereo")
+        << QByteArray("cube.ifs -o a.png --stereo anaglyph --overlay cage") << QByteArray("stereo");
     QTest::newRow("x-ray colour") << QByteArray("cube.ifs -o a.png --look x-ray --colour map")
                                   << QByteArray("--colour");
     QTest::newRow("plane slice") << QByteArray("systems.ifs -o a.png --slice 0,0,1,1")

@@ -62,6 +62,7 @@ private slots:
     void aSolidFitsASmallWindow();
     void rowsOfASliceAppear_data();
     void rowsOfASliceAppear();
+    void hintsInSpaceAreThoseOfTheTool();
     void theTimelineIsSeenWhole_data() { namesOfPanelsAreSeenWhole_data(); }
     void theTimelineIsSeenWhole();
     void theTimelineIsRemembered();
@@ -440,6 +441,24 @@ void WindowLayoutTest::aSolidFitsASmallWindow() {
         QTest::qWait(50);
         QCOMPARE(window.height(), height);
     }
+}
+
+void WindowLayoutTest::hintsInSpaceAreThoseOfTheTool() {
+    using Tool = view::CanvasView::Tool;
+    MainWindow window;
+    window.setAttribute(Qt::WA_DeleteOnClose, false);
+    QFile plants(support::sourcePath(QStringLiteral("ifs_library/space_plants.ifs")));
+    QVERIFY(plants.open(QIODevice::ReadOnly));
+    window.document().setFile(io::readCollection(plants.readAll()).file);
+    auto* canvas = window.findChild<view::CanvasView*>();
+    const auto* options = window.findChild<view::ToolOptionsBar*>();
+    const auto hint = [&](Tool tool) {
+        canvas->setTool(tool);
+        return options->hint();
+    };
+    QVERIFY(hint(Tool::Cage).contains(QStringLiteral("a face of the cage"))); // whatever its corners
+    QVERIFY(hint(Tool::Maps).contains(QStringLiteral("select the map")));
+    QVERIFY(hint(Tool::DefineTriangle).contains(QStringLiteral("four corners")));
 }
 
 void WindowLayoutTest::aCageOfManyCornersIsScrolled() {

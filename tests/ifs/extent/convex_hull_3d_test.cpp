@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/deadline.h"
+#include "ifs/extent/convex_hull.h"
 #include "ifs/extent/convex_hull_3d.h"
 
 #include <QElapsedTimer>
@@ -123,6 +124,42 @@ private slots:
         QVERIFY(hasVertex(gasket, {0, 2, 2}, 1e-12) && gasket.facets.size() == 1 && gasket.volume == 0);
         for (const auto& hull : {point, segment, gasket})
             QVERIFY(hull.error < 1e-9);
+    }
+
+    // The hull of what lies in a plane is that in the plane, and as well known, wherever the plane stands.
+    void aLiftedSystemHasItsHullInThePlane() {
+        Maps3 maps;
+        const Matrix<3> turn = Eigen::AngleAxisd(0.7, Vector<3>(1, 2, 3).normalized()).toRotationMatrix();
+        for (const auto& map : fern()) {
+            Matrix<3> linear = Matrix<3>::Identity() / 2;
+            linear.topLeftCorner<2, 2>() = map.linear;
+            maps.push_back(map3(turn * linear * turn.transpose(),
+                                turn * Vector<3>(map.translation.x(), map.translation.y(), 0)));
+        }
+        const auto support = *SupportFunction<3>::of(maps);
+        const auto hull = convexHull(support, 1e-5 * support.radius());
+        QVERIFY2(hull.error <= 2e-5 * support.radius(), qPrintable(QString::number(hull.error)));
+        QCOMPARE(hull.volume, 0.0);
+        double area = 0;
+        for (const auto& [a, b, c] : hull.facets)
+            area += (hull.vertices[std::size_t(b)] - hull.vertices[std::size_t(a)])
+                        .cross(hull.vertices[std::size_t(c)] - hull.vertices[std::size_t(a)])
+                        .norm() /
+                    2;
+        const auto flat = convexHull(*SupportFunction<2>::of(fern()), 1e-5 * support.radius());
+        QVERIFY(std::abs(area - flat.area) <= areaError(flat) + 1e-3 * flat.area);
+        Random random(3);
+        for (const auto& x : orbit<3>(maps, 300, random)) {
+            double reach = 0; // beyond the hull, along some directions in the plane
+            for (int k = 0; k < 16; ++k) {
+                const Vector<3> u = turn * Vector<3>(std::cos(k * 0.4), std::sin(k * 0.4), 0);
+                double farthest = -infinity;
+                for (const auto& vertex : hull.vertices)
+                    farthest = std::max(farthest, u.dot(vertex));
+                reach = std::max(reach, u.dot(x) - farthest);
+            }
+            QVERIFY(reach <= hull.error + 1e-12 * support.radius());
+        }
     }
 
     void aHullThatIsStoppedIsNone() {

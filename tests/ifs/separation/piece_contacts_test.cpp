@@ -119,6 +119,23 @@ private slots:
         QVERIFY(found.overlaps.empty());
     }
 
+    // There rounding is a hundredth of the size, and short words seem to have the same maps.
+    void smallAndFarAway() {
+        const Maps2 small{affineMap(.5, 0, 0, .5, 0, 0), affineMap(.5, 0, 0, .5, 5e-11, 0),
+                          affineMap(.5, 0, 0, .5, 0, 5e-11)};
+        Maps2 far = small;
+        for (auto& map : far)
+            map.translation += Vector<2>(1, 1);
+        for (const Maps2& maps : {small, far}) {
+            const PieceContacts found = contactsOf<2>(maps);
+            QCOMPARE(found.separation, Separation::Unknown);
+            QVERIFY(found.overlaps.empty());
+        }
+        QCOMPARE(contactsOf<2>(small).connectedness, Connectedness::Connected);
+        far.push_back(far[1]);
+        QCOMPARE(contactsOf<2>(far).separation, Separation::Overlapping);
+    }
+
     // Of what moves apart by 10⁻⁹, nothing is said that is not so.
     void almostTouching() {
         for (const double gap : {1e-3, 1e-6, 1e-9, -1e-9}) {

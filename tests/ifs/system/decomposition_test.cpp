@@ -106,6 +106,27 @@ private slots:
         QVERIFY(rotationAbout(axisAngle(Matrix<3>::Identity())) == Matrix<3>(Matrix<3>::Identity()));
     }
 
+    // Turns about axes in a plane of coordinates: none of what is 0 comes out as 1e-17.
+    void whatIsNotThereIsZero() {
+        Random random(5);
+        const auto isKnown = [](double x) { return x == 0 || std::abs(x) > 1e-9; };
+        for (int n = 0; n < 2000; ++n) {
+            Vector<3> axis = Vector<3>::Zero();
+            axis[n % 3] = uniform(random);
+            axis[(n + 1) % 3] = uniform(random);
+            if (axis.norm() < 0.1) continue;
+            const Matrix<3> rotation = rotationAbout({axis, uniform(random, 0.1, 3)});
+            const Vector<3> scale(uniform(random, 0.1, 1), uniform(random, 0.1, 1), uniform(random, 0.1, 1));
+            const auto parts = rotationScaleShear(Matrix<3>(rotation * scale.asDiagonal()));
+            QVERIFY(parts.shear(0, 1) == 0 && parts.shear(0, 2) == 0 && parts.shear(1, 2) == 0);
+            const AxisAngle turn = axisAngle(parts.rotation);
+            QVERIFY(isKnown(turn.axis.x()) && isKnown(turn.axis.y()) && isKnown(turn.axis.z()));
+        }
+        Matrix<3> flat;
+        flat << 0.3, 0.1, 0.7, 0.2, 0.5, 0.9, 0.5, 0.6, 1.6; // the third row is the sum of the others
+        QCOMPARE(rotationScaleShear(flat).scale.z(), 0.0);
+    }
+
     void polarRecomposes2() { polarRecomposes<2>(); }
     void polarRecomposes3() { polarRecomposes<3>(); }
 

@@ -7,6 +7,7 @@
 #include <QBuffer>
 #include <QColorSpace>
 #include <QImage>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -22,6 +23,7 @@ private slots:
     void convertsColourSpaces();
     void refusesWhatIsTooLarge();
     void reducesLargePictures();
+    void refusesLargeInterlacedPicturesItself();
     void namesTheFile();
     void survivesDamage();
 };
@@ -97,6 +99,20 @@ void PictureReaderTest::reducesLargePictures() {
         QVERIFY(read.picture.at(read.picture.width() * .75, y, 1).blue > .9);
         QVERIFY(io::decodedPicture(bytes).flaw); // where every pixel counts
     }
+}
+
+// 9000 × 9000 in colours, which cannot be scaled row by row: the sentence is ours, and nothing is said
+// besides.
+void PictureReaderTest::refusesLargeInterlacedPicturesItself() {
+    const QByteArray bytes =
+        QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000232800002328080200000195b0d57b00000008494441"
+                            "54789c030000000001480689d20000000049454e44ae426082");
+    QTest::failOnWarning(QRegularExpression(QStringLiteral(".")));
+    const io::ReadPicture read = io::decodePicture(bytes);
+    QVERIFY(read.failure);
+    QCOMPARE(*read.failure,
+             QStringLiteral("The picture has 9000 × 9000 pixels. At most 32 million pixels can "
+                            "be read; scale it down."));
 }
 
 void PictureReaderTest::namesTheFile() {

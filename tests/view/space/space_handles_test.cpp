@@ -219,6 +219,24 @@ void SpaceHandlesTest::fourViewsShowTheSameDrag() {
     send(QEvent::MouseMove, {60, 170});
     send(QEvent::MouseButtonRelease, {60, 170});
     QVERIFY(camera.orientation.coeffs() == was.orientation.coeffs() && camera.target != was.target);
+    // What there is to say of the picture is said once.
+    document::Fractal flat = document.fractal();
+    for (ifs::Vector<3>& vertex : document::space(flat)->cage->current)
+        vertex.z() = 0;
+    document.edit(QStringLiteral("Squeeze"), flat);
+    QTRY_VERIFY(!views.main()->note().isEmpty());
+    for (const SpaceView* other : views.others())
+        QCOMPARE(other->note(), QString());
+    document.undoStack()->undo();
+    QTRY_COMPARE(views.main()->note(), QString());
+    views.setTarget(SpaceView::Target::Definition);
+    QVERIFY(views.main()->note().contains(QStringLiteral("first")));
+    for (const SpaceView* other : views.others())
+        QCOMPARE(other->note(), QString());
+    send(QEvent::MouseButtonPress, {60, 60});
+    send(QEvent::MouseButtonRelease, {60, 60});
+    QVERIFY(top->note().contains(QStringLiteral("second"))); // what goes on there, there
+    views.setTarget(SpaceView::Target::Cage);
     views.showFour(false);
     QVERIFY(views.others().empty());
 }

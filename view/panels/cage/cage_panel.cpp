@@ -498,6 +498,7 @@ bool CagePanel::isCageKnown() const {
 }
 
 template <int Dim> void CagePanel::showVertices(const ifs::ControlCage<Dim>& cage) {
+    const double rounding = roundingIn(cage);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const bool used = i < cage.current.size();
         m_rows[i].number->setVisible(used);
@@ -508,6 +509,8 @@ template <int Dim> void CagePanel::showVertices(const ifs::ControlCage<Dim>& cag
             rest->setVisible(used && m_restShown);
             rest->setReadOnly(ifs::bends(cage));
             if (used) {
+                current->setRounding(rounding);
+                rest->setRounding(rounding);
                 showNumber(current, placeOf(Vertices::Current, i, axis), cage.current[i][axis]);
                 showNumber(rest, placeOf(Vertices::Rest, i, axis), cage.rest[i][axis]);
             }

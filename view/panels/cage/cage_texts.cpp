@@ -5,18 +5,23 @@
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "ifs/system/barycentric.h"
+#include "io/report/figure_error.h"
 #include "widgets/number_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <limits>
 
 namespace view {
 
 namespace {
 
 constexpr std::size_t triangle = 3;
+constexpr double roundingShare = 4 * std::numeric_limits<double>::epsilon();
 constexpr double spaceTolerance = 1e-9; // of the simplex in space, relative: finer than its digits
 
 struct Texts {
@@ -71,6 +76,17 @@ QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<3>& 
                : Texts::tr("Placed: volumes change by the factor %1.").arg(shortNumber(factor));
 }
 
+template <int Dim> double roundingIn(const ifs::ControlCage<Dim>& cage) {
+    double size = 0;
+    for (const auto* vertices : {&cage.current, &cage.rest})
+        for (const auto& vertex : *vertices)
+            size = std::max(size, vertex.norm());
+    return roundingShare * size;
+}
+
+template double roundingIn(const ifs::ControlCage<2>&);
+template double roundingIn(const ifs::ControlCage<3>&);
+
 template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, const ifs::Vector<Dim>& point) {
     if (cage.current.empty()) return {};
     if (cage.current.size() != Dim + 1)
@@ -81,9 +97,17 @@ template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, co
     if (!ifs::isAffineBasis<Dim>(simplex))
         return Dim == 2 ? Texts::tr("The triangle is flat: it defines no coordinates.")
                         : Texts::tr("The tetrahedron is flat: it defines no coordinates.");
+    // A point on a face has the weight 0 up to the rounding of the numbers it is worked out from.
+    ifs::Matrix<Dim> edges;
+    double size = point.norm();
+    for (int k = 0; k < Dim; ++k) {
+        edges.col(k) = simplex[std::size_t(k) + 1] - simplex[0];
+        size = std::max({size, simplex[0].norm(), simplex[std::size_t(k) + 1].norm()});
+    }
+    const double rounding = roundingShare * size * ifs::Matrix<Dim>(edges.inverse()).norm();
     QStringList weights;
     for (const double weight : ifs::barycentric<Dim>(simplex, point))
-        weights << shortNumber(weight);
+        weights << shortNumber(io::withoutNoise(weight, rounding));
     return u'(' + weights.join(QStringLiteral(", ")) + u')';
 }
 
@@ -98,22 +122,23 @@ QString enclosingSimplexText(const document::Fractal& fractal) {
         const ifs::AffineMap<3> display = ifs::displayMap(*cage);
         const double size = support->radius() * ifs::spectralNorm<3>(display.linear);
         const auto simplex = ifs::minimalCanonicalSimplexOfImage(display, *support, spaceTolerance * size);
-        const auto& corner = simplex.vertices[0];
+        const ifs::Vector<3> corner = io::withoutNoise(simplex.vertices[0], simplex.error);
         return Texts::tr("%1, leg %2, corner (%3, %4, %5)")
             .arg(orientationText(simplex.orientation), shortNumber(simplex.leg), shortNumber(corner.x()),
                  shortNumber(corner.y()), shortNumber(corner.z()));
     }
     const auto simplex = displayedSimplex(fractal, document::SimplexChoice::Minimal);
-    return simplex ? Texts::tr("%1, leg %2, corner (%3, %4)")
-                         .arg(document::orientationText(simplex->orientation), shortNumber(simplex->leg),
-                              shortNumber(simplex->vertices[0].x()), shortNumber(simplex->vertices[0].y()))
-                   : fitObstacle(fractal);
+    if (!simplex) return fitObstacle(fractal);
+    const ifs::Vector<2> corner = io::withoutNoise(simplex->vertices[0], simplex->error);
+    return Texts::tr("%1, leg %2, corner (%3, %4)")
+        .arg(document::orientationText(simplex->orientation), shortNumber(simplex->leg),
+             shortNumber(corner.x()), shortNumber(corner.y()));
 }
 
 template <int Dim>
 QString stepText(const QString& pattern, std::size_t vertex, const ifs::Vector<Dim>& position) {
     QString text = pattern.arg(vertex + 1);
-    for (const double x : position)
+    for (const double x : io::withoutNoise(position, roundingShare * position.norm()))
         text = text.arg(shortNumber(x));
     return text;
 }

@@ -13,6 +13,9 @@ namespace view {
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& cage);
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<3>& cage);
 
+// What rounding leaves of a coordinate that is 0, at the size of the cage.
+template <int Dim> double roundingIn(const ifs::ControlCage<Dim>& cage);
+
 // The barycentric coordinates of the point, or why the cage gives it none.
 template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, const ifs::Vector<Dim>& point);
 

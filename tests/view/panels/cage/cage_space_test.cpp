@@ -4,6 +4,7 @@
 #include "document/space_geometry.h"
 #include "ifs/extent/extent.h"
 #include "panels/cage/cage_panel.h"
+#include "panels/cage/cage_texts.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -220,6 +221,26 @@ private slots:
             type(m_panel->pointField(axis), axis == 0 ? QStringLiteral("9") : QString::number(axis - 1));
         }
         QCOMPARE(m_panel->barycentric(), QStringLiteral("(0, 1, 0, 0)")); // (9, 0, 1)
+    }
+
+    // What rounding or a stated error has left of 0 reads 0; the coordinate keeps its bits.
+    void noiseReadsZero() {
+        document::Fractal fractal = m_document->fractal();
+        document::space(fractal)->cage->current = {
+            {-4.4e-16, 0, 1.7e-21}, {9, 0, 1}, {1e-9, 7, 0}, {2.0 / 3, 0, 8}};
+        m_document->edit(QStringLiteral("place"), fractal);
+        if (QWidget* focused = m_panel->focusWidget()) focused->clearFocus(); // there all digits are seen
+        const auto text = [&](std::size_t vertex, int axis) {
+            return m_panel->field(CagePanel::Vertices::Current, vertex, axis)->text();
+        };
+        QCOMPARE(text(0, 0), QStringLiteral("0"));
+        QCOMPARE(text(0, 2), QStringLiteral("0"));
+        QCOMPARE(text(2, 0), QStringLiteral("1e-09")); // that is not rounding
+        QCOMPARE(m_panel->field(CagePanel::Vertices::Current, 0, 0)->value(), -4.4e-16);
+        const ifs::ControlCage<3> cage = document::space(fractal)->cage.value();
+        const ifs::Vector<3> onFace = 0.1 * cage.current[1] + 0.2 * cage.current[2] + 0.7 * cage.current[3];
+        QVERIFY(view::barycentricText<3>(cage, onFace).startsWith(QStringLiteral("(0, ")));
+        QVERIFY(!view::enclosingSimplexText(m_document->fractal()).contains(QStringLiteral("e-")));
     }
 
     void thePlaneIsAsItWasAfterwards() {
