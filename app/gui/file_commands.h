@@ -33,14 +33,18 @@ public:
         std::function<bool()> refusesSaving;
     };
     void setLessons(const Lessons& lessons) { m_lessons = lessons; }
+    // The names of the snapshots that are lost with the file.
+    void setSnapshots(const std::function<QStringList()>& unsaved) { m_snapshots = unsaved; }
 
 private:
     enum class Answer { Save, SaveAs, Cancel };
     Answer askAboutDisk(OpenFile::OnDisk found);
     void reportOpened();
     void reportSaved();
+    QString lostSnapshots() const; // a sentence; empty: none
 
     MenuContext m_context;
     OpenFile* m_file;
     Lessons m_lessons;
+    std::function<QStringList()> m_snapshots;
 };

@@ -2,11 +2,19 @@
 #include "save_question.h"
 
 #include <QCoreApplication>
+#include <QPushButton>
 
-QMessageBox::StandardButton askToSave(QWidget* parent, const QString& title, const QString& what) {
+QMessageBox::StandardButton askToSave(QWidget* parent, const QString& title, const QString& what,
+                                      const QString& besides) {
+    const auto sentence = [](const char* text) { return QCoreApplication::translate("MainWindow", text); };
     QMessageBox box(QMessageBox::Warning, title, what,
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
-    box.setInformativeText(QCoreApplication::translate("MainWindow", "Do you want to save them?"));
+    const QString question = sentence(QT_TRANSLATE_NOOP("MainWindow", "Do you want to save them?"));
+    box.setInformativeText(besides.isEmpty() ? question : question + QStringLiteral("\n\n") + besides);
+    // Those of the toolkit have no letters to press.
+    box.button(QMessageBox::Save)->setText(sentence(QT_TRANSLATE_NOOP("MainWindow", "&Save")));
+    box.button(QMessageBox::Discard)->setText(sentence(QT_TRANSLATE_NOOP("MainWindow", "&Discard")));
+    box.button(QMessageBox::Cancel)->setText(sentence(QT_TRANSLATE_NOOP("MainWindow", "&Cancel")));
     box.setDefaultButton(QMessageBox::Save);
     return QMessageBox::StandardButton(box.exec());
 }
