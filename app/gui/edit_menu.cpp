@@ -17,6 +17,7 @@
 #include "widgets/tooltip_text.h"
 
 #include <QGuiApplication>
+#include <QProcess>
 
 namespace {
 
@@ -191,5 +192,14 @@ void EditMenu::showPreferences() {
         for (SessionWindow* window : session::windows())
             window->adopt(preferences);
     });
+    // Queued: the dialog closes with its window.
+    connect(
+        dialog, &view::PreferencesDialog::restartRequested, qApp,
+        [] {
+            session::restart([](const QStringList& files) {
+                QProcess::startDetached(QCoreApplication::applicationFilePath(), files);
+            });
+        },
+        Qt::QueuedConnection);
     dialog->show();
 }

@@ -7,6 +7,8 @@
 #include <QApplication>
 #include <QFileInfo>
 
+#include <optional>
+
 namespace session {
 
 namespace {
@@ -18,6 +20,16 @@ QStringList shown() {
     for (const SessionWindow* window : windows())
         if (window->isVisible() && !window->path().isEmpty())
             paths << QFileInfo(window->path()).absoluteFilePath();
+    return paths;
+}
+
+// Stores the files they had, and returns them; nullopt when one stays open.
+std::optional<QStringList> closeAll() {
+    const QStringList paths = shown();
+    QApplication::closeAllWindows();
+    for (const SessionWindow* window : windows())
+        if (window->isVisible()) return std::nullopt;
+    view::store(key, paths);
     return paths;
 }
 
@@ -40,11 +52,14 @@ void remember() {
 }
 
 void quit() {
-    const QStringList paths = shown();
-    QApplication::closeAllWindows();
-    for (const SessionWindow* window : windows())
-        if (window->isVisible()) return;
-    view::store(key, paths);
+    closeAll();
+}
+
+void restart(const std::function<void(const QStringList& files)>& start) {
+    const std::optional<QStringList> files = closeAll();
+    if (!files) return;
+    view::finishStoring(); // before the program that starts reads its settings
+    start(*files);
 }
 
 } // namespace session

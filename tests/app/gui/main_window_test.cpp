@@ -152,6 +152,16 @@ void MainWindowTest::theFilesOfTheLastRunAreKnown() {
     QCOMPARE(known(), QStringList({dos, shapes}));
     closeWindows();
 
+    shown(shapes);
+    shown(dos);
+    QStringList again;
+    session::restart([&again](const QStringList& files) { again = files; });
+    again.sort();
+    QCOMPARE(again, QStringList({dos, shapes}));
+    for (const SessionWindow* window : windows())
+        QVERIFY(!window->isVisible());
+    closeWindows();
+
     MainWindow* first = shown(shapes);
     MainWindow* last = shown(dos);
     first->close();
