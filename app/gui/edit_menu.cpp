@@ -17,7 +17,6 @@
 #include "widgets/tooltip_text.h"
 
 #include <QGuiApplication>
-#include <QProcess>
 
 namespace {
 
@@ -193,13 +192,7 @@ void EditMenu::showPreferences() {
             window->adopt(preferences);
     });
     // Queued: the dialog closes with its window.
-    connect(
-        dialog, &view::PreferencesDialog::restartRequested, qApp,
-        [] {
-            session::restart([](const QStringList& files) {
-                QProcess::startDetached(QCoreApplication::applicationFilePath(), files);
-            });
-        },
-        Qt::QueuedConnection);
+    connect(dialog, &view::PreferencesDialog::restartRequested, qApp, &session::restart,
+            Qt::QueuedConnection);
     dialog->show();
 }

@@ -6,14 +6,14 @@
 
 #include <QApplication>
 #include <QFileInfo>
-
-#include <optional>
+#include <QVariant>
 
 namespace session {
 
 namespace {
 
 const QString key = QStringLiteral("session/files");
+constexpr char toReopen[] = "filesToReopen"; // a property of the application
 
 QStringList shown() {
     QStringList paths;
@@ -55,11 +55,13 @@ void quit() {
     closeAll();
 }
 
-void restart(const std::function<void(const QStringList& files)>& start) {
-    const std::optional<QStringList> files = closeAll();
-    if (!files) return;
-    view::finishStoring(); // before the program that starts reads its settings
-    start(*files);
+void restart() {
+    if (const std::optional<QStringList> files = closeAll()) qApp->setProperty(toReopen, *files);
+}
+
+std::optional<QStringList> filesToReopen() {
+    const QVariant files = qApp->property(toReopen);
+    return files.isValid() ? std::optional(files.toStringList()) : std::nullopt;
 }
 
 } // namespace session

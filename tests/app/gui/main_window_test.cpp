@@ -154,8 +154,10 @@ void MainWindowTest::theFilesOfTheLastRunAreKnown() {
 
     shown(shapes);
     shown(dos);
-    QStringList again;
-    session::restart([&again](const QStringList& files) { again = files; });
+    QVERIFY(!session::filesToReopen());
+    session::restart();
+    QVERIFY(session::filesToReopen());
+    QStringList again = *session::filesToReopen();
     again.sort();
     QCOMPARE(again, QStringList({dos, shapes}));
     for (const SessionWindow* window : windows())
