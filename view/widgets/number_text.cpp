@@ -91,8 +91,12 @@ bool isExpression(const QString& text) {
     return !text.isEmpty() && !io::parseNumber(withPoint(text));
 }
 
+bool isWithoutValue(const QString& text) {
+    return io::isWithoutValue(withPoint(text));
+}
+
 bool isFinishedNumber(const QString& text) {
-    return typedNumber(text) || isTooLarge(text) || io::isWithoutValue(withPoint(text));
+    return typedNumber(text) || isTooLarge(text) || isWithoutValue(text);
 }
 
 QString numberProblem(const QString& text, const NumberRange& range) {
@@ -101,7 +105,7 @@ QString numberProblem(const QString& text, const NumberRange& range) {
     if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
     if (isTooLarge(shown))
         return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is too large a number.")).arg(shown);
-    if (io::isWithoutValue(withPoint(shown)))
+    if (isWithoutValue(shown))
         return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” has no finite value.")).arg(shown);
     return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
 }
