@@ -191,5 +191,8 @@ void EditMenu::showPreferences() {
         for (SessionWindow* window : session::windows())
             window->adopt(preferences);
     });
+    // Queued: the dialog closes with its window.
+    connect(dialog, &view::PreferencesDialog::restartRequested, qApp, &session::restart,
+            Qt::QueuedConnection);
     dialog->show();
 }

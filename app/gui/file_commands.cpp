@@ -13,6 +13,8 @@
 
 namespace {
 
+constexpr qsizetype maxNamed = 6; // snapshots in a question
+
 QString fileFilter() {
     return FileCommands::tr(
         "Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv "
@@ -24,12 +26,22 @@ QString fileFilter() {
 FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
     : QObject(context.window), m_context(context), m_file(file) {}
 
+QString FileCommands::lostSnapshots() const {
+    QStringList names = m_snapshots ? m_snapshots() : QStringList();
+    if (names.isEmpty()) return {};
+    if (names.size() > maxNamed) names = names.mid(0, maxNamed) << QStringLiteral("…");
+    return tr("Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose "
+              "Add as Entry in the Snapshots panel.")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
 bool FileCommands::maybeSave() {
     if (m_lessons.maybeSave && !m_lessons.maybeSave()) return false;
     m_context.canvas->cancelGesture();
     if (!m_context.document->isModified()) return true;
     switch (askToSave(m_context.window, tr("Unsaved changes"),
-                      tr("“%1” has unsaved changes.").arg(m_file->name()), targetRemark())) {
+                      tr("“%1” has unsaved changes.").arg(m_file->name()),
+                      {targetRemark(), lostSnapshots()})) {
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:

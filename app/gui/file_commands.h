@@ -33,6 +33,8 @@ public:
         std::function<bool()> refusesSaving;
     };
     void setLessons(const Lessons& lessons) { m_lessons = lessons; }
+    // The names of the snapshots that are lost with the file.
+    void setSnapshots(const std::function<QStringList()>& unsaved) { m_snapshots = unsaved; }
 
 private:
     enum class Answer { Save, SaveAs, Cancel };
@@ -40,9 +42,11 @@ private:
     void reportOpened();
     void reportSaved();
     QString targetRemark() const; // about the target of a collage, if there is one
+    QString lostSnapshots() const; // a sentence; empty: none
 
     MenuContext m_context;
     OpenFile* m_file;
     Lessons m_lessons;
     bool m_hasRemarkedOnTarget = false; // since the window is open
+    std::function<QStringList()> m_snapshots;
 };

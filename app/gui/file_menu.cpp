@@ -17,6 +17,7 @@
 #include "recent_files.h"
 #include "session.h"
 #include "stage.h"
+#include "widgets/menu_placeholder.h"
 #include "widgets/tooltip_text.h"
 
 #include <QClipboard>
@@ -108,7 +109,7 @@ void FileMenu::fillRecent() {
         action->setToolTip(view::tooltipText(path)); // else it would be the name of the file
         action->setWhatsThis(action->toolTip());
     }
-    if (m_recent->isEmpty()) m_recent->addAction(tr("No recent files"))->setEnabled(false);
+    if (m_recent->isEmpty()) view::addPlaceholder(*m_recent, tr("No recent files"));
     m_recent->addSeparator();
     m_recent->addAction(tr("Clear List"), this, [] { recent_files::clear(); });
 }

@@ -85,7 +85,11 @@ LessonCommands::LessonCommands(const MenuContext& context, const LessonParts& pa
 
 void LessonCommands::createActions() {
     QAction* play =
-        add({"play", tr("&Play Lesson"), {}, tr("Play the lesson in full screen")}, [this] { this->play(); });
+        add({"play",
+             tr("&Play Lesson"),
+             {},
+             tr("Play the lesson in full screen, from the step you selected or from the beginning")},
+            [this] { this->play(); });
     QAction* next = add({nullptr, tr("&Next Step"), QKeySequence(Qt::Key_PageDown),
                          tr("Show the next step of the lesson being played")},
                         [this] { m_player->showStep(m_player->step() + 1); });
@@ -310,7 +314,7 @@ bool LessonCommands::save() {
     QString path = m_notebook->path();
     if (path.isEmpty() || QFileInfo(path).dir() != fractals.dir())
         path = view::chooseFileToSave(
-            m_parts.window, tr("Save Lesson"),
+            m_parts.window, tr("Save Lesson in the Folder of “%1”").arg(name),
             fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson")),
             tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
     if (path.isEmpty()) return false;
@@ -352,5 +356,5 @@ void LessonCommands::addStep() {
 }
 
 void LessonCommands::play() {
-    m_player->play(m_notebook->lesson(), std::max(0, m_notebook->current()));
+    m_player->play(m_notebook->lesson(), m_notebook->firstToPlay());
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
 #include "identity.h"
+#include "session.h"
 
 #include <QCommandLineParser>
+#include <QProcess>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace {
@@ -46,9 +49,18 @@ int main(int argc, char** argv) {
         describe(parser);
         parser.process(application); // does not return
     }
-    Application application(argc, argv);
-    describe(parser);
-    parser.process(application);
-    application.openWindows(parser.positionalArguments(), startAskedFor(parser));
-    return Application::exec();
+    int code = 0;
+    QString program;
+    std::optional<QStringList> filesToReopen;
+    {
+        Application application(argc, argv);
+        describe(parser);
+        parser.process(application);
+        application.openWindows(parser.positionalArguments(), startAskedFor(parser));
+        code = Application::exec();
+        program = Application::applicationFilePath();
+        filesToReopen = session::filesToReopen();
+    }
+    if (filesToReopen) QProcess::startDetached(program, *filesToReopen); // now that its settings are stored
+    return code;
 }

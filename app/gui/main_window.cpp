@@ -89,6 +89,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_analysis(new view::AnalysisBridge(&m_document, this)),
       m_construction(new view::Construction(&m_document, m_bridge, this)),
       m_stage(new Stage(&m_document, m_bridge, m_solid, this)),
+      m_room(new RoomForPicture(this, m_stage)),
       m_canvas(m_stage->plane()),
       m_timeline(new view::TimelinePanel(&m_document, this)),
       m_collage(new view::CollagePanel(&m_document, m_canvas, this)),
@@ -111,6 +112,7 @@ MainWindow::MainWindow(QWidget* parent)
     createLesson();
     m_snapshots->setDock(dock(m_snapshots->makePanel(), tr("Snapshots"), QStringLiteral("snapshots"),
                               Qt::BottomDockWidgetArea));
+    m_fileCommands->setSnapshots([this] { return m_snapshots->snapshots()->unsaved(); });
     explainPanels(*this);
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);
@@ -481,7 +483,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     const bool presents = m_viewMenu->presentation()->isChecked();
-    if (!presents) showHiddenPanels(*this);
+    if (!presents) m_room->showHiddenPanels();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
@@ -544,15 +546,12 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 void MainWindow::showEvent(QShowEvent* event) {
     SessionWindow::showEvent(event);
-    makeRoomForPicture(*this, *m_stage);
+    m_room->windowShown();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     SessionWindow::resizeEvent(event);
-    if (width() < event->oldSize().width())
-        makeRoomForPicture(*this, *m_stage);
-    else
-        giveRoomBack(*this);
+    m_room->windowResized(event->oldSize());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -18,6 +18,7 @@ class FileCommands;
 class LessonCommands;
 class QDockWidget;
 class QToolBar;
+class RoomForPicture;
 class SnapshotCommands;
 class Stage;
 class StatusLine;
@@ -89,6 +90,7 @@ private:
     view::AnalysisBridge* m_analysis;
     view::Construction* m_construction;
     Stage* m_stage;
+    RoomForPicture* m_room;
     view::CanvasView* m_canvas; // of the plane
     view::TimelinePanel* m_timeline;
     view::CollagePanel* m_collage;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "message_banner.h"
 
+#include "canvas/canvas_view.h"
+
 #include <QAccessible>
 #include <QBoxLayout>
 #include <QKeyEvent>
@@ -69,6 +71,17 @@ void MessageBanner::layOut() {
     const QPoint corner = topLeft();
     move(std::max(0, corner.x()), std::max(0, corner.y()));
     raise();
+    tellCanvas();
+}
+
+void MessageBanner::tellCanvas() {
+    for (auto* canvas : m_host->findChildren<view::CanvasView*>())
+        canvas->setCovered(isVisible() ? QRect(canvas->viewport()->mapFrom(m_host, pos()), size()) : QRect());
+}
+
+void MessageBanner::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    tellCanvas();
 }
 
 bool MessageBanner::eventFilter(QObject* watched, QEvent* event) {

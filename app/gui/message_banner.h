@@ -8,8 +8,8 @@ class QBoxLayout;
 class QLabel;
 class QMainWindow;
 
-// A message over the canvas, by default in its lower left corner, which blocks nothing. Esc closes it; it
-// deletes itself when closed.
+// A message over the canvas, by default in its lower left corner, which blocks nothing; what the canvas says
+// itself stays beside it. Esc closes it; it deletes itself when closed.
 class MessageBanner : public QFrame {
     Q_OBJECT
 
@@ -23,6 +23,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
@@ -38,6 +39,7 @@ protected:
 
 private:
     void layOut();
+    void tellCanvas(); // what it covers
 
     QMainWindow* m_host;
     QBoxLayout* m_buttons = nullptr;

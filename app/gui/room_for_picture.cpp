@@ -2,60 +2,121 @@
 #include "room_for_picture.h"
 
 #include <QDockWidget>
+#include <QEvent>
+#include <QGuiApplication>
 #include <QMainWindow>
+
+#include <algorithm>
 
 namespace {
 
 constexpr char gaveWay[] = "gaveWay"; // a property of panels that were hidden for the picture
 
-bool isSmall(const QMainWindow& window) {
-    return window.width() <= 800 && window.height() <= 600;
+} // namespace
+
+RoomForPicture::RoomForPicture(QMainWindow* window, const QWidget* picture)
+    : QObject(window), m_window(window), m_picture(picture) {}
+
+bool RoomForPicture::isSmall() const {
+    return m_window->width() <= 800 && m_window->height() <= 600;
 }
 
-QList<QDockWidget*> panelsOf(const QMainWindow& window) {
-    return window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly);
+QList<QDockWidget*> RoomForPicture::panels() const {
+    return m_window->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly);
 }
 
-void hideLeftPanels(QMainWindow& window) {
-    for (QDockWidget* panel : panelsOf(window))
-        if (window.dockWidgetArea(panel) == Qt::LeftDockWidgetArea && !panel->isFloating() &&
+QList<QDockWidget*> RoomForPicture::columns() const {
+    QList<QDockWidget*> found;
+    for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+        for (QDockWidget* panel : panels())
+            if (m_window->dockWidgetArea(panel) == area && !panel->isFloating() &&
+                panel->features() != QDockWidget::NoDockWidgetFeatures && // as the text of a lesson
+                !panel->visibleRegion().isEmpty()) {
+                found << panel;
+                break;
+            }
+    return found;
+}
+
+void RoomForPicture::hideLeftPanels() {
+    for (QDockWidget* panel : panels())
+        if (m_window->dockWidgetArea(panel) == Qt::LeftDockWidgetArea && !panel->isFloating() &&
             !panel->isHidden()) {
             panel->hide();
             panel->setProperty(gaveWay, true);
+            m_hasYielded = true;
         }
 }
 
-} // namespace
-
-void makeRoomForPicture(QMainWindow& window, const QWidget& picture) {
-    if (isSmall(window)) hideLeftPanels(window);
-    const int missing = window.width() / 2 - picture.width();
-    if (missing <= 0) return;
-    QList<QDockWidget*> beside;
-    int together = 0;
-    for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
-        for (QDockWidget* panel : panelsOf(window))
-            if (window.dockWidgetArea(panel) == area && !panel->isFloating() &&
-                !panel->visibleRegion().isEmpty()) {
-                beside << panel;
-                together += panel->width();
-                break;
-            }
-    if (together <= 0) return;
-    QList<int> widths;
-    for (const QDockWidget* panel : beside)
-        widths << panel->width() - missing * panel->width() / together;
-    window.resizeDocks(beside, widths, Qt::Horizontal);
-}
-
-void giveRoomBack(QMainWindow& window) {
-    if (!isSmall(window)) showHiddenPanels(window);
-}
-
-void showHiddenPanels(QMainWindow& window) {
-    for (QDockWidget* panel : panelsOf(window))
+bool RoomForPicture::showHiddenPanels() {
+    bool hasShown = false;
+    for (QDockWidget* panel : panels())
         if (panel->property(gaveWay).toBool()) {
             panel->setProperty(gaveWay, false);
             panel->show();
+            hasShown = true;
         }
+    return hasShown;
+}
+
+void RoomForPicture::rememberWidths() {
+    for (QDockWidget* column : columns())
+        m_widths[m_window->dockWidgetArea(column)] = column->width();
+}
+
+// While the window keeps its size, the user makes panels wider and narrower.
+bool RoomForPicture::eventFilter(QObject* watched, QEvent* event) {
+    const bool isDragged = QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);
+    if (event->type() == QEvent::Resize && m_window->size() == m_size && (isDragged || !m_hasYielded)) {
+        rememberWidths();
+        m_hasYielded = false;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void RoomForPicture::windowShown() {
+    for (QDockWidget* panel : panels())
+        panel->installEventFilter(this);
+    if (!m_hasYielded) rememberWidths(); // it may be shown again
+    if (isSmall()) hideLeftPanels();
+    divide();
+    m_size = m_window->size();
+}
+
+void RoomForPicture::windowResized(const QSize& before) {
+    m_size = {}; // until the panels have their places
+    const bool isNarrower = m_window->width() < before.width();
+    if (isNarrower && isSmall()) hideLeftPanels();
+    if (isNarrower || isSmall() || !showHiddenPanels()) {
+        if (isNarrower || m_hasYielded) divide();
+        m_size = m_window->size();
+        return;
+    }
+    QMetaObject::invokeMethod( // once they are laid out
+        this,
+        [this] {
+            divide();
+            m_size = m_window->size();
+        },
+        Qt::QueuedConnection);
+}
+
+// As wide as they were, in as much room as half of the window leaves.
+void RoomForPicture::divide() {
+    const QList<QDockWidget*> columns = this->columns();
+    const int spare = m_picture->width() - m_window->width() / 2;
+    if (columns.isEmpty() || (!m_hasYielded && spare >= 0)) return;
+    int together = 0;
+    double wanted = 0;
+    QList<int> widths;
+    for (QDockWidget* column : columns) {
+        together += column->width();
+        widths << m_widths.value(m_window->dockWidgetArea(column), column->width());
+        wanted += widths.last();
+    }
+    const double share = std::clamp((together + spare) / wanted, 0.0, 1.0);
+    for (int& width : widths)
+        width = int(share * width);
+    m_hasYielded = share < 1;
+    m_window->resizeDocks(columns, widths, Qt::Horizontal);
 }

@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QHash>
+#include <QObject>
+#include <QSize>
+
+class QDockWidget;
 class QMainWindow;
 class QWidget;
 
-// The panels beside the picture yield until half of the window is left to it. In a window of at most 800 by
-// 600 pixels, where the smallest panels take more, those on the left are hidden.
-void makeRoomForPicture(QMainWindow& window, const QWidget& picture);
+// The panels beside the picture yield until half of the window is left to it, and take their widths back with
+// the room. In a window of at most 800 by 600 pixels, where the smallest panels take more, those on the left
+// are hidden meanwhile.
+class RoomForPicture : public QObject {
+    Q_OBJECT
 
-// Shows what was hidden for the picture. Does nothing while the window is as small.
-void giveRoomBack(QMainWindow& window);
+public:
+    RoomForPicture(QMainWindow* window, const QWidget* picture);
 
-// The same however small the window is, before its layout is stored.
-void showHiddenPanels(QMainWindow& window);
+    void windowShown();
+    void windowResized(const QSize& before);
+    // However small the window is, before its layout is stored; false: none was hidden.
+    bool showHiddenPanels();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QList<QDockWidget*> panels() const;
+    QList<QDockWidget*> columns() const; // one panel of each side
+    bool isSmall() const;
+    void hideLeftPanels();
+    void rememberWidths();
+    void divide();
+
+    QMainWindow* m_window;
+    const QWidget* m_picture;
+    QSize m_size;              // of the window, once its panels are laid out for it
+    bool m_hasYielded = false; // the panels are not as wide as they were
+    QHash<int, int> m_widths;  // by Qt::DockWidgetArea, as the user left them
+};

@@ -4,6 +4,6 @@
 #include <QMessageBox>
 
 // Asks whether to save what would be lost: Save, which is the default, Discard or Cancel. `what` is a
-// sentence, `remark` one about what saving does not keep.
+// sentence, and `besides` are sentences about what saving does not keep; empty ones are left out.
 QMessageBox::StandardButton askToSave(QWidget* parent, const QString& title, const QString& what,
-                                      const QString& remark = {});
+                                      const QStringList& besides = {});

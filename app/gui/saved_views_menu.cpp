@@ -5,6 +5,7 @@
 #include "dialogs/saved_views_dialog.h"
 #include "document/edits/cage_edits.h"
 #include "stage.h"
+#include "widgets/menu_placeholder.h"
 #include "widgets/tooltip_text.h"
 
 #include <utility>
@@ -18,8 +19,7 @@ SavedViewsMenu::SavedViewsMenu(const MenuContext& context) : ActionMenu(context,
     disableWhen(save, &document::cageObstacle);
     disableWhen(edit, &document::cageObstacle);
     addSeparator();
-    m_end = addAction(tr("No saved views"));
-    m_end->setEnabled(false);
+    m_end = view::addPlaceholder(*this, tr("No saved views"));
     m_end->setWhatsThis(tr("Views that you save are listed here."));
     connect(context.document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;

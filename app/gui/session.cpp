@@ -6,18 +6,30 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QVariant>
 
 namespace session {
 
 namespace {
 
 const QString key = QStringLiteral("session/files");
+constexpr char toReopen[] = "filesToReopen"; // a property of the application
 
 QStringList shown() {
     QStringList paths;
     for (const SessionWindow* window : windows())
         if (window->isVisible() && !window->path().isEmpty())
             paths << QFileInfo(window->path()).absoluteFilePath();
+    return paths;
+}
+
+// Stores the files they had, and returns them; nullopt when one stays open.
+std::optional<QStringList> closeAll() {
+    const QStringList paths = shown();
+    QApplication::closeAllWindows();
+    for (const SessionWindow* window : windows())
+        if (window->isVisible()) return std::nullopt;
+    view::store(key, paths);
     return paths;
 }
 
@@ -40,11 +52,16 @@ void remember() {
 }
 
 void quit() {
-    const QStringList paths = shown();
-    QApplication::closeAllWindows();
-    for (const SessionWindow* window : windows())
-        if (window->isVisible()) return;
-    view::store(key, paths);
+    closeAll();
+}
+
+void restart() {
+    if (const std::optional<QStringList> files = closeAll()) qApp->setProperty(toReopen, *files);
+}
+
+std::optional<QStringList> filesToReopen() {
+    const QVariant files = qApp->property(toReopen);
+    return files.isValid() ? std::optional(files.toStringList()) : std::nullopt;
 }
 
 } // namespace session

@@ -7,6 +7,8 @@
 #include <QMainWindow>
 #include <QStringList>
 
+#include <optional>
+
 // A window of the program, with a file of its own: what the others need to know of it.
 class SessionWindow : public QMainWindow {
     Q_OBJECT
@@ -27,5 +29,8 @@ QStringList files(); // of the last run, without those that are known to be gone
 void remember();
 // Closes all windows, each of which may ask first. When all have closed, stores the files they had.
 void quit();
+// Likewise; main() then starts the program again with the files to reopen.
+void restart();
+std::optional<QStringList> filesToReopen(); // nullopt: nobody wants it
 
 } // namespace session

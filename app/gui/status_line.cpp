@@ -7,10 +7,15 @@
 #include "ifs/links/linked_existence.h"
 #include "widgets/elided_label.h"
 #include "widgets/number_text.h"
+#include "widgets/tooltip_text.h"
 
 #include <QAccessible>
 #include <QFontDatabase>
+#include <QHelpEvent>
 #include <QLabel>
+#include <QPainter>
+#include <QStyleOption>
+#include <QToolTip>
 
 #include <algorithm>
 #include <chrono>
@@ -107,6 +112,45 @@ StatusLine::StatusLine(QWidget* parent)
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
     connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
+}
+
+QRect StatusLine::messageRoom() const {
+    constexpr int inset = 6;
+    int left = inset;
+    int right = width() - inset;
+    for (const QWidget* each : {m_recovery, m_rotation, m_verdict, m_frame}) {
+        if (!each->isVisible()) continue;
+        if (isRightToLeft())
+            left = std::max(left, each->geometry().right() + inset);
+        else
+            right = std::min(right, each->geometry().left() - inset);
+    }
+    return {left, 0, std::max(0, right - left), height()};
+}
+
+QString StatusLine::shownMessage() const {
+    return fontMetrics().elidedText(currentMessage(), Qt::ElideRight, messageRoom().width());
+}
+
+// Qt's own cuts a message off in the middle of a letter.
+void StatusLine::paintEvent(QPaintEvent* event) {
+    if (currentMessage().isEmpty()) return QStatusBar::paintEvent(event);
+    QPainter painter(this);
+    QStyleOption option;
+    option.initFrom(this);
+    style()->drawPrimitive(QStyle::PE_PanelStatusBar, &option, &painter, this);
+    style()->drawItemText(&painter, messageRoom(), int(Qt::AlignLeading | Qt::AlignVCenter), palette(),
+                          isEnabled(), shownMessage(), QPalette::WindowText);
+}
+
+bool StatusLine::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip && shownMessage() != currentMessage()) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (messageRoom().contains(help->pos()))
+            QToolTip::showText(help->globalPos(), view::tooltipText(currentMessage()), this);
+        return true;
+    }
+    return QStatusBar::event(event);
 }
 
 // Never lower than it was: the picture would move.

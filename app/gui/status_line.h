@@ -12,7 +12,8 @@
 class QLabel;
 
 // One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn;
-// and that unsaved work is not kept for recovery yet, when that takes too long.
+// and that unsaved work is not kept for recovery yet, when that takes too long. What does not fit ends in
+// dots, and is whole in a tool tip.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -29,9 +30,14 @@ public:
     void showRecovery(bool isLate);    // nothing while it is in time
 
 protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QRect messageRoom() const;
+    QString shownMessage() const; // what there is room for
+
     QLabel* m_pointer;
     QLabel* m_recovery;
     QLabel* m_rotation;

@@ -120,11 +120,14 @@ Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
         m_hasSolidInvariants = false;
     }
     Analysis analysis;
+    analysis.isComplete = m_hasSolidInvariants;
     analysis.revision = request.revision;
     analysis.isOfCode = shape.cage && ifs::bends(*shape.cage);
     const bool isMoved = shape.cage && !analysis.isOfCode && shape.cage->rest != shape.cage->current;
     const ifs::AffineMap<3> placed = isMoved ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
     analysis.solid = isMoved ? ifs::moved(placed, *m_solidCode) : *m_solidCode;
+    if (m_hasSolidInvariants && !analysis.solid->active.maps.empty())
+        analysis.solid->invariants = m_solidCode->invariants;
     if (!request.outlines.empty())
         analysis.shapesInSpace = spaceOutlines({*m_solidCode, *analysis.solid, placed}, *request.fractal,
                                                request.outlines, request.cylinderDepth);
@@ -139,6 +142,7 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
         m_code = ifs::geometricFacts(system);
         m_system = system;
         m_hasDimension = false;
+        m_counted.reset();
     }
     Analysis analysis;
     analysis.revision = request.revision;
@@ -152,6 +156,11 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
             analysis.fixedPoints.push_back(m_display(*fixed));
             analysis.fixedBy.push_back(m_code->active.index[k]);
         }
+    if (m_counted && *m_counted == m_display) {
+        addInvariants(analysis);
+        analysis.boxCounting = m_boxCounting;
+        analysis.isComplete = true;
+    }
     addShapes(analysis, request);
     if (analysis.isOfCode)
         for (auto* shapes : {&analysis.shapes, &analysis.outerCylinders})
@@ -169,7 +178,16 @@ std::optional<Analysis> Analyser::completedInSpace(Analysis analysis, const std:
     return analysis;
 }
 
+void Analyser::addInvariants(Analysis& analysis) const {
+    if (analysis.facts.active.maps.empty()) return; // the picture is flat
+    analysis.facts.affinityDimension = m_code->affinityDimension;
+    analysis.facts.affinityDimensionError = m_code->affinityDimensionError;
+    analysis.facts.invariants =
+        ifs::scaled(m_code->invariants, std::abs(ifs::determinant<2>(m_display.linear)));
+}
+
 std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_token& stop) {
+    if (analysis.isComplete) return analysis;
     if (analysis.solid) return completedInSpace(std::move(analysis), stop);
     if (!m_hasDimension) {
         if (!m_code->active.isLinked())
@@ -183,14 +201,12 @@ std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_t
         if (stop.stop_requested()) return std::nullopt;
         m_hasDimension = true;
     }
-    if (!analysis.facts.active.maps.empty()) { // the picture is not flat
-        analysis.facts.affinityDimension = m_code->affinityDimension;
-        analysis.facts.affinityDimensionError = m_code->affinityDimensionError;
-        analysis.facts.invariants =
-            ifs::scaled(m_code->invariants, std::abs(ifs::determinant<2>(m_display.linear)));
-        if (m_code->support) analysis.boxCounting = ifs::boxCounting(*m_code->support, m_display, stop);
-    }
+    addInvariants(analysis);
+    if (!analysis.facts.active.maps.empty() && m_code->support)
+        analysis.boxCounting = ifs::boxCounting(*m_code->support, m_display, stop);
     if (stop.stop_requested()) return std::nullopt;
+    m_boxCounting = analysis.boxCounting;
+    m_counted = m_display;
     analysis.isComplete = true;
     return analysis;
 }

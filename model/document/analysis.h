@@ -52,22 +52,26 @@ struct Analysis {
 };
 
 // Analyses one fractal after the other; what belongs to the code is worked out once for as long as only the
-// cage moves.
+// cage moves, and nothing at all when only other outlines are wanted.
 class Analyser {
 public:
-    // What takes a few milliseconds, in space perhaps a second. The fractal must be a system.
+    // What takes a few milliseconds, in space perhaps a second; complete where the rest is known already. The
+    // fractal must be a system.
     Analysis begun(const AnalysisRequest& request);
     // The rest of it; nullopt when stopped.
     std::optional<Analysis> completed(Analysis analysis, const std::stop_token& stop);
 
 private:
+    void addInvariants(Analysis& analysis) const; // of the code
     Analysis begunInSpace(const AnalysisRequest& request);
     std::optional<Analysis> completedInSpace(Analysis analysis, const std::stop_token& stop);
 
     System2 m_system;
     std::optional<ifs::Facts<2>> m_code; // of m_system, the affinity dimension once it has been asked for
     bool m_hasDimension = false;
-    ifs::AffineMap<2> m_display; // of what was begun last
+    ifs::AffineMap<2> m_display;                   // of what was begun last
+    std::optional<ifs::BoxCounting> m_boxCounting; // of the code under m_counted
+    std::optional<ifs::AffineMap<2>> m_counted;
     System3 m_solidSystem;
     std::optional<ifs::Facts<3>> m_solidCode; // of m_solidSystem
     bool m_hasSolidInvariants = false;

@@ -73,7 +73,7 @@ void AnalysisThread::State::serve() {
 void AnalysisThread::State::work(const AnalysisRequest& request, const std::stop_token& stop) {
     Analysis quick = analyser.begun(request);
     publish(quick); // also when something newer waits: however slow a system is, a drag shows what it does
-    if (stop.stop_requested()) return;
+    if (quick.isComplete || stop.stop_requested()) return;
     if (auto complete = analyser.completed(std::move(quick), stop)) publish(*std::move(complete));
 }
 

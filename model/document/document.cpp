@@ -260,15 +260,22 @@ void Document::apply(const State& state) {
     Change::Parts parts;
     const auto before = m_shown.fractal, entry = currentEntry().fractal;
     if (const auto gesture = endGesture()) parts |= gesture->previewed;
+    const bool isInSight =
+        state.current == m_beside && indexOf(state.file ? *state.file : m_file, m_current) >= 0;
+    const EntryId current = isInSight ? m_current : state.current;
     if (state.file) {
-        parts.setFlag(Change::Entries, entriesDiffer(m_file, *state.file, state.current));
+        parts.setFlag(Change::Entries, entriesDiffer(m_file, *state.file, current));
         m_file = *state.file;
     }
-    parts.setFlag(Change::Current, state.current != m_current);
-    if (state.current != m_current) m_moment = {};
-    m_current = state.current;
+    const qsizetype changed = indexOf(m_file, state.current);
+    if (state.fractal && changed >= 0) {
+        m_file.entries[changed].fractal = state.fractal;
+        parts.setFlag(Change::Entries, current != state.current);
+    }
+    parts.setFlag(Change::Current, current != m_current);
+    if (current != m_current) m_moment = {};
+    m_current = current;
     m_index = indexOf(m_file, m_current);
-    if (state.fractal && m_index >= 0) m_file.entries[m_index].fractal = state.fractal;
     refresh();
     parts.setFlag(Change::Animation, !isMovedAlike(*entry, entryFractal()));
     announce(parts | difference(*before, fractal()));

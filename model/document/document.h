@@ -73,6 +73,8 @@ public:
     void setFile(FractalFile file,
                  EntryId current = EntryId::None); // clears the history; None: the first loadable entry
     void setCurrent(EntryId id); // not a step of the history; an id that is not in the file is ignored
+    // An entry that is shown beside the current one: undoing and redoing its edits leaves the current one.
+    void setBeside(EntryId id) { m_beside = id; }
     // After saving: the present state is the clean one. The problems shown are those of `saved`, the file
     // read back.
     void markSaved(const FractalFile& saved);
@@ -158,6 +160,7 @@ private:
 
     FractalFile m_file;
     EntryId m_current = EntryId::None;
+    EntryId m_beside = EntryId::None;
     qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
     animation::Moment m_moment;

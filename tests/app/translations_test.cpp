@@ -129,6 +129,7 @@ private slots:
     void qtSpeaksTheOtherLanguages_data();
     void qtSpeaksTheOtherLanguages();
     void oneIsSingular();
+    void pluralsAndTheGuideAreSaid();
     void spellingIsBritish();
 
 private:
@@ -288,6 +289,19 @@ void TranslationsTest::oneIsSingular() {
     QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 1), QStringLiteral("%n entry"));
     QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 2), QStringLiteral("%n entries"));
     QCOMPARE(english.translate("MainWindow", "%n entries", nullptr, 0), QStringLiteral("%n entries"));
+}
+
+// Nothing was pasted as “1 maps”; and there is one guide, which other languages call English.
+void TranslationsTest::pluralsAndTheGuideAreSaid() {
+    QTranslator english;
+    QVERIFY(english.load(QStringLiteral(":/translations/barycage_en.qm")));
+    QCOMPARE(english.translate("view::MapsPanel", "%n maps added.", nullptr, 1),
+             QStringLiteral("%n map added."));
+    for (const char* language : {"de", "es", "fr", "mk"}) {
+        QTranslator other;
+        QVERIFY(other.load(QStringLiteral(":/translations/barycage_%1.qm").arg(QLatin1String(language))));
+        QVERIFY2(other.translate("MainWindow", "&User Guide").contains(u'('), language);
+    }
 }
 
 // As in the manual: colour, centre, grey, neighbour, analyse, fibre.

@@ -163,6 +163,26 @@ private slots:
         }));
     }
 
+    // The affinity dimension and the box counting are those of a moment ago; another place has to be counted.
+    void otherOutlinesAreCompleteAtOnce() {
+        Analyser analyser;
+        const Fractal fractal = placedSierpinski({{1, 1}, {5, 1}, {1, 4}});
+        Analysis begun = analyser.begun(requestFor(fractal));
+        QVERIFY(!begun.isComplete);
+        const Analysis first = *analyser.completed(std::move(begun), {});
+        const Analysis again = analyser.begun(requestFor(fractal, {Outline::Cylinders}));
+        QVERIFY(again.isComplete);
+        QCOMPARE(again.shapes.size(), std::size_t(3));
+        QCOMPARE(again.facts.affinityDimension, first.facts.affinityDimension);
+        QCOMPARE(again.facts.invariants.lyapunovExponent, first.facts.invariants.lyapunovExponent);
+        QCOMPARE(again.boxCounting->fit.slope, first.boxCounting->fit.slope);
+        QVERIFY(!analyser.begun(requestFor(placedSierpinski({{1, 1}, {5, 2}, {1, 4}}))).isComplete);
+        QVERIFY(analyser.begun(requestFor(fractal)).isComplete);
+        Fractal other = fractal;
+        plane(other)->system.maps.pop_back();
+        QVERIFY(!analyser.begun(requestFor(other)).isComplete);
+    }
+
     void anAbandonedOneIsNotCompleted() {
         Analyser analyser;
         std::stop_source stop;

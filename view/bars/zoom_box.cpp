@@ -2,10 +2,12 @@
 #include "bars/zoom_box.h"
 
 #include "canvas/canvas_view.h"
-#include "widgets/number_text.h"
+#include "widgets/number_field.h"
+#include "widgets/tooltip_text.h"
 
 #include <QAbstractItemView>
 #include <QLineEdit>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +19,12 @@ namespace {
 constexpr double maxPlain = 1e6; // percent: above, powers of ten are shorter
 constexpr double minGrouped = 1e4;
 
+const NumberRange positive{0.0, std::nullopt, NumberRange::Ends::Open};
+
 // Digits may stand in groups, as they are shown.
-std::optional<double> typedPercent(QString text) {
+QString percentIn(QString text) {
     text.removeIf([](QChar letter) { return letter == u'%' || letter.isSpace(); });
-    return typedNumber(text);
+    return text;
 }
 
 } // namespace
@@ -43,6 +47,7 @@ ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_can
     setViews({});
     connect(this, &QComboBox::activated, this, &ZoomBox::choose);
     connect(lineEdit(), &QLineEdit::returnPressed, this, &ZoomBox::takeText);
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { showProblem({}); });
     connect(lineEdit(), &QLineEdit::editingFinished, this, &ZoomBox::showZoom);
     connect(&canvas->navigation(), &CanvasNavigation::cameraChanged, this, &ZoomBox::showZoom);
     showZoom();
@@ -78,16 +83,28 @@ void ZoomBox::choose(int index) {
     showZoom();
 }
 
-// With or without the percent sign; what is no number changes nothing.
+// With or without the percent sign.
 void ZoomBox::takeText() {
-    const auto percent = typedPercent(lineEdit()->text());
-    if (percent && *percent > 0) m_canvas->navigation().setZoom(*percent / 100);
+    const QString text = percentIn(lineEdit()->text());
+    if (const QString reason = numberProblem(text, positive); !reason.isEmpty()) return showProblem(reason);
+    m_canvas->navigation().setZoom(*typedNumber(text) / 100);
     m_canvas->setFocus();
     showZoom();
 }
 
+void ZoomBox::showProblem(const QString& reason) {
+    if (reason.isEmpty() && accessibleDescription().isEmpty()) return;
+    setAccessibleDescription(reason);
+    QPalette colours;
+    if (!reason.isEmpty()) colours.setColor(QPalette::Text, problemColour(palette()));
+    lineEdit()->setPalette(colours);
+    if (!reason.isEmpty() && isVisible())
+        QToolTip::showText(mapToGlobal(QPoint()), tooltipText(reason), this);
+}
+
 void ZoomBox::showZoom() {
     if (lineEdit()->hasFocus() && lineEdit()->isModified()) return; // being typed
+    showProblem({});
     const QSignalBlocker blocker(this);
     setCurrentIndex(-1);
     lineEdit()->setText(textOf(m_canvas->navigation().zoom()));

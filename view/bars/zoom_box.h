@@ -8,7 +8,8 @@ namespace view {
 class CanvasView;
 
 // Shows the zoom of the canvas in percent, 100 % being a hundred pixels a unit of the plane; takes another by
-// typing, or one of the list, or that at which the attractor fits.
+// typing, or one of the list, or that at which the attractor fits. What is typed and cannot be taken stays,
+// with the reason, until it is mended or left.
 class ZoomBox : public QComboBox {
     Q_OBJECT
 
@@ -26,6 +27,7 @@ private:
     void choose(int index);
     void takeText();
     void showZoom();
+    void showProblem(const QString& reason);
 
     CanvasView* m_canvas;
     int m_factors; // how many items are no views

@@ -147,6 +147,10 @@ void CanvasView::setHint(const QString& hint) {
     m_scene->notes().setHint(hint);
 }
 
+void CanvasView::setCovered(const QRect& area) {
+    m_scene->notes().setCovered(area);
+}
+
 void CanvasView::dismissHint() {
     if (hint().isEmpty()) return;
     setHint({});

@@ -51,6 +51,7 @@ public:
     const QString& hint() const { return m_scene->notes().hint(); }
     void setHint(const QString& hint); // for a first run: shown until the first gesture or another tool
     void dismissHint();
+    void setCovered(const QRect& area); // of the viewport, by a card: what the canvas says stays beside it
     QString note() const { return m_scene->notes().note(); } // about the picture, if there is one
     // The picture as it is seen, in device pixels, without what lies over it; null before one.
     QImage picture() const;

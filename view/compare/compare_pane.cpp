@@ -37,6 +37,7 @@ ComparePane::ComparePane(document::Document* document, const RenderBridge* rende
 }
 
 ComparePane::~ComparePane() {
+    if (m_partner) m_document->setBeside(EntryId::None);
     delete m_otherPlane; // while there is a document
     delete m_otherSpace;
     delete m_otherRender;
@@ -248,6 +249,7 @@ void ComparePane::changeTo(EntryId entry) {
 void ComparePane::showEntry() {
     const document::Fractal& fractal = m_partner->document().fractal();
     const bool isNothing = m_partner->id() == EntryId::None;
+    m_document->setBeside(m_partner->id());
     QWidget* wanted = document::space(fractal) ? static_cast<QWidget*>(m_otherSpace) : m_otherPlane;
     m_views->setCurrentWidget(isNothing ? m_nothing : wanted);
     setFocusProxy(isNothing ? nullptr : wanted);

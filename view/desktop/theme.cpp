@@ -11,6 +11,7 @@
 #include <QStyleOptionTab>
 #include <QStyleOptionToolButton>
 #include <QTabBar>
+#include <QTableView>
 
 #include <algorithm>
 #include <utility>
@@ -114,6 +115,7 @@ public:
             paintOn(*option, *painter);
             return;
         }
+        if (element == PE_FrameFocusRect && qobject_cast<const QTableView*>(widget)) return; // see below
         if (element == PE_FrameFocusRect && isByKeys(*option, widget)) {
             paintFocus(*option, *painter);
             return;
@@ -134,6 +136,10 @@ public:
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
         QProxyStyle::drawControl(element, option, painter, widget);
+        // Of a row that is selected as a whole, one cell takes the keys: however it was chosen.
+        if (element == CE_ItemViewItem && option->state & State_HasFocus &&
+            qobject_cast<const QTableView*>(widget))
+            paintFocus(*option, *painter, 2);
         // A list or a table has the focus also where it has no row, or none that is current.
         if (element == CE_ShapedFrame && qobject_cast<const QAbstractItemView*>(widget) &&
             option->state & State_HasFocus && isByKeys(*option, widget))
@@ -237,15 +243,17 @@ private:
                    : bool(option.state & State_KeyboardFocusChange);
     }
 
-    static void paintFocus(const QStyleOption& option, QPainter& painter) {
+    static void paintFocus(const QStyleOption& option, QPainter& painter, double width = 1) {
+        const QColor colour = option.state & State_Selected
+                                  ? option.palette.color(QPalette::HighlightedText) // on the highlight
+                                  : mixed(option.palette.color(QPalette::Highlight),
+                                          option.palette.color(QPalette::WindowText), 0.5);
+        const double inset = width / 2;
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(option.state & State_Selected
-                           ? option.palette.color(QPalette::HighlightedText) // on the highlight
-                           : mixed(option.palette.color(QPalette::Highlight),
-                                   option.palette.color(QPalette::WindowText), 0.5));
+        painter.setPen(QPen(colour, width));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        painter.drawRoundedRect(QRectF(option.rect).adjusted(inset, inset, -inset, -inset), 2, 2);
         painter.restore();
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/command_palette.h"
 
+#include "widgets/menu_placeholder.h"
 #include "widgets/tooltip_text.h"
 
 #include <QAction>
@@ -40,7 +41,8 @@ void collect(const QList<QAction*>& actions, const QString& path, QList<NamedAct
              QWidget* panel = nullptr) {
     for (QAction* action : actions) {
         const QString name = nameOf(action);
-        if (action->isSeparator() || !action->isVisible() || name.isEmpty()) continue;
+        if (action->isSeparator() || isPlaceholder(*action) || !action->isVisible() || name.isEmpty())
+            continue;
         if (const QMenu* menu = action->menu())
             collect(menu->actions(), below(path, name), found, panel);
         else

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -47,6 +48,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
       m_spoken(Preferences::stored().language),
       m_language(new QComboBox(this)),
       m_restart(new QLabel(tr("Restart to change the language."), this)),
+      m_restartNow(new QPushButton(tr("Restart &Now"), this)),
       m_theme(new QComboBox(this)),
       m_quality(new QComboBox(this)),
       m_turning(new QComboBox(this)),
@@ -72,14 +74,13 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     offerTurning(m_turning);
     m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
                               "it, each in its own window."));
-    m_restart->setForegroundRole(QPalette::PlaceholderText);
-    m_restart->setWordWrap(true);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
     auto* form = new QFormLayout(this);
     form->setHorizontalSpacing(16);
     form->addRow(tr("&Language:"), m_language);
     form->addRow(QString(), m_restart);
+    form->addRow(QString(), restartRow());
     form->addRow(tr("&Theme:"), m_theme);
     form->addRow(tr("&Idle quality:"), m_quality);
     form->addRow(tr("Turning &solids:"), m_turning);
@@ -101,6 +102,20 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     });
 }
 
+QLayout* PreferencesDialog::restartRow() {
+    m_restart->setForegroundRole(QPalette::PlaceholderText);
+    m_restart->setWordWrap(true);
+    m_restartNow->setAutoDefault(false);
+    m_restartNow->setWhatsThis(
+        tr("Closes all windows, asking about unsaved changes first, and opens the same "
+           "files again in the new language."));
+    connect(m_restartNow, &QPushButton::clicked, this, &PreferencesDialog::restartRequested);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_restartNow);
+    row->addStretch();
+    return row;
+}
+
 void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_language, preferences.language);
     choose(m_theme, int(preferences.theme));
@@ -108,7 +123,12 @@ void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_turning, preferences.trackball);
     const QSignalBlocker quiet(m_reopen);
     m_reopen->setChecked(preferences.reopen);
-    m_restart->setVisible(preferences.language != m_spoken);
+    showRestart(preferences.language != m_spoken);
+}
+
+void PreferencesDialog::showRestart(bool shown) {
+    m_restart->setVisible(shown);
+    m_restartNow->setVisible(shown);
 }
 
 void PreferencesDialog::setUnsaved(const QStringList& names) {
@@ -125,7 +145,7 @@ void PreferencesDialog::take() {
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.trackball = m_turning->currentData().toBool();
     chosen.reopen = m_reopen->isChecked();
-    m_restart->setVisible(chosen.language != m_spoken);
+    showRestart(chosen.language != m_spoken);
     growToFit(*this);
     chosen.store();
     emit changed(chosen);

@@ -8,11 +8,13 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QLayout;
+class QPushButton;
 
 namespace view {
 
 // The few things that are a matter of taste. Each choice is stored and in force at once; the language waits
-// for the next start, and the dialog says so.
+// for the next start, which the dialog offers.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 
@@ -24,14 +26,18 @@ public:
 
 signals:
     void changed(const view::Preferences& preferences); // they are stored already
+    void restartRequested();
 
 private:
+    QLayout* restartRow();
     void fill(const Preferences& preferences);
     void take();
+    void showRestart(bool shown);
 
     QString m_spoken; // the choice of language when the dialog was opened
     QComboBox* m_language;
     QLabel* m_restart;
+    QPushButton* m_restartNow;
     QComboBox* m_theme;
     QComboBox* m_quality;
     QComboBox* m_turning;

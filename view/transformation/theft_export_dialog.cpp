@@ -4,6 +4,7 @@
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/large_export.h"
 #include "document/fractal_file.h"
 #include "io/file/background.h"
 #include "transformation/theft_export.h"
@@ -128,6 +129,7 @@ void TheftExportDialog::update() {
 }
 
 void TheftExportDialog::chooseFile() {
+    if (!confirmLargeExport(this, m_size->pixels(), 0)) return;
     const QString name = document::uniqueName({}, m_job.from.fractal->name) + QStringLiteral(".png");
     const QString path = chooseFileToSave(this, tr("Export Stolen Picture"),
                                           m_folder.isEmpty() ? name : QDir(m_folder).filePath(name),

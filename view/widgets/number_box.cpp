@@ -31,6 +31,15 @@ std::optional<int> whole(const std::optional<double>& value, int min, int max) {
     return static_cast<int>(*value);
 }
 
+// The box has the value again, and goes on showing what is being typed.
+template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Value value) {
+    const QString text = edit.text();
+    const int position = edit.cursorPosition();
+    box.setValue(value);
+    edit.setText(text);
+    edit.setCursorPosition(position);
+}
+
 } // namespace
 
 void TypedExpression::keep(const QString& text, double value) {
@@ -46,10 +55,14 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setLocale(QLocale::c());
     connect(lineEdit(), &QLineEdit::textEdited, this, [this](QString text) {
+        if (!m_before) m_before = value();
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
             m_typed.keep(withoutUnits(*this, text), valueFromText(text));
+        else if (isWithoutValue(withoutUnits(*this, text)) && value() != *m_before)
+            bringBack(*this, *lineEdit(), *m_before);
     });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_before.reset(); });
 }
 
 void NumberBox::wheelEvent(QWheelEvent* event) {
@@ -83,10 +96,14 @@ QString NumberBox::textFromValue(double value) const {
 WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
     connect(lineEdit(), &QLineEdit::textEdited, this, [this](QString text) {
+        if (!m_before) m_before = value();
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
             m_typed.keep(withoutUnits(*this, text), valueFromText(text));
+        else if (isWithoutValue(withoutUnits(*this, text)) && value() != *m_before)
+            bringBack(*this, *lineEdit(), *m_before);
     });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_before.reset(); });
 }
 
 QValidator::State WholeNumberBox::validate(QString& text, int& position) const {

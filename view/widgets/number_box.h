@@ -4,6 +4,8 @@
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 
+#include <optional>
+
 namespace view {
 
 // An expression that was typed, and the value that it gave.
@@ -19,8 +21,8 @@ private:
 
 // Spin boxes that take what number fields take: a comma as the decimal point, and expressions such as 1/2 or
 // sqrt(3)/6, which are shown as long as the box has the value that they gave. What is unfinished changes
-// nothing, and Enter takes it back. The wheel does nothing without the focus, so that what the box stands in
-// can be scrolled.
+// nothing, and Enter takes it back; what has no finite value, such as 1/0, brings back the value before. The
+// wheel does nothing without the focus, so that what the box stands in can be scrolled.
 class NumberBox : public QDoubleSpinBox {
 public:
     explicit NumberBox(QWidget* parent = nullptr);
@@ -35,6 +37,7 @@ protected:
 
 private:
     TypedExpression m_typed;
+    std::optional<double> m_before; // what is being typed
 };
 
 // Takes expressions whose value is whole. A number outside the range becomes the nearest in it. Groups of
@@ -54,6 +57,7 @@ protected:
 
 private:
     TypedExpression m_typed;
+    std::optional<int> m_before;
 };
 
 } // namespace view

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace view {
 
@@ -100,11 +101,20 @@ void NumberField::showValue() {
     showProblem({});
 }
 
+void NumberField::beginEdit() {
+    if (!std::exchange(m_edited, true)) m_before = m_value;
+}
+
 void NumberField::takeText() {
-    m_edited = true;
+    beginEdit();
     const QString reason = problem();
     showProblem(reason);
-    if (!reason.isEmpty()) return;
+    if (!reason.isEmpty()) {
+        if (!isFinishedNumber(text()) || m_value == m_before) return;
+        m_value = m_before; // rather than that of the beginning of what was typed
+        emit edited(m_value);
+        return;
+    }
     m_value = typedNumber(text()).value_or(m_value);
     keepTyped(text());
     emit edited(m_value);
@@ -122,7 +132,7 @@ void NumberField::endSteps() {
 void NumberField::step(int count, double size) {
     const double next = stepped(m_value, size, count);
     if (isReadOnly() || !numberProblem(fullNumber(next), m_range).isEmpty()) return;
-    m_edited = true;
+    beginEdit();
     m_value = next;
     setText(fullNumber(next));
     showProblem({});

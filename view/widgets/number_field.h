@@ -12,7 +12,9 @@ QColor problemColour(const QPalette& palette);
 
 // A number typed in the C locale. Shows a few digits at rest and all of them while it has the focus. Each
 // keystroke, wheel step or arrow key that yields a number is reported; text that is no number gets a red
-// frame and its reason, and is never taken. The wheel does nothing without the focus.
+// frame and its reason, and is never taken. What is unfinished leaves the last number in force; what is
+// finished and cannot be taken, such as 1/0, reports the number before the edit again. The wheel does nothing
+// without the focus.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -54,6 +56,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    void beginEdit();
     void takeText();
     void step(int count, double size);
     void finish();
@@ -66,6 +69,7 @@ private:
     void keepTyped(const QString& text);
 
     double m_value = 0;
+    double m_before = 0; // the edit
     double m_typedValue = 0;
     QString m_typed; // an expression that gives it
     double m_step = 0.01;

@@ -91,12 +91,22 @@ bool isExpression(const QString& text) {
     return !text.isEmpty() && !io::parseNumber(withPoint(text));
 }
 
+bool isWithoutValue(const QString& text) {
+    return io::isWithoutValue(withPoint(text));
+}
+
+bool isFinishedNumber(const QString& text) {
+    return typedNumber(text) || isTooLarge(text) || isWithoutValue(text);
+}
+
 QString numberProblem(const QString& text, const NumberRange& range) {
     if (const auto value = typedNumber(text)) return rangeProblem(*value, range);
     const QString shown = text.trimmed();
     if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
     if (isTooLarge(shown))
         return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is too large a number.")).arg(shown);
+    if (isWithoutValue(shown))
+        return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” has no finite value.")).arg(shown);
     return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
 }
 

@@ -34,6 +34,11 @@ std::optional<double> typedNumber(const QString& text);
 // Whether it says more than a plain number does.
 bool isExpression(const QString& text);
 
+// Whether it is a whole expression without a finite value, such as 1/0.
+bool isWithoutValue(const QString& text);
+// Whether nothing needs to be typed any more: a number, also one outside every range, or 1/0.
+bool isFinishedNumber(const QString& text);
+
 // Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.
 QString numberProblem(const QString& text, const NumberRange& range = {});
 

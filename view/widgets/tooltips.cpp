@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/tooltips.h"
 
+#include "widgets/elided_label.h"
 #include "widgets/number_box.h"
 #include "widgets/number_field.h"
 #include "widgets/number_text.h"
@@ -53,8 +54,10 @@ QString sentence(const QString& tip) {
     return ends ? tip : tip + u'.';
 }
 
-// Of a field that shows an expression: the expression and its value.
-QString equationOf(const QWidget& widget) {
+// Of a field that shows an expression: the expression and its value. Of a label that is cut: all of it.
+QString contentOf(const QWidget& widget) {
+    if (const auto* label = dynamic_cast<const ElidedLabel*>(&widget))
+        return label->isCut() ? label->text() : QString();
     const auto equation = [](const QString& typed, double value) {
         return typed.isEmpty() ? QString() : typed + QStringLiteral(" = ") + fullNumber(value);
     };
@@ -71,8 +74,8 @@ QString equationOf(const QWidget& widget) {
 
 QString composedTip(const QWidget& widget) {
     QString tip = widget.toolTip();
-    const QString equation = equationOf(widget);
-    if (tip.isEmpty()) return tooltipText(equation);
+    const QString content = contentOf(widget);
+    if (tip.isEmpty()) return tooltipText(content);
     const QString name = nameOf(widget), keys = shortcutOf(widget);
     if (const QAction* action = actionOf(widget); action && tip == name) tip = action->statusTip();
     if (tip.isEmpty()) tip = name;
@@ -82,8 +85,8 @@ QString composedTip(const QWidget& widget) {
     QString head;
     if (!name.isEmpty()) head = QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped());
     if (!keys.isEmpty()) head += QStringLiteral("&nbsp;&nbsp;") + keys.toHtmlEscaped();
-    if (!equation.isEmpty())
-        head += (head.isEmpty() ? QString() : QStringLiteral("<br>")) + equation.toHtmlEscaped();
+    if (!content.isEmpty())
+        head += (head.isEmpty() ? QString() : QStringLiteral("<br>")) + content.toHtmlEscaped();
     if (tip == name) return head;
     const QString body = isRich ? tip : sentence(tip).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
     return head.isEmpty() ? (isRich ? tip : tooltipText(sentence(tip)))

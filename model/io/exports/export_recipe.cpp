@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "io/picture/picture_writers.h"
+#include "io/picture/shape_preview.h"
 
 #include <QFileInfo>
 
@@ -70,11 +71,10 @@ std::optional<QImage> preview(PixelRecipe recipe, const document::Fractal& fract
 
 std::optional<QImage> preview(const ShapeRecipe& recipe, const document::Fractal& fractal,
                               const QSize& pixels, const std::stop_token& stop) {
-    PixelRecipe shown;
-    shown.camera = recipe.camera;
-    shown.cage = recipe.cage;
-    shown.isTransparent = recipe.isTransparent;
-    return preview(shown, fractal, pixels, stop);
+    ShapeRecipe shown = recipe;
+    shown.camera = resized(recipe.camera, pixels);
+    const SvgExport picture = exportOf(shown, fractal);
+    return shapePreview(picture.fractal, picture.camera, picture.format, stop);
 }
 
 std::optional<QImage> preview(SpaceRecipe recipe, const document::Fractal& fractal, const QSize& pixels,

@@ -81,8 +81,8 @@ SvgExport exportOf(const ShapeRecipe& recipe, const document::Fractal& fractal);
 SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal);
 SolidExport exportOf(const BodyRecipe& recipe, const document::Fractal& fractal);
 
-// What the picture shows, in so many pixels of the same shape. Shapes are shown as pixels; nullopt when
-// stopped, and for bodies.
+// What the picture shows, in so many pixels of the same shape; of shapes, those that so many pixels need.
+// nullopt when stopped, and for bodies.
 std::optional<QImage> previewOf(const ExportRecipe& recipe, const document::Fractal& fractal,
                                 const QSize& pixels, const std::stop_token& stop);
 

@@ -192,10 +192,8 @@ bool isPossible(std::string_view text) {
     return hasValue;
 }
 
-} // namespace
-
-std::optional<double> evaluate(QStringView text) {
-    if (const auto number = parseNumber(text)) return number;
+// nullopt where it is no whole expression; else its value, which may not be finite.
+std::optional<double> valueOf(QStringView text) {
     if (text.size() > maxExpression) return std::nullopt;
     const std::string expression = plain(text);
     if (!isPossible(expression)) return std::nullopt;
@@ -204,11 +202,23 @@ std::optional<double> evaluate(QStringView text) {
         parser.SetExpr(expression);
         int results = 0;
         const double* values = parser.Eval(results);
-        if (results != 1 || !std::isfinite(values[0])) return std::nullopt;
-        return values[0];
+        return results == 1 ? std::optional(values[0]) : std::nullopt;
     } catch (const mu::ParserError&) {
         return std::nullopt;
     }
+}
+
+} // namespace
+
+std::optional<double> evaluate(QStringView text) {
+    if (const auto number = parseNumber(text)) return number;
+    const std::optional<double> value = valueOf(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+bool isWithoutValue(QStringView text) {
+    const std::optional<double> value = valueOf(text);
+    return value && !std::isfinite(*value);
 }
 
 } // namespace io

@@ -14,6 +14,9 @@ namespace io {
 // characters. nullopt where there is none or it is not finite.
 std::optional<double> evaluate(QStringView text);
 
+// Whether it is a whole expression whose value is not finite, such as 1/0 or sqrt(-1).
+bool isWithoutValue(QStringView text);
+
 constexpr qsizetype maxExpression = 200; // characters
 
 } // namespace io

@@ -27,6 +27,7 @@ private slots:
     void bothAreDraggedInOneHistory();
     void viewsAreLinkedOnRequest();
     void entriesChangePlaces();
+    void undoLeavesThePlaces();
     void entriesComeAndGo();
     void solidsAreCompared();
 
@@ -167,6 +168,31 @@ void CompareTest::entriesChangePlaces() {
         QCOMPARE(each->camera().centre, camera.centre);
         QCOMPARE(each->camera().pixelsPerUnit, camera.pixelsPerUnit);
     }
+}
+
+// Both are in sight: nothing has to change places to show what is undone.
+void CompareTest::undoLeavesThePlaces() {
+    open("a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\nb {\n .4 0 0 .4 0 0 1\n .4 0 0 .4 9 0 1\n}\n");
+    toggle();
+    QTRY_VERIFY(pane()->isVisible());
+    const document::Fractal before = document().entryFractal();
+    document::Fractal after = before;
+    document::plane(after)->system.maps[0].map.translation.x() = 0.25;
+    document().edit(u"edit"_s, after);
+    document().setCurrent(idOf(u"b"_s));
+    QCOMPARE(shown(), u"a"_s);
+    document().undoStack()->undo();
+    QCOMPARE(document().fractal().name, u"b"_s);
+    QCOMPARE(shown(), u"a"_s);
+    const auto systemBeside = [&] { return document::plane(*document().file().entries[0].fractal)->system; };
+    QVERIFY(systemBeside() == document::plane(before)->system);
+    document().undoStack()->redo();
+    QCOMPARE(document().fractal().name, u"b"_s);
+    QVERIFY(systemBeside() == document::plane(after)->system);
+    toggle(); // alone, the entry that is undone is shown
+    QTRY_VERIFY(!pane()->isVisible());
+    document().undoStack()->undo();
+    QCOMPARE(document().fractal().name, u"a"_s);
 }
 
 void CompareTest::entriesComeAndGo() {

@@ -152,6 +152,18 @@ void MainWindowTest::theFilesOfTheLastRunAreKnown() {
     QCOMPARE(known(), QStringList({dos, shapes}));
     closeWindows();
 
+    shown(shapes);
+    shown(dos);
+    QVERIFY(!session::filesToReopen());
+    session::restart();
+    QVERIFY(session::filesToReopen());
+    QStringList again = *session::filesToReopen();
+    again.sort();
+    QCOMPARE(again, QStringList({dos, shapes}));
+    for (const SessionWindow* window : windows())
+        QVERIFY(!window->isVisible());
+    closeWindows();
+
     MainWindow* first = shown(shapes);
     MainWindow* last = shown(dos);
     first->close();

@@ -2,11 +2,14 @@
 #include "tour.h"
 
 #include "app/gui/window_fixture.h"
+#include "canvas/items/note_item.h"
+#include "document/fractal_geometry.h"
 #include "panels/maps/maps_panel.h"
 #include "support/forget_settings.h"
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QGraphicsScene>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
@@ -15,6 +18,8 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
+
+#include <cmath>
 
 // The tour shows its six steps where things are, locks nothing, and leaves the window as it found it.
 class TourTest : public WindowFixture {
@@ -25,6 +30,7 @@ private slots:
     void theBarIsPutAway();
     void theOfferIsMadeOnce();
     void theFirstHintGoesWithTheTour();
+    void theCardCoversNothingTheCanvasSays();
     void theWindowMayCloseMeanwhile();
 
 private:
@@ -147,6 +153,42 @@ void TourTest::theFirstHintGoesWithTheTour() {
     button(QStringLiteral("Start the Tour"))->click();
     QCOMPARE(tour()->step(), 0);
     QVERIFY(canvas->hint().isEmpty());
+}
+
+void TourTest::theCardCoversNothingTheCanvasSays() {
+    document::Fractal fractal = m_window->document().fractal();
+    for (auto& map : document::plane(fractal)->system.maps)
+        map.enabled = false;
+    m_window->document().edit(QStringLiteral("switch off"), fractal);
+    auto* canvas = m_window->findChild<view::CanvasView*>();
+    QTRY_VERIFY(!canvas->note().isEmpty()); // at the top, in the middle
+    const auto notes = [canvas] {
+        QList<QRect> boxes;
+        for (const QGraphicsItem* item : canvas->scene()->items())
+            if (const auto* note = dynamic_cast<const view::NoteItem*>(item); note && !note->text().isEmpty())
+                boxes << canvas->mapFromScene(note->sceneBoundingRect()).boundingRect();
+        return boxes;
+    };
+    QCOMPARE(notes().size(), 1);
+    const int before = notes().first().center().x();
+    for (const int width : {1280, 900}) { // beside the card, or below it
+        m_window->resize(width, 800);
+        Tour::start(m_window.get());
+        for (int step = 0; step < 5; ++step) {
+            settle();
+            const auto overlaps = [&] {
+                const QRect card(canvas->viewport()->mapFrom(m_window.get(), tour()->pos()), tour()->size());
+                return !notes().isEmpty() && card.intersects(notes().first());
+            };
+            QTRY_VERIFY2(!overlaps(), qPrintable(QStringLiteral("%1, step %2").arg(width).arg(step)));
+            button(QStringLiteral("Next"))->click();
+        }
+    }
+    m_window->resize(1280, 800);
+    tour()->close();
+    QTRY_VERIFY(!tour());
+    QTRY_VERIFY(std::abs(notes().first().center().x() - before) <= 20); // the middle is free again
+    m_window->document().undoStack()->setClean();
 }
 
 void TourTest::theWindowMayCloseMeanwhile() {

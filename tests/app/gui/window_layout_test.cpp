@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 // How the window divides its room, and what of it is kept.
 class WindowLayoutTest : public SessionFixture {
@@ -43,6 +44,7 @@ private slots:
     void aNarrowWindowIsHalfPicture_data();
     void aNarrowWindowIsHalfPicture();
     void aSmallWindowIsHalfPicture();
+    void panelsTakeTheirWidthsBack();
     void panelsAreWhereTheyWereLeft();
     void aBarIsFoundUnderItsFormerName();
     void theWholeScreenAndBack();
@@ -119,6 +121,29 @@ void WindowLayoutTest::aSmallWindowIsHalfPicture() {
     QTRY_VERIFY(next->findChild<view::CanvasView*>()->width() >= 400);
     next->resize(1200, 780); // what made way in the last run is not lost
     QTRY_VERIFY(next->findChild<QDockWidget*>(QStringLiteral("entries"))->isVisible());
+    support::forgetSettings();
+}
+
+void WindowLayoutTest::panelsTakeTheirWidthsBack() {
+    support::forgetSettings();
+    MainWindow* window = shown({});
+    auto* entries = window->findChild<QDockWidget*>(QStringLiteral("entries"));
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(1600, 900);
+    window->resizeDocks({entries}, {310}, Qt::Horizontal);
+    QTRY_VERIFY(std::abs(entries->width() - 310) <= 30);
+    const int before = entries->width();
+    window->resize(1000, 800); // in two steps: the panels yield, then they hide
+    QTRY_VERIFY(entries->width() < before);
+    window->resize(800, 600);
+    QTRY_VERIFY(!entries->isVisible());
+    window->resize(1600, 900);
+    QTRY_VERIFY(entries->isVisible());
+    QTRY_VERIFY2(std::abs(entries->width() - before) <= 1, qPrintable(QString::number(entries->width())));
+    window->resize(1000, 800);
+    QTRY_VERIFY(entries->width() < before);
+    window->resize(1600, 900);
+    QTRY_VERIFY2(std::abs(entries->width() - before) <= 1, qPrintable(QString::number(entries->width())));
     support::forgetSettings();
 }
 

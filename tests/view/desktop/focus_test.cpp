@@ -24,6 +24,8 @@ class FocusTest : public QObject {
 private slots:
     void whatHasTheFocusIsSeen_data();
     void whatHasTheFocusIsSeen();
+    void theCurrentCellIsSeenInASelectedRow_data();
+    void theCurrentCellIsSeenInASelectedRow();
 
 private:
     static int changedPixels(const QImage& a, const QImage& b);
@@ -116,6 +118,38 @@ void FocusTest::whatHasTheFocusIsSeen() {
     const QImage with = widget->grab().toImage();
     const int changed = changedPixels(with, without);
     QVERIFY2(changed >= 30, qPrintable(QString::number(changed)));
+}
+
+void FocusTest::theCurrentCellIsSeenInASelectedRow_data() {
+    QTest::addColumn<Theme>("theme");
+    QTest::addRow("light") << Theme::Light;
+    QTest::addRow("dark") << Theme::Dark;
+}
+
+// The frame is two pixels wide, also after a click.
+void FocusTest::theCurrentCellIsSeenInASelectedRow() {
+    QFETCH(Theme, theme);
+    view::applyTheme(theme);
+    QTableWidget table(2, 2);
+    table.setSelectionBehavior(QAbstractItemView::SelectRows);
+    table.resize(320, 160);
+    table.show();
+    QVERIFY(QTest::qWaitForWindowActive(&table));
+    table.setFocus();
+    const auto cell = [&table](int column) { return table.visualRect(table.model()->index(0, column)); };
+    const auto click = [&](int column) {
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, cell(column).center());
+        QTest::mouseMove(table.viewport(), QPoint(10, 100)); // nothing is under the pointer
+        QCOMPARE(table.currentColumn(), column);
+        QVERIFY(table.selectionModel()->isRowSelected(0));
+    };
+    click(1);
+    const QImage without = table.viewport()->grab(cell(0)).toImage();
+    click(0);
+    const QImage with = table.viewport()->grab(cell(0)).toImage();
+    const int around = 2 * (cell(0).width() + cell(0).height());
+    const int changed = changedPixels(with, without);
+    QVERIFY2(changed >= around * 3 / 2, qPrintable(QStringLiteral("%1 of %2").arg(changed).arg(around)));
 }
 
 QTEST_MAIN(FocusTest)

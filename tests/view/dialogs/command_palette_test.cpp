@@ -2,6 +2,7 @@
 #include "dialogs/command_palette.h"
 #include "dialogs/shortcuts_dialog.h"
 #include "support/patient_tries.h"
+#include "widgets/menu_placeholder.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -52,6 +53,19 @@ private slots:
         QCOMPARE(bake.count(), 1);
         QCOMPARE(reset.count(), 0);
         QVERIFY(!palette.isVisible());
+    }
+
+    void whatIsNoCommandIsNotListed() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&Views"));
+        menu->addAction(QStringLiteral("&Save View"));
+        menu->addAction(QStringLiteral("&Edit Views"))->setEnabled(false);
+        view::addPlaceholder(*menu, QStringLiteral("No saved views"));
+        QStringList paths;
+        for (const view::NamedAction& action : view::actionsOf(&bar))
+            paths << action.path;
+        QCOMPARE(paths,
+                 (QStringList{QStringLiteral("Views › Save View"), QStringLiteral("Views › Edit Views")}));
     }
 
     // Behind the names.

@@ -109,7 +109,15 @@ void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {
         };
         read();
         QVERIFY(said.isEmpty());
+        QPushButton* restart = nullptr;
+        for (auto* button : dialog.findChildren<QPushButton*>())
+            if (button->text().remove(u'&') == QStringLiteral("Restart Now")) restart = button;
+        QVERIFY(restart && !restart->isVisible());
         choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
+        QVERIFY(restart->isVisible());
+        QSignalSpy wanted(&dialog, &PreferencesDialog::restartRequested);
+        restart->click();
+        QCOMPARE(wanted.size(), 1);
         read();
         QVERIFY(!said.isEmpty());
         for (const QString& name : names)

@@ -25,6 +25,7 @@ private slots:
     void whatWasTypedStaysWhileTheValueIsIts();
     void theNumberIsStatedBesideTheExpression();
     void whatIsUnfinishedChangesNothing();
+    void whatHasNoValueBringsBackTheOneBefore();
     void whatIsTooLargeIsTheLargest();
     void theWheelNeedsTheFocus();
     void valuesAreRoundedToTheDecimals();
@@ -117,6 +118,35 @@ void NumberBoxTest::whatIsUnfinishedChangesNothing() {
     type(box, QStringLiteral("4*8")); // 4 is a number, 32 is too large
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 4.0);
+}
+
+// 1 of 1/0 is no value that anybody wanted.
+void NumberBoxTest::whatHasNoValueBringsBackTheOneBefore() {
+    NumberBox box;
+    box.setRange(0, 10);
+    box.setSuffix(QStringLiteral(" mm"));
+    box.setValue(5);
+    box.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&box));
+    const QSignalSpy changed(&box, &QDoubleSpinBox::valueChanged);
+    type(box, QStringLiteral("1/"));
+    QCOMPARE(box.value(), 1.0);
+    QTest::keyClick(&box, Qt::Key_0);
+    QCOMPARE(box.value(), 5.0);
+    QVERIFY2(box.text().startsWith(QStringLiteral("1/0")), qPrintable(box.text()));
+    QTest::keyClicks(&box, QStringLiteral(".5"));
+    QCOMPARE(box.value(), 2.0);
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.value(), 2.0);
+    QCOMPARE(changed.size(), 3);
+    type(box, QStringLiteral("3/0"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(box.value(), 2.0);
+    WholeNumberBox whole;
+    whole.setRange(0, 10);
+    whole.setValue(7);
+    type(whole, QStringLiteral("4/0"));
+    QCOMPARE(whole.value(), 7);
 }
 
 void NumberBoxTest::whatIsTooLargeIsTheLargest() {

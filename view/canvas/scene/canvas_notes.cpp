@@ -5,13 +5,42 @@
 
 namespace view {
 
+namespace {
+
+constexpr double readable = 220;  // pixels that a sentence is wide at least, rather than below what covers it
+constexpr double bottomRows = 80; // pixels that a prompt may take
+
+} // namespace
+
 std::vector<OverlayItem*> CanvasNotes::items() {
     return {&m_noteItem, &m_promptItem};
 }
 
+QRectF CanvasNotes::room() const {
+    const QRectF covered = m_covered & m_view;
+    if (covered.isEmpty()) return m_view;
+    QRectF left = m_view, right = m_view, below = m_view;
+    left.setRight(covered.left());
+    right.setLeft(covered.right());
+    below.setTop(covered.bottom());
+    const QRectF& beside = left.width() >= right.width() ? left : right;
+    return beside.width() >= readable ? beside : below;
+}
+
 void CanvasNotes::setView(const QRectF& view) {
-    m_noteItem.setView(view);
-    m_promptItem.setView(view);
+    m_view = view;
+    const QRectF room = this->room();
+    m_noteItem.setView(room);
+    m_promptItem.setView(m_covered.bottom() > view.bottom() - bottomRows ? room : view);
+}
+
+void CanvasNotes::setCovered(const QRectF& area) {
+    if (area == m_covered) return;
+    m_covered = area;
+    setView(m_view);
+    avoid(m_handles);
+    m_noteItem.update();
+    m_promptItem.update();
 }
 
 void CanvasNotes::setFont(const QFont& font) {
@@ -20,6 +49,7 @@ void CanvasNotes::setFont(const QFont& font) {
 }
 
 void CanvasNotes::avoid(const std::vector<QPointF>& handles) {
+    m_handles = handles;
     m_noteItem.avoid(handles, {});
     m_promptItem.avoid(handles, m_noteItem.box());
 }

@@ -13,7 +13,8 @@ namespace view {
 class CanvasNotes {
 public:
     std::vector<OverlayItem*> items();
-    void setView(const QRectF& view); // pixels
+    void setView(const QRectF& view);    // pixels
+    void setCovered(const QRectF& area); // something else lies there; empty: nothing
     void setFont(const QFont& font);
     void avoid(const std::vector<QPointF>& handles); // in pixels: the sentences cover none
 
@@ -26,10 +27,15 @@ public:
     const QString& hint() const { return m_hint; }
 
 private:
+    QRectF room() const; // beside or below what is covered
+
     NoteItem m_noteItem{NoteItem::Edge::Top};
     NoteItem m_promptItem{NoteItem::Edge::Bottom};
     attractor::RenderNote m_described = attractor::RenderNote::None;
     bool m_isStale = true;
+    QRectF m_view;
+    QRectF m_covered;
+    std::vector<QPointF> m_handles;
     QString m_prompt;
     QString m_hint;
 };

@@ -5,6 +5,7 @@
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/large_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
@@ -36,6 +37,8 @@
 namespace view {
 
 namespace {
+
+constexpr int maxFirstWidth = 780; // of the dialog: it fits the smallest screens
 
 // In the order of the list.
 struct Kind {
@@ -110,6 +113,7 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
             promise.addResult(document::displayedBox(fractal));
         }));
     update();
+    resize(sizeHint().boundedTo({maxFirstWidth, QWIDGETSIZE_MAX}));
 }
 
 ExportDialog::~ExportDialog() = default;
@@ -360,9 +364,13 @@ void ExportDialog::update() {
         m_planTimer.start();
         return;
     }
+    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(memory()))));
+}
+
+// Of pixels, wherever they look.
+std::uint64_t ExportDialog::memory() const {
     const auto pixels = std::get<io::PixelRecipe>(recipe(resized(m_camera, m_size->pixels())));
-    const io::PngExport png = io::exportOf(pixels, m_fractal); // wherever it looks
-    m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(io::memoryFor(png)))));
+    return io::memoryFor(io::exportOf(pixels, m_fractal));
 }
 
 void ExportDialog::updateSvgPlan() {
@@ -394,7 +402,7 @@ void ExportDialog::showSvgPlan() {
         showPlan(tr("One dot for every visible point of the chaos game."));
         return;
     }
-    showPlan(tr("Guaranteed accuracy: %2 px. References: %1 (the limit is %3).")
+    showPlan(tr("Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).")
                  .arg(groupedNumber(double(plan.references)), QString::number(plan.errorInPixels, 'f', 2),
                       groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
              (plan.isCutShort
@@ -436,6 +444,7 @@ void ExportDialog::setQueue(ExportQueue* queue) {
 }
 
 QString ExportDialog::chosenFile() {
+    if (!isSvg() && !confirmLargeExport(this, m_size->pixels(), memory())) return {};
     const Kind& kind = kinds[m_format->currentIndex()];
     const QString suffix = QString::fromLatin1(kind.suffix);
     const QString filter = QStringLiteral("%1 (%2)").arg(suffix.toUpper(), QLatin1String(kind.filter));

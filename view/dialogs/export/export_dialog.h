@@ -12,6 +12,7 @@
 #include <QImage>
 #include <QTimer>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -72,6 +73,7 @@ private:
     io::ShapeStyle style() const;
     attractor::Camera camera() const;
     io::ExportRecipe recipe(const attractor::Camera& camera) const;
+    std::uint64_t memory() const;
     void update();
     void showPreview();
     void updateSvgPlan(); // beside the window

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_size_editor.h"
 
+#include "widgets/icon.h"
 #include "widgets/number_box.h"
 
 #include <QComboBox>
@@ -60,7 +61,8 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     m_named->setWhatsThis(tr("The size of the picture on the screen or a multiple of it, of a common screen, "
                              "or of a sheet of paper. Everything that the window shows stays in the picture; "
                              "if the proportions differ, the picture shows more around it."));
-    m_lock->setText(tr("Lock proportions"));
+    m_lock->setIcon(icon(QStringLiteral("lock"))); // the text would widen the dialogs beyond small screens
+    m_lock->setAccessibleName(tr("Lock proportions"));
     m_lock->setCheckable(true);
     m_lock->setChecked(true);
     m_lock->setToolTip(tr("Keep the proportions of the picture"));
@@ -174,18 +176,22 @@ void ExportSizeEditor::showSize() {
     m_named->setCurrentIndex(named >= 0 ? named : m_named->count() - 1);
 }
 
+QSize ExportSizeEditor::inShape(double factor) const {
+    const double most = double(maxSide) / std::max(m_locked.width(), m_locked.height());
+    const double within = std::min(factor, most);
+    return {rounded(within * m_locked.width()), rounded(within * m_locked.height())};
+}
+
 void ExportSizeEditor::takeWidth(double width) {
     const int pixels = rounded(width * unitInPixels());
-    const int height = m_lock->isChecked() ? rounded(double(pixels) * m_locked.height() / m_locked.width())
-                                           : m_pixels.height();
-    setPixels({pixels, height});
+    setPixels(m_lock->isChecked() ? inShape(double(pixels) / m_locked.width())
+                                  : QSize(pixels, m_pixels.height()));
 }
 
 void ExportSizeEditor::takeHeight(double height) {
     const int pixels = rounded(height * unitInPixels());
-    const int width = m_lock->isChecked() ? rounded(double(pixels) * m_locked.width() / m_locked.height())
-                                          : m_pixels.width();
-    setPixels({width, pixels});
+    setPixels(m_lock->isChecked() ? inShape(double(pixels) / m_locked.height())
+                                  : QSize(m_pixels.width(), pixels));
 }
 
 } // namespace view

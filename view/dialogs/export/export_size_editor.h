@@ -35,6 +35,7 @@ private:
     void showSize();
     void takeWidth(double width);
     void takeHeight(double height);
+    QSize inShape(double factor) const; // the locked proportions, both sides within the limit
 
     QSize m_screen;
     QSize m_pixels;

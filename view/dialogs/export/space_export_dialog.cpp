@@ -4,6 +4,7 @@
 #include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/large_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/space_geometry.h"
 #include "document/unique_names.h"
@@ -263,6 +264,7 @@ void SpaceExportDialog::setQueue(ExportQueue* queue) {
 }
 
 QString SpaceExportDialog::chosenFile() {
+    if (pictureFile() && !confirmLargeExport(this, m_size->pixels(), 0)) return {};
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     return chooseFileToSave(this, tr("Export"), fileName, filter, suffix());

@@ -47,15 +47,16 @@ const document::LessonStep* LessonNotebook::currentStep() const {
 }
 
 void LessonNotebook::setCurrent(int step) {
-    if (step == m_current || step < 0 || step >= m_lesson.steps.size()) return;
-    m_current = step;
-    emit changed();
+    if (step < 0 || step >= m_lesson.steps.size()) return;
+    m_isChosen = true;
+    if (std::exchange(m_current, step) != step) emit changed();
 }
 
 void LessonNotebook::open(document::Lesson lesson, const QString& path) {
     m_path = path;
     m_lesson = std::move(lesson);
     m_current = m_lesson.steps.isEmpty() ? -1 : 0;
+    m_isChosen = false;
     m_history.clear();
     emit changed();
 }
@@ -103,6 +104,7 @@ void LessonNotebook::addStep(const document::LessonState& state) {
     after.current = m_current + 1;
     after.lesson.steps.insert(after.current, document::LessonStep{{}, {}, state, {}});
     push(tr("Add step"), std::move(after));
+    m_isChosen = false;
 }
 
 void LessonNotebook::setState(const document::LessonState& state) {

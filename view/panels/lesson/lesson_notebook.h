@@ -19,9 +19,10 @@ public:
 
     const document::Lesson& lesson() const { return m_lesson; }
     bool isEmpty() const { return m_lesson.steps.isEmpty() && m_lesson.title.isEmpty(); }
-    int current() const { return m_current; } // −1 while there is no step
-    void setCurrent(int step);
-    const document::LessonStep* currentStep() const; // nullptr while there is none
+    int current() const { return m_current; }                      // −1 while there is no step
+    void setCurrent(int step);                                     // as the user chooses
+    int firstToPlay() const { return m_isChosen ? m_current : 0; } // the chosen step, or the first
+    const document::LessonStep* currentStep() const;               // nullptr while there is none
 
     QString path() const { return m_path; } // empty while it has no file
     bool isModified() const { return !m_history.isClean(); }
@@ -57,6 +58,7 @@ private:
 
     document::Lesson m_lesson;
     int m_current = -1;
+    bool m_isChosen = false; // it is not only where the last step was added
     QString m_path;
     QUndoStack m_history;
 };

@@ -97,12 +97,15 @@ void LessonPanel::createFields() {
     m_text->setAccessibleName(m_text->placeholderText());
     m_text->setToolTip(tr("Shown beside the picture; leave a line empty to begin a paragraph"));
     m_text->setTabChangesFocus(true);
-    m_play->setToolTip(tr("Play the lesson in full screen, from the selected step"));
+    m_play->setToolTip(
+        tr("Play the lesson in full screen, from the step you selected or from the beginning"));
     m_save->setToolTip(tr("Save the lesson in the same folder as its fractals"));
     connect(m_title, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setTitle);
     connect(m_stepTitle, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setStepTitle);
     connect(m_text, &QPlainTextEdit::textChanged, this, &LessonPanel::takeText);
     connect(m_steps, &QListWidget::currentRowChanged, m_notebook, &LessonNotebook::setCurrent);
+    connect(m_steps, &QListWidget::itemClicked, m_notebook, // also the step that is current already
+            [this](const QListWidgetItem* item) { m_notebook->setCurrent(m_steps->row(item)); });
     connect(m_steps, &QListWidget::itemActivated, this, &LessonPanel::showRequested);
     connect(m_play, &QPushButton::clicked, this, &LessonPanel::playRequested);
     connect(m_save, &QPushButton::clicked, this, &LessonPanel::saveRequested);

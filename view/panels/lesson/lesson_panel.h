@@ -31,7 +31,7 @@ signals:
     void addRequested();    // a step, with the state of the window now
     void updateRequested(); // the current step takes the state of the window now
     void showRequested();   // the window takes the state of the current step
-    void playRequested();   // from the current step
+    void playRequested();
     void saveRequested();
 
 private:

@@ -159,8 +159,8 @@ void MapsClipboard::finish(const document::Rows& rows, int count, document::Maps
 
 void MapsClipboard::say(const document::Rows& rows, int count, const QString& remark) {
     const QString text = rows.empty()
-                             ? Text::tr("Maps added: %1.").arg(count)
-                             : Text::tr("The selected maps were replaced; maps pasted: %1.").arg(count);
+                             ? Text::tr("%n maps added.", nullptr, count)
+                             : Text::tr("The selected maps were replaced; %n maps pasted.", nullptr, count);
     emit message(remark.isEmpty() ? text : text + u' ' + remark);
 }
 

@@ -57,6 +57,23 @@ bool Snapshots::isAsNow(const Snapshot& snapshot) const {
     return document::isSameSystem(*snapshot.fractal, *now) && restored(*snapshot.fractal, *now) == *now;
 }
 
+QStringList Snapshots::unsaved() const {
+    const auto& entries = m_document->file().entries;
+    const auto isKept = [&entries](const Fractal& fractal) {
+        return std::ranges::any_of(entries, [&fractal](const document::Entry& entry) {
+            return document::isSameSystem(fractal, *entry.fractal) &&
+                   restored(fractal, *entry.fractal) == *entry.fractal;
+        });
+    };
+    QStringList names;
+    for (const document::Entry& entry : entries)
+        if (const auto strip = m_strips.find(entry.id); strip != m_strips.end())
+            for (const Snapshot& snapshot : strip->second.list)
+                if (!isKept(*snapshot.fractal))
+                    names << tr("%1 of “%2”", "snapshot, entry").arg(snapshot.name, entry.fractal->name);
+    return names;
+}
+
 void Snapshots::take() {
     if (!isPossible()) return emit message(tr("An entry that could not be read has no snapshots."));
     const auto same = std::ranges::find_if(list(), [this](const Snapshot& one) { return isAsNow(one); });

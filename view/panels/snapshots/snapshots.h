@@ -4,6 +4,7 @@
 #include "document/document.h"
 
 #include <QObject>
+#include <QStringList>
 
 #include <map>
 #include <memory>
@@ -47,6 +48,9 @@ public:
     void mark(quint64 key);
     std::optional<quint64> present() const; // the one that the entry is like, but for a gesture that is open
     bool isAsNow(const Snapshot& snapshot) const;
+    // Those of all entries that are like no entry of the file, each with the name of its own: they are lost
+    // when the file is closed.
+    QStringList unsaved() const;
 
 signals:
     void changed(); // in what is listed, or marked, or like the entry

@@ -12,6 +12,7 @@
 #include "panels/timeline/transport_bar.h"
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
+#include "widgets/menu_placeholder.h"
 #include "widgets/wait_for.h"
 
 #include <QAction>
@@ -314,7 +315,7 @@ void TimelinePanel::listEntries() {
                              [this, id = entry.id] { morphTo(id); });
     }
     if (m_entries->isEmpty()) {
-        m_entries->addAction(tr("This file has no other fractal of this dimension"))->setEnabled(false);
+        addPlaceholder(*m_entries, tr("This file has no other fractal of this dimension"));
         return;
     }
     m_entries->addSeparator();

@@ -17,7 +17,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
@@ -26,6 +25,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -61,9 +61,7 @@ private slots:
     void saysWhenAPixelNeedsMore();
     void failureIsTold();
     void closingWhileExportingIsSafe();
-    void sizeKeepsItsShape();
-    void sizesAreChosenByName();
-    void lengthsFollowTheResolution();
+    void aSmallScreenHoldsIt();
     void clipboardHoldsBothForms();
     void pageOfASolidHoldsItsNumbers();
     void aSolidIsPrintedAsItIsSeen();
@@ -293,13 +291,13 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     dialog.show();
     chooseFormat(dialog, "SVG");
     auto* plan = named<QLabel>(dialog, "Description of the picture");
-    QTRY_VERIFY(plan->text().contains(QStringLiteral("References")));
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("copies")));
     const QString automatic = plan->text();
     keep(dialog.grab().toImage(), "export-svg.png");
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("Automatic"))) box->setChecked(false);
     named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
-    QTRY_VERIFY(plan->text().contains(QStringLiteral("References: 12 "))); // 3 + 9 for a Sierpiński triangle
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("draw 12 copies"))); // 3 + 9 for a Sierpiński triangle
     QVERIFY(plan->text() != automatic);
     QVERIFY(!automatic.contains(QStringLiteral("More levels would be more accurate")));
 }
@@ -349,60 +347,14 @@ void ExportDialogTest::closingWhileExportingIsSafe() {
     QVERIFY(!QFile::exists(path));
 }
 
-void ExportDialogTest::sizeKeepsItsShape() {
-    ExportSizeEditor editor({160, 120});
-    QCOMPARE(editor.pixels(), QSize(160, 120));
-    named<QDoubleSpinBox>(editor, "Width")->setValue(1600);
-    QCOMPARE(editor.pixels(), QSize(1600, 1200));
-    named<QDoubleSpinBox>(editor, "Height")->setValue(60);
-    QCOMPARE(editor.pixels(), QSize(80, 60));
-}
-
-void ExportDialogTest::sizesAreChosenByName() {
-    ExportSizeEditor editor({160, 120});
-    auto* sizes = named<QComboBox>(editor, "Named size");
-    const auto choose = [sizes](const char* name) {
-        const int index = sizes->findText(QString::fromUtf8(name), Qt::MatchStartsWith);
-        QVERIFY2(index >= 0, name);
-        sizes->setCurrentIndex(index);
-        emit sizes->activated(index);
-    };
-    choose("4K");
-    QCOMPARE(editor.pixels(), QSize(3840, 2160));
-    named<QDoubleSpinBox>(editor, "Width")->setValue(1600); // the shape that was chosen is kept
-    QCOMPARE(editor.pixels(), QSize(1600, 900));
-    QCOMPARE(sizes->currentText(), QStringLiteral("Custom"));
-    choose("A4");
-    QCOMPARE(editor.pixels(), QSize(3508, 2480));
-    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 297.0);
-    QCOMPARE(named<QDoubleSpinBox>(editor, "Height")->value(), 210.0);
-    QCOMPARE(editor.dotsPerInch(), 300.0);
-    choose("2 ×");
-    QCOMPARE(editor.pixels(), QSize(320, 240));
-    QCOMPARE(sizes->currentIndex(), 1);
-    QCOMPARE(sizes->nextInFocusChain(), named<QSpinBox>(editor, "Resolution in dots per inch"));
-    ExportSizeEditor standing({120, 160});
-    auto* sheets = named<QComboBox>(standing, "Named size");
-    QCOMPARE(sheets->itemData(sheets->findText(QStringLiteral("A3 at 300 dpi"))).toSize(), QSize(3508, 4961));
-}
-
-void ExportDialogTest::lengthsFollowTheResolution() {
-    ExportSizeEditor editor({160, 120});
-    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(2);
-    named<QSpinBox>(editor, "Resolution in dots per inch")->setValue(150);
-    named<QDoubleSpinBox>(editor, "Width")->setValue(4);
-    QCOMPARE(editor.pixels(), QSize(600, 450));
-    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(1);
-    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 101.6);
-    // Typed with either sign, whatever the language says.
-    for (const char* typed : {"50.5", "50,5"}) {
-        auto* width = named<QDoubleSpinBox>(editor, "Width");
-        width->setFocus();
-        width->selectAll();
-        QTest::keyClicks(width, QLatin1String(typed));
-        QTest::keyClick(width, Qt::Key_Return);
-        QCOMPARE(width->value(), 50.5);
-        width->setValue(20);
+void ExportDialogTest::aSmallScreenHoldsIt() {
+    document::Document document;
+    ExportDialog dialog(&document, camera());
+    dialog.setQueue(nullptr);
+    for (const char* format : {"PNG", "TIFF", "SVG"}) {
+        chooseFormat(dialog, format);
+        QVERIFY2(dialog.minimumSizeHint().width() <= 780, format);
+        QVERIFY2(dialog.width() <= 780, format);
     }
 }
 

@@ -26,6 +26,7 @@ private slots:
     void cleanup();
     void stepsAreWritten();
     void theFirstStepMovesNothing();
+    void playingBeginsWhereTheUserChose();
     void changesAreUndone();
     void typingIsOneStep();
     void aLongTextIsCutInSight();
@@ -112,6 +113,29 @@ void LessonPanelTest::theFirstStepMovesNothing() {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     QCOMPARE(steps()->geometry(), list);
     QCOMPARE(text()->mapTo(m_panel.get(), QPoint()).y(), textTop);
+}
+
+// A step that was only added is not one that was chosen.
+void LessonPanelTest::playingBeginsWhereTheUserChose() {
+    for (const char* entry : {"a", "b", "c"}) {
+        m_notebook->addStep(stateOf(QLatin1String(entry)));
+        QTest::keyClicks(text(), u"Text."_s);
+        QCOMPARE(m_notebook->firstToPlay(), 0);
+    }
+    QCOMPARE(m_notebook->current(), 2);
+    const auto click = [this](int row) {
+        QTest::mouseClick(steps()->viewport(), Qt::LeftButton, {},
+                          steps()->visualItemRect(steps()->item(row)).center());
+    };
+    click(2); // where it is already
+    QCOMPARE(m_notebook->firstToPlay(), 2);
+    click(1);
+    QCOMPARE(m_notebook->firstToPlay(), 1);
+    m_notebook->addStep(stateOf(u"d"_s));
+    QCOMPARE(m_notebook->firstToPlay(), 0);
+    click(1);
+    m_notebook->open(lessonOf(u"B."_s), u"/x/a.lesson"_s);
+    QCOMPARE(m_notebook->firstToPlay(), 0);
 }
 
 void LessonPanelTest::changesAreUndone() {

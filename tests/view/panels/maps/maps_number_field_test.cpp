@@ -129,6 +129,32 @@ private slots:
         QCOMPARE(view::typedNumber(QStringLiteral("0,5")), 0.5);
     }
 
+    // 1 of 1/0 is no value that anybody wanted; what is unfinished may still become one.
+    void whatHasNoValueGivesBackTheNumberBefore() {
+        QSignalSpy edited(m_field, &NumberField::edited);
+        m_field->setValue(7);
+        m_field->setFocus();
+        m_field->selectAll();
+        QTest::keyClicks(m_field, QStringLiteral("1/"));
+        QCOMPARE(m_field->value(), 1.0);
+        QTest::keyClicks(m_field, QStringLiteral("0"));
+        QCOMPARE(m_field->value(), 7.0);
+        QCOMPARE(edited.back().front().toDouble(), 7.0);
+        QVERIFY(m_field->problem().contains(QStringLiteral("finite")));
+        QCOMPARE(m_field->text(), QStringLiteral("1/0"));
+        QTest::keyClicks(m_field, QStringLiteral(".5"));
+        QCOMPARE(edited.back().front().toDouble(), 2.0);
+        m_field->setRange({0.0, 10.0});
+        QTest::keyClick(m_field, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(m_field, QStringLiteral("3"));
+        QCOMPARE(m_field->value(), 3.0);
+        QTest::keyClicks(m_field, QStringLiteral("0"));
+        QCOMPARE(edited.back().front().toDouble(), 7.0); // 30 is too much
+        QTest::keyClicks(m_field, QStringLiteral("*sqrt("));
+        QCOMPARE(m_field->value(), 7.0);
+        QTest::keyClick(m_field, Qt::Key_Escape);
+    }
+
     // Undo takes back what is being typed; after Enter it is the document's.
     void undoIsLeftToTheDocument() {
         QAction undo(m_window.get());
@@ -158,6 +184,7 @@ private slots:
         QVERIFY(view::numberProblem(QStringLiteral(" 1e-3 ")).isEmpty());
         QVERIFY(view::numberProblem(QStringLiteral("1/3")).isEmpty());
         QVERIFY(!view::numberProblem(QStringLiteral("1/")).isEmpty());
+        QVERIFY(view::numberProblem(QStringLiteral("sqrt(-1)")).contains(QStringLiteral("no finite value")));
         QVERIFY(view::numberProblem(QString()).contains(QStringLiteral("missing")));
         QVERIFY(!view::numberProblem(QStringLiteral("inf")).isEmpty());
         for (const char* large : {"1e400", "-1e400", "+1,5e999", " 1e400 ", "1e300", "-3.5e38"})

@@ -49,6 +49,7 @@ private slots:
     void everyEntryHasItsOwn();
     void anotherEntryOfTheSameIdHasNone();
     void anEntryIsAdded();
+    void whatIsLostIsNamed();
     void anUnreadableEntryHasNone();
     void aLookChangesNothing();
     void anEditEndsTheLook();
@@ -209,6 +210,23 @@ void SnapshotsTest::anEntryIsAdded() {
     QVERIFY2(m_document->file().entries[1].fractal->name.startsWith(QStringLiteral("leaning")),
              qPrintable(m_document->file().entries[1].fractal->name));
     QCOMPARE(names().size(), 1);
+}
+
+// Those that are in the file already, as they are, are not lost with it.
+void SnapshotsTest::whatIsLostIsNamed() {
+    m_snapshots->take();
+    QVERIFY(m_snapshots->unsaved().isEmpty()); // it is the entry
+    scale(0.8);
+    const QStringList lost = m_snapshots->unsaved();
+    QCOMPARE(lost.size(), 1);
+    QVERIFY(lost.first().contains(QStringLiteral("Snapshot 1")));
+    QVERIFY(lost.first().contains(m_document->fractal().name));
+    m_snapshots->addAsEntry(key(0));
+    QVERIFY(m_snapshots->unsaved().isEmpty());
+    m_document->undoStack()->undo();
+    QCOMPARE(m_snapshots->unsaved().size(), 1);
+    m_document->undoStack()->undo();
+    QVERIFY(m_snapshots->unsaved().isEmpty());
 }
 
 void SnapshotsTest::anUnreadableEntryHasNone() {

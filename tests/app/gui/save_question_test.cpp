@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "app/gui/window_fixture.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QMessageBox>
+#include <QSet>
+#include <QTimer>
+#include <QUndoStack>
+
+using namespace Qt::StringLiterals;
+
+// Who closes a window is told what would be lost.
+class SaveQuestionTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void snapshotsAreNamed();
+
+private:
+    struct Question {
+        QString text;
+        QStringList buttons;
+    };
+    // What is asked when the window is closed; it stays open.
+    Question asked() {
+        Question question;
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            for (QWidget* widget : QApplication::topLevelWidgets())
+                if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible()) {
+                    question.text = box->text() + u'\n' + box->informativeText();
+                    for (const QAbstractButton* button : box->buttons())
+                        question.buttons << button->text();
+                    box->button(QMessageBox::Cancel)->click();
+                }
+        });
+        look.start(20);
+        m_window->close();
+        return question;
+    }
+    void rename(const QString& name) {
+        document::Fractal changed = m_window->document().fractal();
+        changed.name = name;
+        m_window->document().edit(u"rename"_s, changed);
+    }
+    void takeSnapshot() {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text().remove(u'&') == u"Take Snapshot"_s) return action->trigger();
+        QFAIL("no such command");
+    }
+};
+
+void SaveQuestionTest::snapshotsAreNamed() {
+    rename(u"one"_s);
+    Question question = asked();
+    QVERIFY(m_window->isVisible());
+    QVERIFY2(!question.text.contains(u"napshot"_s), qPrintable(question.text));
+    QCOMPARE(question.buttons.size(), 3);
+    QSet<QChar> letters;
+    for (const QString& button : std::as_const(question.buttons)) {
+        QVERIFY2(button.contains(u'&'), qPrintable(button));
+        letters << button[button.indexOf(u'&') + 1].toLower();
+    }
+    QCOMPARE(letters.size(), 3);
+
+    takeSnapshot();
+    document::Fractal changed = m_window->document().fractal();
+    document::plane(changed)->system.maps[0].map.translation.x() += 0.1;
+    m_window->document().edit(u"move"_s, changed);
+    question = asked();
+    QVERIFY2(question.text.contains(u"Snapshot 1 of “one”"_s), qPrintable(question.text));
+    m_window->document().undoStack()->undo(); // it is as the entry again
+    question = asked();
+    QVERIFY2(!question.text.contains(u"napshot"_s), qPrintable(question.text));
+    m_window->document().undoStack()->setClean();
+}
+
+QTEST_MAIN(SaveQuestionTest)
+#include "save_question_test.moc"

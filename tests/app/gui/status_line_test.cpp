@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "status_line.h"
+
+#include "widgets/elided_label.h"
+#include "widgets/tooltips.h"
+
+#include <QHelpEvent>
+#include <QImage>
+#include <QTest>
+#include <QToolTip>
+
+#include <memory>
+
+// What has no room ends in dots, and is read in full at the pointer.
+class StatusLineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_line = std::make_unique<StatusLine>();
+        m_line->resize(600, m_line->sizeHint().height());
+        m_line->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_line.get()));
+        QToolTip::hideText();
+    }
+
+    void aLongMessageEndsInDots() {
+        const QString message = QStringLiteral("W").repeated(300);
+        m_line->showMessage(message);
+        const QImage picture = m_line->grab().toImage();
+        const auto ink = [&picture](int left, int width) {
+            int count = 0;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = left; x < left + width; ++x)
+                    count += qGray(picture.pixel(x, y)) + 60 < qGray(picture.pixel(1, 1));
+            return count;
+        };
+        int end = picture.width() - 1; // of what is painted
+        while (end > 0 && ink(end, 1) == 0)
+            --end;
+        const int dots = m_line->fontMetrics().horizontalAdvance(u'…') - 2;
+        QVERIFY(end > 300);
+        QVERIFY(ink(end - dots, dots) < ink(end - 4 * dots, dots) / 2);
+        QCOMPARE(tipAt(m_line.get()), message);
+        QCOMPARE(m_line->currentMessage(), message);
+    }
+
+    void aShortMessageNeedsNoTip() {
+        m_line->showMessage(QStringLiteral("Saved."));
+        QVERIFY(tipAt(m_line.get()).isEmpty());
+    }
+
+    void thePositionIsReadInFull() {
+        auto* label = m_line->findChild<view::ElidedLabel*>();
+        QVERIFY(label);
+        label->setText(QStringLiteral("x 1 y 2"));
+        QVERIFY(!view::composedTip(*label).contains(label->text()));
+        label->setText(QStringLiteral("address 1 2 3 ").repeated(30));
+        QVERIFY2(view::composedTip(*label).contains(label->text()), qPrintable(view::composedTip(*label)));
+        QVERIFY(view::composedTip(*label).contains(QStringLiteral("barycentric"))); // what it is
+    }
+
+private:
+    static QString tipAt(QWidget* widget) {
+        QToolTip::hideText();
+        const QPoint middle(40, widget->height() / 2);
+        QHelpEvent event(QEvent::ToolTip, middle, widget->mapToGlobal(middle));
+        QCoreApplication::sendEvent(widget, &event);
+        return QToolTip::text();
+    }
+
+    std::unique_ptr<StatusLine> m_line;
+};
+
+QTEST_MAIN(StatusLineTest)
+#include "status_line_test.moc"

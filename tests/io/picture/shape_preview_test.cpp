@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/canonical_systems.h"
+
+#include "document/fractal_geometry.h"
+#include "io/exports/export_recipe.h"
+#include "io/picture/shape_preview.h"
+
+#include <QPainter>
+#include <QSvgRenderer>
+#include <QTest>
+
+#include <cmath>
+
+using namespace io;
+
+namespace {
+
+document::Fractal fractalOf(const canonical::Maps2& maps) {
+    document::System2 system;
+    const std::vector<double> weights = ifs::determinantWeights<2>(maps);
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        ifs::append(system, maps[i], weights[i]);
+    document::Fractal fractal;
+    fractal.name = QStringLiteral("test");
+    fractal.shape = document::Shape<2>{system};
+    return fractal;
+}
+
+attractor::Camera cameraFor(const document::Fractal& fractal, int width, int height) {
+    attractor::Camera camera;
+    camera.width = width;
+    camera.height = height;
+    const auto box = document::displayedBox(fractal);
+    return fitted(camera, box->min, box->max);
+}
+
+// As a program shows it that reads the file.
+QImage shownSvg(const SvgPicture& picture, const QSize& size) {
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QSvgRenderer(picture.bytes).render(&painter);
+    return image;
+}
+
+double difference(const QImage& a, const QImage& b) { // mean, of 255
+    double sum = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            sum += std::abs(qGreen(a.pixel(x, y)) - qGreen(b.pixel(x, y)));
+    return sum / (double(a.width()) * a.height());
+}
+
+int drawnPixels(const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            count += image.pixel(x, y) != image.pixel(0, 0);
+    return count;
+}
+
+} // namespace
+
+// What a file of shapes will look like, before it is written.
+class ShapePreviewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isWhatTheFileShows_data();
+    void isWhatTheFileShows();
+    void theDepthIsSeen();
+    void outlinesHaveNoBackground();
+    void fewerPixelsShowTheSameShapes();
+    void endsWhenStopped();
+};
+
+void ShapePreviewTest::isWhatTheFileShows_data() {
+    QTest::addColumn<bool>("isFern");
+    QTest::addColumn<bool>("isOfPoints");
+    QTest::newRow("maple, copies") << false << false;
+    QTest::newRow("maple, points") << false << true;
+    QTest::newRow("fern, copies") << true << false;
+}
+
+void ShapePreviewTest::isWhatTheFileShows() {
+    QFETCH(const bool, isFern);
+    QFETCH(const bool, isOfPoints);
+    const document::Fractal fractal = fractalOf(isFern ? canonical::fern() : canonical::maple());
+    const attractor::Camera camera = cameraFor(fractal, 200, 160);
+    SvgFormat format;
+    format.style = isOfPoints ? ShapeStyle::Points : ShapeStyle::Structured;
+    const auto preview = shapePreview(fractal, camera, format);
+    QVERIFY(preview);
+    QCOMPARE(preview->size(), QSize(200, 160));
+    const QImage file = shownSvg(svgPicture(fractal, camera, format), preview->size());
+    const QImage blank = [&] {
+        QImage image(preview->size(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(preview->pixel(0, 0));
+        return image;
+    }();
+    const double apart = difference(*preview, file);
+    const double most = difference(*preview, blank) / (isOfPoints ? 2 : 4);
+    QVERIFY2(apart < most, qPrintable(QStringLiteral("%1 of %2").arg(apart).arg(most)));
+}
+
+// A density would show none of it.
+void ShapePreviewTest::theDepthIsSeen() {
+    const document::Fractal fractal = document::sierpinskiTriangle();
+    const attractor::Camera camera = cameraFor(fractal, 200, 160);
+    int before = 200 * 160;
+    for (const int depth : {0, 1, 2}) {
+        SvgFormat format;
+        format.depth = depth;
+        const int drawn = drawnPixels(*shapePreview(fractal, camera, format));
+        QVERIFY2(drawn < before * 9 / 10, qPrintable(QString::number(drawn)));
+        before = drawn;
+    }
+    QVERIFY(before > 1000);
+}
+
+void ShapePreviewTest::outlinesHaveNoBackground() {
+    const document::Fractal fractal = document::sierpinskiTriangle();
+    SvgFormat format;
+    format.style = ShapeStyle::Outline;
+    const auto outline = shapePreview(fractal, cameraFor(fractal, 200, 160), format);
+    QVERIFY(outline);
+    QCOMPARE(qAlpha(outline->pixel(0, 0)), 0);
+    QVERIFY(drawnPixels(*outline) > 500);
+}
+
+void ShapePreviewTest::fewerPixelsShowTheSameShapes() {
+    const document::Fractal fractal = document::sierpinskiTriangle();
+    ShapeRecipe recipe;
+    recipe.camera = cameraFor(fractal, 4000, 3200);
+    recipe.depth = 1;
+    const auto preview = previewOf(recipe, fractal, {200, 160}, {});
+    QVERIFY(preview);
+    SvgFormat format;
+    format.depth = 1;
+    const auto small = shapePreview(fractal, cameraFor(fractal, 200, 160), format);
+    const int one = drawnPixels(*preview), other = drawnPixels(*small);
+    QVERIFY2(std::abs(one - other) < other / 20, qPrintable(QStringLiteral("%1, %2").arg(one).arg(other)));
+}
+
+void ShapePreviewTest::endsWhenStopped() {
+    std::stop_source stop;
+    stop.request_stop();
+    const document::Fractal fractal = document::sierpinskiTriangle();
+    QVERIFY(!shapePreview(fractal, cameraFor(fractal, 200, 160), {}, stop.get_token()));
+}
+
+QTEST_GUILESS_MAIN(ShapePreviewTest)
+#include "shape_preview_test.moc"

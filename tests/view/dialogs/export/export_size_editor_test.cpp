@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/export_size_editor.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QSpinBox>
+#include <QTest>
+
+using namespace view;
+
+class ExportSizeEditorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sizeKeepsItsShape();
+    void sizesAreChosenByName();
+    void lengthsFollowTheResolution();
+
+private:
+    template <typename Widget> static Widget* named(QWidget& parent, const char* name) {
+        for (auto* child : parent.findChildren<Widget*>())
+            if (child->accessibleName() == QLatin1String(name)) return child;
+        return nullptr;
+    }
+};
+
+void ExportSizeEditorTest::sizeKeepsItsShape() {
+    ExportSizeEditor editor({160, 120});
+    QCOMPARE(editor.pixels(), QSize(160, 120));
+    named<QDoubleSpinBox>(editor, "Width")->setValue(1600);
+    QCOMPARE(editor.pixels(), QSize(1600, 1200));
+    named<QDoubleSpinBox>(editor, "Height")->setValue(60);
+    QCOMPARE(editor.pixels(), QSize(80, 60));
+    named<QDoubleSpinBox>(editor, "Height")->setValue(99'999); // the other side would be beyond the limit
+    QCOMPARE(editor.pixels(), QSize(100'000, 75'000));
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Height")->value(), 75'000.0);
+    named<QDoubleSpinBox>(editor, "Width")->setValue(100'000);
+    QCOMPARE(editor.pixels(), QSize(100'000, 75'000));
+}
+
+void ExportSizeEditorTest::sizesAreChosenByName() {
+    ExportSizeEditor editor({160, 120});
+    auto* sizes = named<QComboBox>(editor, "Named size");
+    const auto choose = [sizes](const char* name) {
+        const int index = sizes->findText(QString::fromUtf8(name), Qt::MatchStartsWith);
+        QVERIFY2(index >= 0, name);
+        sizes->setCurrentIndex(index);
+        emit sizes->activated(index);
+    };
+    choose("4K");
+    QCOMPARE(editor.pixels(), QSize(3840, 2160));
+    named<QDoubleSpinBox>(editor, "Width")->setValue(1600); // the shape that was chosen is kept
+    QCOMPARE(editor.pixels(), QSize(1600, 900));
+    QCOMPARE(sizes->currentText(), QStringLiteral("Custom"));
+    choose("A4");
+    QCOMPARE(editor.pixels(), QSize(3508, 2480));
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 297.0);
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Height")->value(), 210.0);
+    QCOMPARE(editor.dotsPerInch(), 300.0);
+    choose("2 ×");
+    QCOMPARE(editor.pixels(), QSize(320, 240));
+    QCOMPARE(sizes->currentIndex(), 1);
+    QCOMPARE(sizes->nextInFocusChain(), named<QSpinBox>(editor, "Resolution in dots per inch"));
+    ExportSizeEditor standing({120, 160});
+    auto* sheets = named<QComboBox>(standing, "Named size");
+    QCOMPARE(sheets->itemData(sheets->findText(QStringLiteral("A3 at 300 dpi"))).toSize(), QSize(3508, 4961));
+}
+
+void ExportSizeEditorTest::lengthsFollowTheResolution() {
+    ExportSizeEditor editor({160, 120});
+    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(2);
+    named<QSpinBox>(editor, "Resolution in dots per inch")->setValue(150);
+    named<QDoubleSpinBox>(editor, "Width")->setValue(4);
+    QCOMPARE(editor.pixels(), QSize(600, 450));
+    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(1);
+    QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 101.6);
+    // Typed with either sign, whatever the language says.
+    for (const char* typed : {"50.5", "50,5"}) {
+        auto* width = named<QDoubleSpinBox>(editor, "Width");
+        width->setFocus();
+        width->selectAll();
+        QTest::keyClicks(width, QLatin1String(typed));
+        QTest::keyClick(width, Qt::Key_Return);
+        QCOMPARE(width->value(), 50.5);
+        width->setValue(20);
+    }
+}
+
+QTEST_MAIN(ExportSizeEditorTest)
+#include "export_size_editor_test.moc"
