@@ -193,7 +193,8 @@ void Document::refresh() {
         m_shown = {entry, {}, {}, 0};
         return;
     }
-    if (!m_gesture && std::exchange(m_held, entry) != entry) m_lasting = lastingCage(*entry);
+    const auto& held = m_gesture ? m_gesture->entry : entry;
+    if (std::exchange(m_held, held) != held) m_lasting = lastingCage(*held);
     AnimatedFrame frame = frameAt(*entry, m_moment);
     frame.fractal.lasting = m_lasting;
     m_shown = {std::make_shared<const Fractal>(std::move(frame.fractal)), frame.view, frame.camera,

@@ -166,7 +166,7 @@ private:
     animation::Moment m_moment;
     Change::Parts m_run; // what has been announced since time began to run
     Shown m_shown;
-    std::shared_ptr<const Fractal> m_held; // the animated entry that m_lasting holds
+    std::shared_ptr<const Fractal> m_held; // the entry that m_lasting is of
     LastingCage m_lasting;
     QUndoStack m_undoStack;
     TypedNumbers m_typedNumbers;

@@ -18,6 +18,7 @@ private slots:
     void itStaysWithoutAnAttractor();
     void itStaysUntilAGestureEnds();
     void aDragAtAMomentStartsFromIt();
+    void anotherEntryDoesNotHoldIt();
     void entriesDoNotKeepIt();
 };
 
@@ -137,6 +138,25 @@ void LastingCageTest::aDragAtAMomentStartsFromIt() {
     QVERIFY(plane(document.entryFractal())->cage->rest == still.rest);
     document.setMoment(animation::moment(3));
     QVERIFY(effectiveCage(document.fractal()).current == moved.current);
+}
+
+// Previews that make an entry move begin with its own cage, whatever moved before.
+void LastingCageTest::anotherEntryDoesNotHoldIt() {
+    Document document;
+    FractalFile file = fileOf(swaying());
+    file.entries << fileOf(withCorner(sierpinskiTriangle(), 2)).entries;
+    file.entries[1].id = EntryId(int(file.entries[0].id) + 1);
+    document.setFile(file, file.entries[0].id);
+    document.setMoment(animation::moment(5));
+    document.setCurrent(file.entries[1].id);
+    QCOMPARE(document.currentId(), file.entries[1].id);
+    const ifs::ControlCage<2> still = canonicalCage(document.entryFractal());
+    EditGesture gesture = document.beginGesture(QStringLiteral("Move"));
+    gesture.previewEntry(*withWind(document.entryFractal(), animation::swayPresets()[2]));
+    document.setMoment(animation::moment(5));
+    QVERIFY(effectiveCage(document.fractal()) == still);
+    gesture.cancel();
+    QVERIFY(effectiveCage(document.fractal()) == still);
 }
 
 // A frame that becomes an entry has a cage of its own.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,24 +27,34 @@ std::vector<animation::Moment> sampled(const document::Fractal& entry, int most)
     return document::moments(facts, std::min(most, facts.length + 1));
 }
 
+bool isLost(const document::Fractal& entry, const animation::Moment& moment) {
+    return document::lossAt(entry, moment) == ifs::Verdict::None;
+}
+
+struct FrameSupport {
+    attractor::Support support;
+    bool isCertified = true;
+};
+
 // The support function of one frame, as it is displayed.
-attractor::Support supportOf(const document::Shape<3>& shape) {
-    if (shape.cage && ifs::bends(*shape.cage)) return document::reachOfVertices(shape.cage->current);
+FrameSupport supportOf(const document::Shape<3>& shape) {
+    if (shape.cage && ifs::bends(*shape.cage)) return {document::reachOfVertices(shape.cage->current)};
     const attractor::PreparedSpace system = attractor::preparedSpace(shape.system);
     const ifs::AffineMap<3> cage = shape.cage ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
     auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
     if (!support)
-        return [=, centre = system.centre, halfExtent = system.halfExtent](const ifs::Vector<3>& u) {
-            const ifs::Vector<3> inner = cage.linear.transpose() * u;
-            return u.dot(cage(centre)) + inner.cwiseAbs().dot(halfExtent);
-        };
+        return {[=, centre = system.centre, halfExtent = system.halfExtent](const ifs::Vector<3>& u) {
+                    const ifs::Vector<3> inner = cage.linear.transpose() * u;
+                    return u.dot(cage(centre)) + inner.cwiseAbs().dot(halfExtent);
+                },
+                false};
     const auto shared = std::make_shared<const ifs::SupportFunction<3>>(*std::move(support));
-    return [=](const ifs::Vector<3>& u) {
+    return {[=](const ifs::Vector<3>& u) {
         constexpr double tolerance = 1e-4; // of the size: a margin is hundreds of times wider
         const ifs::Vector<3> inner = cage.linear.transpose() * u;
         const auto value = (*shared)(inner, tolerance * shared->radius() * inner.norm());
         return u.dot(cage.translation) + value.value + value.error;
-    };
+    }};
 }
 
 } // namespace
@@ -66,21 +77,27 @@ ViewBox boxOfAttractor(const document::Fractal& fractal) {
 
 ViewBox boxOfFrames(const document::Fractal& entry) {
     constexpr int maxMoments = 121;
-    ViewBox box{ifs::Vector<2>::Constant(infinity), ifs::Vector<2>::Constant(-infinity), true};
+    std::optional<ViewBox> found, lost;
     for (const animation::Moment& moment : sampled(entry, maxMoments)) {
         const ViewBox next = boxOfAttractor(document::frameAt(entry, moment).fractal);
-        box.min = box.min.cwiseMin(next.min);
-        box.max = box.max.cwiseMax(next.max);
-        box.certified = box.certified && next.certified;
+        std::optional<ViewBox>& all = !next.certified && isLost(entry, moment) ? lost : found;
+        if (!all) all = next;
+        all->min = all->min.cwiseMin(next.min);
+        all->max = all->max.cwiseMax(next.max);
+        all->certified = all->certified && next.certified;
     }
-    return box;
+    return found ? *found : *lost;
 }
 
 attractor::Support supportOfFrames(const document::Fractal& entry) {
     constexpr int maxMoments = 33;
-    std::vector<attractor::Support> supports;
-    for (const animation::Moment& moment : sampled(entry, maxMoments))
-        supports.push_back(supportOf(*document::space(document::frameAt(entry, moment).fractal)));
+    std::vector<attractor::Support> supports, lost;
+    for (const animation::Moment& moment : sampled(entry, maxMoments)) {
+        FrameSupport next = supportOf(*document::space(document::frameAt(entry, moment).fractal));
+        std::vector<attractor::Support>& all = !next.isCertified && isLost(entry, moment) ? lost : supports;
+        all.push_back(std::move(next.support));
+    }
+    if (supports.empty()) supports = std::move(lost);
     return [supports = std::move(supports)](const ifs::Vector<3>& u) {
         double farthest = -infinity;
         for (const attractor::Support& support : supports)

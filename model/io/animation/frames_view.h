@@ -16,7 +16,8 @@ struct ViewBox {
 ViewBox boxOfAttractor(const document::Fractal& fractal); // in the plane, as displayed, under its cage
 
 // Of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover what is
-// between them.
+// between them. Moments that are proved to have no attractor, whose points escape, count only where no other
+// does.
 ViewBox boxOfFrames(const document::Fractal& entry);
 attractor::Support supportOfFrames(const document::Fractal& entry);
 

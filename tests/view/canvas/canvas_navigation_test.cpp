@@ -85,6 +85,8 @@ private slots:
             map.map.linear *= 1.6;
         m_document->setFile(document::fileOf(fractal));
         m_canvas->fit();
+        const QRect whole = m_canvas->viewport()->rect();
+        QTRY_VERIFY(whole.contains(vertex(0)) && whole.contains(vertex(1)) && whole.contains(vertex(2)));
         const attractor::Camera fitted = m_canvas->camera();
         const QSize size = m_canvas->size();
         const auto lost = document::firstWithoutAttractor(m_document->entryFractal());

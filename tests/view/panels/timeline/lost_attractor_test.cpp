@@ -40,6 +40,17 @@ document::Fractal breathing(double strength) {
     return fractal;
 }
 
+// A map that is keyed to grow.
+document::Fractal growing() {
+    document::Fractal fractal = breathing(0);
+    document::Shape<2>& shape = *document::plane(fractal);
+    shape.animation->motions.clear();
+    shape.animation->maps = {{shape.system.maps[0].id,
+                              {{0, {ifs::affineMap(.5, 0, 0, .5, 0, 0), 1}, {}},
+                               {32, {ifs::affineMap(1.5, 0, 0, 1.5, 0, 0), 1}, {}}}}};
+    return fractal;
+}
+
 QLabel* warningIn(const QWidget& widget) {
     for (auto* label : widget.findChildren<QLabel*>())
         if (label->accessibleName() == QStringLiteral("Frame without an attractor")) return label;
@@ -90,17 +101,6 @@ void LostAttractorTest::theTimelineSaysWhen() {
     QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), patience);
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     QVERIFY(!warning->isVisible()); // at once: it was about another entry
-}
-
-// A map that is keyed to grow.
-document::Fractal growing() {
-    document::Fractal fractal = breathing(0);
-    document::Shape<2>& shape = *document::plane(fractal);
-    shape.animation->motions.clear();
-    shape.animation->maps = {{shape.system.maps[0].id,
-                              {{0, {ifs::affineMap(.5, 0, 0, .5, 0, 0), 1}, {}},
-                               {32, {ifs::affineMap(1.5, 0, 0, 1.5, 0, 0), 1}, {}}}}};
-    return fractal;
 }
 
 void LostAttractorTest::motionsAreNamedWhereThereAreSome() {
