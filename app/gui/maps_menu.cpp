@@ -44,8 +44,15 @@ MapsMenu::MapsMenu(const MenuContext& context) : ActionMenu(context, tr("&Maps")
 void MapsMenu::addList() {
     view::CanvasView* canvas = context().canvas;
     document::Document* document = context().document;
-    const auto withSelected = [this, canvas](const auto& edit) {
-        return [this, canvas, edit] {
+    const auto panel = [window = context().window] { return window->findChild<view::MapsPanel*>(); };
+    // In space, of the maps that are selected in their panel.
+    const auto withSelected = [this, canvas, document, panel](void (view::MapsPanel::*inSpace)(),
+                                                              const auto& edit) {
+        return [this, canvas, document, panel, inSpace, edit] {
+            if (document::space(document->fractal())) {
+                if (!panel()->selectedMaps().empty()) return (panel()->*inSpace)();
+                return context().messages->say(tr("Select a map first."));
+            }
             const std::vector<std::size_t> indices = canvas->canvas().selection().mapIndices();
             if (indices.empty())
                 context().messages->say(tr("Select a map first."));
@@ -55,27 +62,32 @@ void MapsMenu::addList() {
     };
     QAction* duplicate =
         add({"duplicate", tr("&Duplicate Maps"), {}, tr("Duplicate the selected maps")},
-            withSelected([document](const document::Rows& rows) { return duplicateMaps(*document, rows); }));
-    QAction* remove = add({"remove", tr("D&elete Maps"), {}, tr("Delete the selected maps")},
-                          withSelected([document, messages = context().messages](const document::Rows& rows) {
-                              const QString locked = document::lockObstacle(document->fractal(), rows);
-                              if (locked.isEmpty()) return deleteMaps(*document, rows);
-                              messages->say(locked);
-                              const document::System2& system = *document::system2(document->fractal());
-                              std::vector<ifs::MapId> selected;
-                              for (const int row : rows)
-                                  selected.push_back(system.maps[std::size_t(row)].id);
-                              return selected;
-                          }));
-    QAction* all = add({nullptr, tr("Select &All Maps"), {}, tr("Select all maps")}, [canvas, document] {
-        std::vector<ifs::MapId> maps;
-        if (const document::System2* system = document::system2(document->fractal()))
-            for (const auto& map : system->maps)
-                maps.push_back(map.id);
-        canvas->selectMaps(maps);
-    });
+            withSelected(&view::MapsPanel::duplicateMaps,
+                         [document](const document::Rows& rows) { return duplicateMaps(*document, rows); }));
+    QAction* remove =
+        add({"remove", tr("D&elete Maps"), {}, tr("Delete the selected maps")},
+            withSelected(&view::MapsPanel::deleteMaps,
+                         [document, messages = context().messages](const document::Rows& rows) {
+                             const QString locked = document::lockObstacle(document->fractal(), rows);
+                             if (locked.isEmpty()) return deleteMaps(*document, rows);
+                             messages->say(locked);
+                             const document::System2& system = *document::system2(document->fractal());
+                             std::vector<ifs::MapId> selected;
+                             for (const int row : rows)
+                                 selected.push_back(system.maps[std::size_t(row)].id);
+                             return selected;
+                         }));
+    QAction* all =
+        add({nullptr, tr("Select &All Maps"), {}, tr("Select all maps")}, [canvas, document, panel] {
+            if (document::space(document->fractal())) return panel()->selectAllMaps();
+            std::vector<ifs::MapId> maps;
+            if (const document::System2* system = document::system2(document->fractal()))
+                for (const auto& map : system->maps)
+                    maps.push_back(map.id);
+            canvas->selectMaps(maps);
+        });
     for (QAction* action : {duplicate, remove, all})
-        disableWhen(action, &document::planeObstacle);
+        disableWhen(action, &document::cageObstacle);
 }
 
 // In the plane and in space: of the maps that are selected in their panel.

@@ -193,6 +193,7 @@ void StatusLine::showSpacePointer(const view::SpacePosition& position) {
             coordinates << fixed(coordinate, 3);
         text += tr("  barycentric (%1)").arg(coordinates.join(QStringLiteral(", ")));
     }
+    if (!position.address.empty()) text += tr("  address %1").arg(document::addressText(position.address, 8));
     if (position.direction)
         text += tr("  azimuth %1°  elevation %2°")
                     .arg(fixed(position.direction->azimuth, 1), fixed(position.direction->elevation, 1));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/addresses.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 
 #include "ifs/cage/map_handles.h"
 #include "ifs/extent/address_search.h"
@@ -53,6 +54,25 @@ std::optional<ifs::Vector<2>> Addresses::fixedPoint(const ifs::Word& word) const
     while (address.size() < longest)
         address.insert(address.end(), letters->begin(), letters->end());
     return m_placement(ifs::pieceOf<2>(m_pieces, address).change(*point));
+}
+
+ifs::Word addressInSpace(const Fractal& fractal, const ifs::Vector<3>& displayed, double pixel) {
+    constexpr double reach = 3;     // pixels
+    constexpr int maxNodes = 4'000; // the pointer moves on
+    const Shape<3>* shape = space(fractal);
+    if (!shape || !shape->moved.empty() || !isSpaceExtentKnown(fractal)) return {};
+    if (shape->cage && ifs::bends(*shape->cage)) return {};
+    const auto attractor = spaceSupport(fractal);
+    const auto back = ifs::inverse(shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>());
+    if (!attractor || !back) return {};
+    const double inCode = pixel * ifs::spectralNorm<3>(back->linear);
+    const ifs::AddressQueryIn<3> sought{(*back)(displayed)};
+    const auto nearest = ifs::addressNear(*attractor, {&sought, 1}, reach * inCode, inCode, maxNodes);
+    const std::vector<std::size_t> index = ifs::activeMaps(shape->system).index;
+    ifs::Word word;
+    for (const int letter : nearest ? nearest->address : ifs::Word{})
+        word.push_back(int(index[std::size_t(letter)]));
+    return word;
 }
 
 QString addressText(const ifs::Word& word, std::size_t longest) {

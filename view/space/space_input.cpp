@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/addresses.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
@@ -550,6 +551,7 @@ void SpaceInput::report(const QPointF& position) {
     at.world = point.value_or(toWorld(camera, {toVector(m_navigation.inEye(position)), 0}));
     at.depth = toScreen(camera, at.world).depth;
     at.unitsPerPixel = 1 / pixelsPerUnit(camera);
+    if (point) at.address = document::addressInSpace(m_document->fractal(), at.world, at.unitsPerPixel);
     const auto& vertices = m_cage.vertices();
     ifs::Simplex<3> simplex;
     if (vertices.size() == simplex.size()) {

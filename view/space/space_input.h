@@ -3,6 +3,7 @@
 
 #include "canvas/items/symmetry_item.h"
 #include "ifs/system/barycentric.h"
+#include "ifs/system/branch.h"
 #include "space/slice_item.h"
 #include "space/space_cage_item.h"
 #include "space/space_definition.h"
@@ -30,7 +31,8 @@ struct SpacePosition {
     bool onAttractor = false; // else in the plane of the target
     // With respect to the current tetrahedron; nullopt while it is flat.
     std::optional<ifs::Barycentric<3>> barycentric;
-    AxisLock lock;                                 // of the corner that is dragged
+    ifs::Word address; // of the point of the attractor, outermost map first; empty where it has none
+    AxisLock lock;     // of the corner that is dragged
     std::optional<attractor::Direction> direction; // of the camera, while it turns about `world`
 };
 

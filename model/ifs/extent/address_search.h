@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 namespace ifs {
 
@@ -17,18 +18,20 @@ struct AddressMatch {
 };
 
 // Looked for among the addresses that start with `beginning`; there all lengths are `scale` times as long.
-struct AddressQuery {
-    Vector<2> x;
+template <int Dim> struct AddressQueryIn {
+    Vector<Dim> x;
     double scale = 1;
     Word beginning{};
 };
+using AddressQuery = AddressQueryIn<2>;
 
 // The address of the point of the attractor nearest to x, as far as pieces wider than `width` go, at least
 // one symbol. Where pieces overlap, one of a piece whose enclosing ball is nearest. nullopt when no point
 // lies within `reach` of x, or when the search is given up after `maxNodes` words within reach. Best first,
 // over the balls w_σ(Ball) ⊃ w_σ(A). docs/mathematics.md, "Branches".
-std::optional<AddressMatch> addressNear(const SupportFunction<2>& attractor,
-                                        std::span<const AddressQuery> sought, double reach, double width,
-                                        int maxNodes = 20'000);
+template <int Dim>
+std::optional<AddressMatch> addressNear(const SupportFunction<Dim>& attractor,
+                                        std::type_identity_t<std::span<const AddressQueryIn<Dim>>> sought,
+                                        double reach, double width, int maxNodes = 20'000);
 
 } // namespace ifs

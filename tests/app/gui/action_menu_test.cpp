@@ -241,6 +241,18 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
     QCOMPARE(canvas->tool(), Tool::DefineTriangle);
     QTest::keyClick(window->focusWidget(), Qt::Key_M);
     QCOMPARE(canvas->tool(), Tool::Maps);
+    // The list of maps is edited in space as well.
+    const auto chosen = [&](const QString& text) {
+        const auto actions = window->findChildren<QAction*>();
+        const auto found = std::ranges::find(actions, text, &QAction::text);
+        if (found != actions.end() && (*found)->isEnabled()) (*found)->trigger();
+        return document::system3(window->document().fractal())->maps.size();
+    };
+    QCOMPARE(chosen(QStringLiteral("Select &All Maps")), std::size_t(2));
+    QCOMPARE(chosen(QStringLiteral("&Duplicate Maps")), std::size_t(4));
+    QCOMPARE(chosen(QStringLiteral("D&elete Maps")), std::size_t(2)); // the copies, which are selected now
+    window->document().undoStack()->undo();
+    window->document().undoStack()->undo();
     QTest::keyClick(window->focusWidget(), Qt::Key_D);
     window->document().undoStack()->undo();
     QTest::keyClick(window->focusWidget(), Qt::Key_M);

@@ -43,6 +43,24 @@ private slots:
         }
     }
 
+    void knownAddressesAreFoundInSpace() {
+        Maps3 maps = tetrahedron();
+        for (AffineMap<3>& map : maps)
+            map.linear *= 0.8; // apart from each other
+        const auto attractor = SupportFunction<3>::of(maps);
+        Random random(6);
+        for (int n = 0; n < 50; ++n) {
+            Word word;
+            for (int k = 0; k < 30; ++k)
+                word.push_back(int(random() % 4));
+            const AddressQueryIn<3> anywhere{composed<3>(maps, word)({0.3, 0.3, 0.3})};
+            const auto found = addressNear(*attractor, {&anywhere, 1}, 1e-3, 1e-3);
+            QVERIFY(found);
+            QVERIFY(found->address.size() >= 6 && found->address.size() < word.size());
+            QVERIFY(std::equal(found->address.begin(), found->address.end(), word.begin()));
+        }
+    }
+
     // Of systems whose pieces are long and overlap, too. Deeper than this, a few addresses take more looks
     // than there are.
     void theAddressIsFoundFarInside() {

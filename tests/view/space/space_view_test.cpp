@@ -19,6 +19,7 @@ private slots:
     void itShowsTheSolidInItsTetrahedron();
     void anEmptyPlaceOrbits();
     void theSolidOrbitsAboutThePointUnderThePointer();
+    void theAddressUnderThePointerIsRead();
     void theRightButtonOrbitsOverHandles();
     void aVertexIsDraggedInOneStep();
     void escapeBringsItAllBack();
@@ -136,6 +137,21 @@ void SpaceViewTest::theSolidOrbitsAboutThePointUnderThePointer() {
     QVERIFY((*point - ifs::Vector<3>(1, 0.6, 0.6)).norm() < 0.05); // on the face x = 1
     window.drag(press, press + QPointF(60, 30));
     QVERIFY((view::toPoint(toScreen(window.camera(), *point).pixel) - press).manhattanLength() < 1e-6);
+}
+
+void SpaceViewTest::theAddressUnderThePointerIsRead() {
+    Window window;
+    QVERIFY(window.rests());
+    ifs::Word address;
+    connect(window.view.get(), &SpaceView::pointerMoved, this,
+            [&address](const view::SpacePosition& at) { address = at.address; });
+    const ifs::Vector<3> onTheFace(1, 0.6, 0.3);
+    window.send(QEvent::MouseMove, view::toPoint(toScreen(window.camera(), onTheFace).pixel), Qt::NoButton);
+    QVERIFY(address.size() >= 4);
+    QCOMPARE(address[0], 3); // in the eighth at (1, 1, 0), and of that at (1, 0.2, 0.6)
+    QCOMPARE(address[1], 5);
+    window.send(QEvent::MouseMove, {5, 495}, Qt::NoButton);
+    QVERIFY(address.empty());
 }
 
 void SpaceViewTest::theRightButtonOrbitsOverHandles() {
