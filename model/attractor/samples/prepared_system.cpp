@@ -317,9 +317,10 @@ void prepareLinked(PreparedSystem& system) {
 }
 
 // Among the words of one map, and of two and three maps where these are not too many: exact overlaps show in
-// such words, or nearly never. Up to rounding.
+// such words, or nearly never. Up to rounding. Thousands of maps would cost more than their noise is worth.
 bool shortWordsCoincide(const PreparedSystem& system) {
-    constexpr std::size_t maxWords = 256;
+    constexpr std::size_t maxMaps = 4096, maxWords = 256;
+    if (system.maps.size() > maxMaps) return false;
     constexpr double perUnit = 0x1p40; // in boxes
     const double size = system.halfExtent.maxCoeff();
     const auto key = [&](const ifs::AffineMap<2>& map) {
@@ -330,6 +331,7 @@ bool shortWordsCoincide(const PreparedSystem& system) {
     std::vector<ifs::AffineMap<2>> words = system.maps;
     for (int length = 1; length <= 3; ++length) {
         std::unordered_set<RoundedMap, RoundedMapHash> known;
+        known.reserve(words.size());
         for (const ifs::AffineMap<2>& word : words)
             if (!known.insert(key(word)).second) return true;
         if (words.size() * system.maps.size() > maxWords) break;

@@ -17,7 +17,7 @@ class TestNoise : public QObject {
 private slots:
     void doesNotGrow_data() {
         QTest::addColumn<QString>("system");
-        for (const char* name : {"fern", "maple", "dragon", "slow", "repeated", "takagi"})
+        for (const char* name : {"fern", "maple", "dragon", "slow", "repeated"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
     void doesNotGrow() {
@@ -26,7 +26,6 @@ private slots:
                                                  : system == u"maple"  ? systems::maple()
                                                  : system == u"dragon" ? systems::dragon()
                                                  : system == u"slow"   ? slow()
-                                                 : system == u"takagi" ? takagi()
                                                                        : repeated(),
                                                  1'000'000, 640, 400);
         const noise::Report report = noise::measured(request);
@@ -50,13 +49,6 @@ private:
                                weight);
         }
         return result;
-    }
-    // Two Takagi curves: the words 13 and 31 are the same map, and so are 24 and 42.
-    static ifs::IteratedFunctionSystem<2> takagi() {
-        return systems::system({{{.5, 0, .5, .5, 0, 0}, .25},
-                                {{.5, 0, -.5, .5, .5, .5}, .25},
-                                {{.5, 0, -.5, .5, 0, 0}, .25},
-                                {{.5, 0, .5, .5, .5, -.5}, .25}});
     }
     // Long orbits that stay near where they are: a spiral with a likely map.
     static ifs::IteratedFunctionSystem<2> slow() {
