@@ -101,7 +101,7 @@ void RoomForPicture::windowResized(const QSize& before) {
         Qt::QueuedConnection);
 }
 
-// As wide as they were, in as much room as half of the window leaves.
+// As wide as they were where half of the window is enough for that, else only as narrow as they must be.
 void RoomForPicture::divide() {
     const QList<QDockWidget*> columns = this->columns();
     const int spare = m_picture->width() - m_window->width() / 2;
@@ -115,6 +115,7 @@ void RoomForPicture::divide() {
         wanted += widths.last();
     }
     const double share = std::clamp((together + spare) / wanted, 0.0, 1.0);
+    if (share < 1 && spare >= 0) return; // until there is room for all of them
     for (int& width : widths)
         width = int(share * width);
     m_hasYielded = share < 1;

@@ -150,5 +150,5 @@ void ShapePreviewTest::endsWhenStopped() {
     QVERIFY(!shapePreview(fractal, cameraFor(fractal, 200, 160), {}, stop.get_token()));
 }
 
-QTEST_GUILESS_MAIN(ShapePreviewTest)
+QTEST_MAIN(ShapePreviewTest)
 #include "shape_preview_test.moc"

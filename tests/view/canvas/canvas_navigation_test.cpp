@@ -10,6 +10,7 @@
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
 #include <QSet>
+#include <QSignalSpy>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -206,6 +207,19 @@ private slots:
         emit box.activated(0);
         QVERIFY(m_canvas->navigation().isFitted());
         QCOMPARE(box.currentText(), view::ZoomBox::textOf(m_canvas->navigation().zoom()));
+    }
+
+    void aZoomPutsTheHintAway() {
+        m_canvas->setHint(QStringLiteral("Drag a corner."));
+        m_canvas->navigation().pan({3, 4});
+        QVERIFY(!m_canvas->hint().isEmpty());
+        QSignalSpy dismissed(m_canvas.get(), &view::CanvasView::hintDismissed);
+        const QPointF p(123, 321);
+        QWheelEvent wheel(p, m_canvas->viewport()->mapToGlobal(p), {}, QPoint(0, 120), Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
+        QVERIFY(m_canvas->hint().isEmpty());
+        QCOMPARE(dismissed.size(), 1);
     }
 
     void wheelKeepsThePointUnderTheCursor() {

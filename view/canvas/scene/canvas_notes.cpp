@@ -7,8 +7,8 @@ namespace view {
 
 namespace {
 
-constexpr double readable = 220;  // pixels that a sentence is wide at least, rather than below what covers it
-constexpr double bottomRows = 80; // pixels that a prompt may take
+constexpr double readable = 220; // pixels that a sentence is wide at least, rather than below what covers it
+constexpr double edge = 56;      // pixels of the canvas where a sentence stands
 
 } // namespace
 
@@ -19,19 +19,22 @@ std::vector<OverlayItem*> CanvasNotes::items() {
 QRectF CanvasNotes::room() const {
     const QRectF covered = m_covered & m_view;
     if (covered.isEmpty()) return m_view;
-    QRectF left = m_view, right = m_view, below = m_view;
+    QRectF left = m_view, right = m_view, rest = m_view;
     left.setRight(covered.left());
     right.setLeft(covered.right());
-    below.setTop(covered.bottom());
+    if (covered.center().y() < m_view.center().y())
+        rest.setTop(covered.bottom());
+    else
+        rest.setBottom(covered.top());
     const QRectF& beside = left.width() >= right.width() ? left : right;
-    return beside.width() >= readable ? beside : below;
+    return beside.width() >= readable ? beside : rest;
 }
 
 void CanvasNotes::setView(const QRectF& view) {
     m_view = view;
     const QRectF room = this->room();
-    m_noteItem.setView(room);
-    m_promptItem.setView(m_covered.bottom() > view.bottom() - bottomRows ? room : view);
+    m_noteItem.setView(m_covered.top() < view.top() + edge ? room : view);
+    m_promptItem.setView(m_covered.bottom() > view.bottom() - edge ? room : view);
 }
 
 void CanvasNotes::setCovered(const QRectF& area) {

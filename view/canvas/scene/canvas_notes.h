@@ -27,7 +27,7 @@ public:
     const QString& hint() const { return m_hint; }
 
 private:
-    QRectF room() const; // beside or below what is covered
+    QRectF room() const; // beside what is covered, or above or below it
 
     NoteItem m_noteItem{NoteItem::Edge::Top};
     NoteItem m_promptItem{NoteItem::Edge::Bottom};

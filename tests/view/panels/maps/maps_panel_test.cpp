@@ -246,7 +246,7 @@ private slots:
         QVERIFY(qAbs(*systemOf(*m_document).maps[4].weight / *systemOf(*m_document).maps[3].weight -
                      5.0 / 7) < 1e-12);
         QCOMPARE(m_document->undoStack()->count(), 1);
-        QGuiApplication::clipboard()->setText(QStringLiteral("0.1 0.2 0.3 0.4 0.5 0.6\n"));
+        QGuiApplication::clipboard()->setText(QStringLiteral("a b c d e f\n0.1 0.2 0.3 0.4 0.5 0.6\n"));
         m_panel->appendPasted();
         QTRY_VERIFY(messages.back().front().toString().contains(QStringLiteral("1 map")));
         m_document->undoStack()->undo();
