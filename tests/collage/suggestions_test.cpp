@@ -251,6 +251,17 @@ private slots:
         }
     }
 
+    // Across a drawn line, the steps between its cells must not be taken for what the maps do.
+    void obliqueLinesAreFound() {
+        Mask line = emptyMask(200, 150);
+        for (int x = 10; x < 190; ++x)
+            line.cells[line.index(x, 137 - int(0.69 * (x - 10)))] = 1;
+        const Suggestions found = suggestions(line, options(2, 64));
+        QVERIFY(!found.list.empty());
+        QVERIFY2(found.list.front().attractor.mean < 1.5,
+                 qPrintable(QString::number(found.list.front().attractor.mean)));
+    }
+
     // Every attractor is the collage that its maps make of it, to within a pixel of 256, and the bound holds.
     // A sample, or all.
     void attractorsAreCollagesOfThemselves() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/collage_fit.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +14,21 @@ namespace {
 constexpr double hold = 0.1;
 // Pairs count by area: an image point stands for |det A| cells, and those of a flat map for so many.
 constexpr double minArea = 0.02;
+// Cells squared, the variance of two rows of cells: across a thinner line, pairs tell steps between cells and
+// not what a map does.
+constexpr double thin = 0.25;
 
 double areaOf(const ifs::AffineMap<2>& map) {
     return std::max(std::abs(ifs::determinant<2>(map.linear)), minArea);
+}
+
+// Of the moments of so many points.
+ifs::Vector<2> across(const Eigen::Matrix3d& moments, double count) {
+    const ifs::Vector<2> mean = moments.topRightCorner<2, 1>() / count;
+    const ifs::Matrix<2> covariance = moments.topLeftCorner<2, 2>() / count - mean * mean.transpose();
+    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<2>> axes(covariance);
+    if (axes.eigenvalues()[0] >= thin) return ifs::Vector<2>::Zero();
+    return axes.eigenvectors().col(0);
 }
 
 } // namespace
@@ -28,6 +42,7 @@ CollageFit::CollageFit(const Target& target)
         const Eigen::Vector3d p(target.columns[k], target.rows[k], 1);
         m_moments += p * p.transpose();
     }
+    m_across = across(m_moments, double(target.cells.size()));
     std::ranges::transform(target.features.square, m_distance.begin(),
                            [](std::int32_t square) { return std::sqrt(float(square)); });
 }
@@ -100,6 +115,8 @@ void CollageFit::improve(std::vector<ifs::AffineMap<2>>& maps, const FitSchedule
         for (std::size_t i = 0; i < maps.size(); ++i) {
             if (!locked.empty() && locked[i] != 0) continue;
             pullImages(maps[i], i, sums[i]);
+            if (schedule.constraints.classOf(i) == MapClass::Affine)
+                sums[i].addAcross(m_across, maps[i].linear);
             const ifs::AffineMap<2> fitted =
                 leastSquaresMap(sums[i], schedule.constraints.classOf(i), maps[i]);
             maps[i] = constrained(schedule.constraints, i, withNormAtMost(norm, fitted, m_target.mean),

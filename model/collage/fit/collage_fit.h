@@ -47,6 +47,7 @@ private:
 
     const Target& m_target;
     Eigen::Matrix3d m_moments;          // of the target's centres, with 1 appended
+    ifs::Vector<2> m_across;            // a unit vector across the target if it is a thin line, else 0
     std::vector<std::int32_t> m_labels; // of every cell: 1 + map · points + point that has its image there
     std::vector<std::int32_t> m_images; // of every map and point: the cell of its image
     std::vector<float> m_distance;      // of every cell to the target

@@ -39,6 +39,15 @@ void PairSums::addFixed(const Eigen::Matrix3d& moments, const ifs::AffineMap<2>&
     images += weight * (moments.selfadjointView<Eigen::Upper>() * rows);
 }
 
+void PairSums::addAcross(const ifs::Vector<2>& vector, const ifs::Matrix<2>& current) {
+    const ifs::Vector<2> along = current * ifs::Vector<2>(vector.y(), -vector.x());
+    const double sigma = ifs::determinant<2>(current) < 0 ? -1.0 : 1.0;
+    const ifs::Vector<2> image(-sigma * along.y(), sigma * along.x());
+    const double weight = 4 * points(2, 2);
+    points.topLeftCorner<2, 2>() += weight * vector * vector.transpose();
+    images.topRows<2>() += weight * vector * image.transpose();
+}
+
 ifs::AffineMap<2> leastSquaresMap(const PairSums& sums, MapClass mapClass, const ifs::AffineMap<2>& current) {
     // What the pairs do not determine stays.
     PairSums held = sums;

@@ -30,6 +30,9 @@ struct PairSums {
     // As many pairs as `moments` has, (p, map(p)), each with the weight. Of `moments` the upper half counts,
     // as of `points`.
     void addFixed(const Eigen::Matrix3d& moments, const ifs::AffineMap<2>& map, double weight);
+    // As if the pairs were two units apart along this unit vector, and the map treated it like a similarity
+    // that does the same as `current` at right angles to it. The vector 0 adds nothing.
+    void addAcross(const ifs::Vector<2>& vector, const ifs::Matrix<2>& current);
 };
 
 // The map of its class that minimises Σ w |map(p) − t|², as near to `current` as the pairs leave a choice. A

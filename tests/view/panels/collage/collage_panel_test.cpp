@@ -275,6 +275,17 @@ private slots:
         QVERIFY(list->count() > 0);
         QCOMPARE(steps(), 0);
         QVERIFY(list->item(0)->text().contains(QStringLiteral("Mean distance")));
+        QVERIFY(list->item(0)->text().contains(QStringLiteral("Guarantee")));
+        // Each has a picture: more than one colour.
+        const auto isDrawn = [&](int row) {
+            const QImage picture = list->item(row)->icon().pixmap(list->iconSize()).toImage();
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x)
+                    if (picture.pixel(x, y) != picture.pixel(0, 0)) return true;
+            return false;
+        };
+        for (int row = 0; row < list->count(); ++row)
+            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(row), 30000);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
         settle();
         QCOMPARE(steps(), 1);
