@@ -6,7 +6,7 @@
 
 namespace attractor {
 
-BendTree::BendTree(std::size_t mostBytes) : m_mostBytes(mostBytes) {
+BendTree::BendTree(std::size_t byteLimit) : m_byteLimit(byteLimit) {
     clear();
 }
 
@@ -35,7 +35,7 @@ void BendTree::follow(const ifs::CageDeformation& bend, const ifs::AffineMap<3>&
 }
 
 bool BendTree::takes(std::size_t bytes) {
-    if (m_bytes.fetch_add(bytes) + bytes <= m_mostBytes) return true;
+    if (m_bytes.fetch_add(bytes) + bytes <= m_byteLimit) return true;
     m_bytes -= bytes;
     m_isFull = true;
     return false;

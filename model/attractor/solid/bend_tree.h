@@ -31,7 +31,7 @@ public:
         std::unique_ptr<Known> known;
     };
 
-    explicit BendTree(std::size_t mostBytes = maxBytes);
+    explicit BendTree(std::size_t byteLimit = maxBytes);
     ~BendTree();
 
     // From now on the views are those of this bend and this map after it, of words of the maps, in
@@ -59,7 +59,7 @@ private:
     Node* grow(std::size_t count);
     std::mutex& lockOf(const Node& node);
 
-    std::size_t m_mostBytes;
+    std::size_t m_byteLimit;
     std::shared_ptr<const ifs::CageCoordinates> m_rest;
     ifs::AffineMap<3> m_box;
     std::vector<ifs::AffineMap<3>> m_maps;

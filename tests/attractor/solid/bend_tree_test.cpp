@@ -39,8 +39,8 @@ struct Walk {
     SpaceView view;
     std::shared_ptr<BendTree> tree;
 
-    explicit Walk(const SpaceRequest& request, std::size_t mostBytes = BendTree::maxBytes)
-        : system(preparedSpace(request.system)), tree(std::make_shared<BendTree>(mostBytes)) {
+    explicit Walk(const SpaceRequest& request, std::size_t byteLimit = BendTree::maxBytes)
+        : system(preparedSpace(request.system)), tree(std::make_shared<BendTree>(byteLimit)) {
         for (const ifs::AffineMap<3>& map : system.maps)
             maps.push_back(system.inBox(map));
         follow(request);

@@ -9,9 +9,9 @@ using namespace canonical;
 
 namespace {
 
-const Simplex<2> Triangle{Vector<2>(0, 0), Vector<2>(4, 0), Vector<2>(0, 3)};
+const Simplex<2> triangle{Vector<2>(0, 0), Vector<2>(4, 0), Vector<2>(0, 3)};
 
-const std::vector<Vector<2>> SquareVertices{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const std::vector<Vector<2>> squareVertices{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 template <int Dim> Simplex<Dim> randomSimplex(Random& random, double size = 5) {
     for (;;) {
@@ -104,7 +104,7 @@ class ControlCageTest : public QObject {
 
 private slots:
     void coordinatesInTheTriangle() {
-        QVERIFY((barycentric<2>(Triangle, {1, 1}) - Barycentric<2>(5. / 12, 1. / 4, 1. / 3)).norm() < 1e-16);
+        QVERIFY((barycentric<2>(triangle, {1, 1}) - Barycentric<2>(5. / 12, 1. / 4, 1. / 3)).norm() < 1e-16);
     }
     void coordinatesInTheTetrahedron() {
         const Simplex<3> simplex{Vector<3>(0, 0, 0), Vector<3>(2, 0, 0), Vector<3>(0, 3, 0),
@@ -129,7 +129,7 @@ private slots:
     }
 
     void flatSimplicesAreNoBasis() {
-        QVERIFY(isAffineBasis<2>(Triangle));
+        QVERIFY(isAffineBasis<2>(triangle));
         QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(1, 1), Vector<2>(2, 2)}));
         QVERIFY(!isAffineBasis<2>({Vector<2>(1, 1), Vector<2>(1, 1), Vector<2>(1, 1)}));
         QVERIFY(!isAffineBasis<2>({Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0.5, 0.9e-9)}));
@@ -167,21 +167,21 @@ private slots:
             const Vector<2> x = randomVector<2>(random, 5);
             QVERIFY((displayMap(*redefined)(x) - displayMap(cage)(x)).norm() <= 1e-9);
         }
-        ControlCage<2> flat = cageAtRest<2>(Triangle);
+        ControlCage<2> flat = cageAtRest<2>(triangle);
         flat.current[2] = flat.current[1];
-        QVERIFY(!redefine<2>(flat, Triangle));
+        QVERIFY(!redefine<2>(flat, triangle));
         const Simplex<2> line{Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(2, 0)};
-        QVERIFY(!redefine<2>(cageAtRest<2>(Triangle), line));
+        QVERIFY(!redefine<2>(cageAtRest<2>(triangle), line));
     }
 
     void validity() {
-        ControlCage<2> cage = cageAtRest<2>(Triangle);
+        ControlCage<2> cage = cageAtRest<2>(triangle);
         QVERIFY(isValid(cage));
         cage.current[1] = cage.current[0];
         QVERIFY(isValid(cage));
         cage.current[1].x() = quietNaN;
         QVERIFY(!isValid(cage));
-        cage = cageAtRest<2>(Triangle);
+        cage = cageAtRest<2>(triangle);
         cage.rest[2] = {2, 0};
         QVERIFY(!isValid(cage));
         cage.rest = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -204,12 +204,12 @@ private slots:
     }
 
     void aCageOfManyVerticesBends() {
-        ControlCage<2> cage = polygonAtRest<2>(SquareVertices);
+        ControlCage<2> cage = polygonAtRest<2>(squareVertices);
         QVERIFY(!bends(cage));
         cage.current[2] = {2, 2};
         QVERIFY(bends(cage) && !isInvertible(cage) && isValid(cage));
         QVERIFY(!bake(system<2>(sierpinskiRight()), cage));
-        QVERIFY(!redefine<2>(cage, Triangle));
+        QVERIFY(!redefine<2>(cage, triangle));
         const Placement placement(cage, Coordinates::Wachspress);
         QVERIFY(placement.bend() != nullptr);
         for (std::size_t j = 0; j < 4; ++j)
@@ -237,19 +237,19 @@ private slots:
         const auto choice = [&](const std::vector<Vector<2>>& rest) {
             return suitableCoordinates(rest, &*support);
         };
-        QCOMPARE(choice(SquareVertices), Coordinates::Wachspress); // touches two edges
+        QCOMPARE(choice(squareVertices), Coordinates::Wachspress); // touches two edges
         QCOMPARE(choice({{0, 1}, {1, 1}, {1, 0}, {0, 0}}), Coordinates::Wachspress);
         QCOMPARE(choice({{0.01, 0}, {1, 0}, {1, 1}, {0, 1}}), Coordinates::MeanValue);  // a bit sticks out
         QCOMPARE(choice({{0, 0}, {2, 0}, {0.9, 0.9}, {0, 2}}), Coordinates::MeanValue); // notch
         QCOMPARE(choice({{0, 0}, {1, 0}, {2, 0}, {0, 2}}), Coordinates::MeanValue);     // straight corner
-        QCOMPARE(suitableCoordinates(SquareVertices, nullptr), Coordinates::MeanValue);
+        QCOMPARE(suitableCoordinates(squareVertices, nullptr), Coordinates::MeanValue);
     }
 
     void flawsAreTold() {
         const auto flaw = [](const ControlCage<2>& cage) {
             return flawOf(cage, Placement(cage, Coordinates::MeanValue));
         };
-        ControlCage<2> cage = polygonAtRest<2>(SquareVertices);
+        ControlCage<2> cage = polygonAtRest<2>(squareVertices);
         QCOMPARE(flaw(cage), CageFlaw::None);
         cage.current[2] = {1.5, 1.5};
         QCOMPARE(flaw(cage), CageFlaw::None);
@@ -262,19 +262,19 @@ private slots:
         cage = polygonAtRest<2>({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
         cage.current[0] = {-0.1, 0};
         QCOMPARE(flaw(cage), CageFlaw::Concave);
-        cage = polygonAtRest<2>(SquareVertices); // mirrored, but not folded
+        cage = polygonAtRest<2>(squareVertices); // mirrored, but not folded
         for (auto& vertex : cage.current)
             vertex.x() = -vertex.x();
         cage.current[2].y() = 1.2;
         QCOMPARE(flaw(cage), CageFlaw::None);
         cage =
             *withVertexInserted(polygonAtRest<2>({{0, 0}, {1, 0}, {0, 1}}), 1, 0.5); // on its edge: no notch
-        cage.current = SquareVertices;
+        cage.current = squareVertices;
         QCOMPARE(flaw(cage), CageFlaw::None);
     }
 
     void verticesComeAndGo() {
-        ControlCage<2> cage = polygonAtRest<2>(SquareVertices);
+        ControlCage<2> cage = polygonAtRest<2>(squareVertices);
         cage.current[1] = {2, 0};
         const auto more = withVertexInserted(cage, 3, 0.25);
         QVERIFY(more && more->rest.size() == 5);
@@ -284,14 +284,14 @@ private slots:
         QVERIFY((Placement(*more, Coordinates::MeanValue)(x) - Placement(cage, Coordinates::MeanValue)(x))
                     .norm() <= 1e-13);
         QCOMPARE(*withVertexRemoved(*more, 4), cage);
-        QVERIFY(!withVertexRemoved(cageAtRest<2>(Triangle), 0));
+        QVERIFY(!withVertexRemoved(cageAtRest<2>(triangle), 0));
         const auto regular = regularPolygonNear(std::vector<Vector<2>>{{0, 0}, {1, 0}, {1.1, 1}, {0, 1}});
         QVERIFY(regular.has_value());
         for (std::size_t j = 0; j < 4; ++j) {
             const Vector<2> edge = (*regular)[(j + 1) % 4] - (*regular)[j];
             const Vector<2> next = (*regular)[(j + 2) % 4] - (*regular)[(j + 1) % 4];
             QVERIFY((next - Vector<2>(-edge.y(), edge.x())).norm() <= 1e-14);
-            QVERIFY(((*regular)[j] - SquareVertices[j]).norm() < 0.11);
+            QVERIFY(((*regular)[j] - squareVertices[j]).norm() < 0.11);
         }
         QVERIFY(!regularPolygonNear(std::vector<Vector<2>>(4, Vector<2>(1, 1))));
     }

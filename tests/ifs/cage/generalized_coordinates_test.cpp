@@ -16,9 +16,9 @@ namespace {
 
 using Polygon2 = std::vector<Vector<2>>;
 
-const Polygon2 Square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const Polygon2 Pentagon{{0, 0}, {2, 0}, {3, 1}, {2, 3}, {0, 2}};
-const Polygon2 LShape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+const Polygon2 square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Polygon2 pentagon{{0, 0}, {2, 0}, {3, 1}, {2, 3}, {0, 2}};
+const Polygon2 lShape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 
 // Corners on a circle (convex) or at distances of their own (star-shaped), counter-clockwise.
 Polygon2 randomPolygon(Random& random, std::size_t corners, bool convex) {
@@ -93,18 +93,18 @@ private slots:
         const auto meanValue = [](const Polygon2& p, double x, double y) {
             return generalizedCoordinates(Coordinates::MeanValue, p, {x, y});
         };
-        QVERIFY(difference(wachspress(Square, .25, .25), {9. / 16, 3. / 16, 1. / 16, 3. / 16}) <= 1e-15);
-        QVERIFY(difference(meanValue(Square, .25, .25), {0.572949016875158, 0.177050983124842,
+        QVERIFY(difference(wachspress(square, .25, .25), {9. / 16, 3. / 16, 1. / 16, 3. / 16}) <= 1e-15);
+        QVERIFY(difference(meanValue(square, .25, .25), {0.572949016875158, 0.177050983124842,
                                                          0.072949016875158, 0.177050983124842}) <= 1e-14);
-        QVERIFY(difference(wachspress(Pentagon, 1, 1), {24. / 71, 12. / 71, 9. / 71, 10. / 71, 16. / 71}) <=
+        QVERIFY(difference(wachspress(pentagon, 1, 1), {24. / 71, 12. / 71, 9. / 71, 10. / 71, 16. / 71}) <=
                 1e-15);
         QVERIFY(
-            difference(meanValue(Pentagon, 1, 1), {0.297991128705569, 0.210711547841141, 0.108753239626176,
+            difference(meanValue(pentagon, 1, 1), {0.297991128705569, 0.210711547841141, 0.108753239626176,
                                                    0.126158592719595, 0.256385491107519}) <= 1e-14);
-        QVERIFY(difference(meanValue(LShape, .5, .5), {0.542705098312, 0.146352549156, 0.042705098312,
+        QVERIFY(difference(meanValue(lShape, .5, .5), {0.542705098312, 0.146352549156, 0.042705098312,
                                                        0.079179606750, 0.042705098312, 0.146352549156}) <=
                 1e-12);
-        QVERIFY(std::abs(meanValue(LShape, .5, 1.9)[2] + 0.001992808431164) <= 1e-14);
+        QVERIFY(std::abs(meanValue(lShape, .5, 1.9)[2] + 0.001992808431164) <= 1e-14);
     }
 
     void trianglesGiveTheBarycentricCoordinates() {
@@ -200,8 +200,8 @@ private slots:
 
     void neverNaN() {
         const double huge = 1e150;
-        const std::vector<Polygon2> polygons{Square,
-                                             LShape,
+        const std::vector<Polygon2> polygons{square,
+                                             lShape,
                                              {{0, 0}, {1, 0}, {2, 0}, {3, 0}},
                                              {{1, 1}, {1, 1}, {1, 1}, {1, 1}},
                                              {{0, 0}, {1, 1}, {1, 0}, {0, 1}},
@@ -229,15 +229,15 @@ private slots:
     }
 
     void polygonsAreTold() {
-        QVERIFY(isSimplePolygon(Square) && isStrictlyConvex(Square));
-        QVERIFY(isSimplePolygon(LShape) && !isStrictlyConvex(LShape));
+        QVERIFY(isSimplePolygon(square) && isStrictlyConvex(square));
+        QVERIFY(isSimplePolygon(lShape) && !isStrictlyConvex(lShape));
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));         // crosses itself
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {2, 0}, {1, 0}, {1, 1}}));         // folds back
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})); // touches an edge
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {1, 0}}));
         const Polygon2 withStraightCorner{{0, 0}, {1, 0}, {2, 0}, {1, 2}};
         QVERIFY(isSimplePolygon(withStraightCorner) && !isStrictlyConvex(withStraightCorner));
-        Polygon2 clockwise(Square.rbegin(), Square.rend());
+        Polygon2 clockwise(square.rbegin(), square.rend());
         QVERIFY(isStrictlyConvex(clockwise));
         QCOMPARE(signedArea(clockwise), -1.0);
     }
@@ -300,9 +300,9 @@ private slots:
     }
 
     void leastSquares() {
-        Polygon2 to = Square;
+        Polygon2 to = square;
         to[2] = {2, 2};
-        const AffineMap<2> fit = affineFit<2>(Square, to);
+        const AffineMap<2> fit = affineFit<2>(square, to);
         QVERIFY((fit.linear - affineMap(1.5, .5, .5, 1.5, 0, 0).linear).norm() <= 1e-12);
         QVERIFY((fit.translation - Vector<2>(-.25, -.25)).norm() <= 1e-12);
         // The normal equations, and three points are reached exactly.

@@ -15,7 +15,7 @@ template <int Dim>
 Moments<Dim> momentsOf(const std::vector<AffineMap<Dim>>& maps, const std::vector<double>& weights = {}) {
     return *moments(activeMaps(canonical::system<Dim>(maps, weights)));
 }
-const std::vector<double> Equal2{1, 1}, Equal3{1, 1, 1}, Equal4{1, 1, 1, 1};
+const std::vector<double> equal2{1, 1}, equal3{1, 1, 1}, equal4{1, 1, 1, 1};
 
 void compare(const Moments<2>& found, const Vector<2>& mean, const Vector<3>& covariance) {
     QVERIFY((found.mean - mean).norm() <= 1e-12);
@@ -36,14 +36,14 @@ class MomentsTest : public QObject {
 
 private slots:
     void knownSystems() {
-        const auto sierpinski = momentsOf<2>(sierpinskiRight(), Equal3);
+        const auto sierpinski = momentsOf<2>(sierpinskiRight(), equal3);
         compare(sierpinski, {1. / 3, 1. / 3}, {2. / 27, -1. / 27, 2. / 27});
         compareLongRun(sierpinski, 2. / 9, 2. / 9);
-        const auto arch = momentsOf<2>(flower(), Equal2);
+        const auto arch = momentsOf<2>(flower(), equal2);
         compare(arch, {332. / 5513, 18321. / 5513},
                 {2.331316928710777, -0.063195656056736, 0.264229082939687});
         compareLongRun(arch, 6.546792, 0.744559);
-        const auto tree = momentsOf<2>(maple(), Equal4);
+        const auto tree = momentsOf<2>(maple(), equal4);
         compare(tree, {5135. / 70583, 101021. / 70583},
                 {1.070887446859971, -0.052426065183732, 3.782835052470806});
         compareLongRun(tree, 2.935123, 5.414467);
@@ -55,9 +55,9 @@ private slots:
         compare(leaf, {2659956. / 3338159, 20588360. / 3338159},
                 {1.436308769343536, 1.297831985967738, 6.249627702417141});
         compareLongRun(leaf, 10.425670, 45.059712);
-        QVERIFY((momentsOf<2>(koch(), Equal4).mean - Vector<2>(.5, std::sqrt(3) / 18)).norm() < 1e-14);
-        QVERIFY((momentsOf<2>(levy(), Equal2).mean - Vector<2>(.5, .5)).norm() < 1e-14);
-        QVERIFY((momentsOf<2>(twin(), Equal2).mean - Vector<2>(.5, 0)).norm() < 1e-14);
+        QVERIFY((momentsOf<2>(koch(), equal4).mean - Vector<2>(.5, std::sqrt(3) / 18)).norm() < 1e-14);
+        QVERIFY((momentsOf<2>(levy(), equal2).mean - Vector<2>(.5, .5)).norm() < 1e-14);
+        QVERIFY((momentsOf<2>(twin(), equal2).mean - Vector<2>(.5, 0)).norm() < 1e-14);
         const auto triangle = momentsOf<2>(halves({{0, 0}, {0, 1}, {1, 1}}), {.33, .33, .34});
         compare(triangle, {17. / 25, 67. / 50}, {187. / 625, 187. / 1250, 737. / 2500});
     }
@@ -141,8 +141,8 @@ private slots:
                         affineMap(dyadic(), dyadic() / 2, dyadic() / 2, dyadic(), dyadic(), dyadic()));
                     there.push_back(*conjugate(affineMap(1, shear, 0, 1, 0, 0), here.back()));
                 }
-                const auto known = moments(activeMaps(canonical::system<2>(here, Equal3)));
-                const auto found = moments(activeMaps(canonical::system<2>(there, Equal3)));
+                const auto known = moments(activeMaps(canonical::system<2>(here, equal3)));
+                const auto found = moments(activeMaps(canonical::system<2>(there, equal3)));
                 QCOMPARE(found.has_value(), known.has_value());
                 if (!known) continue;
                 Matrix<2> lean;

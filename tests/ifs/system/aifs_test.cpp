@@ -13,7 +13,7 @@ using namespace canonical;
 
 namespace {
 
-const Simplex<2> Unit{Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0, 1)};
+const Simplex<2> unitSimplex{Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0, 1)};
 
 RowStochastic<2> matrix(std::initializer_list<double> rows) {
     RowStochastic<2> result;
@@ -60,7 +60,7 @@ class AifsTest : public QObject {
 
 private slots:
     void sierpinski() {
-        const auto s = rowStochastic<2>(Unit, sierpinskiRight());
+        const auto s = rowStochastic<2>(unitSimplex, sierpinskiRight());
         QCOMPARE(s[0], matrix({1, 0, 0, .5, .5, 0, .5, 0, .5}));
         QCOMPARE(s[1], matrix({.5, .5, 0, 0, 1, 0, 0, .5, .5}));
         QCOMPARE(s[2], matrix({.5, 0, .5, 0, .5, .5, 0, 0, 1}));
@@ -69,7 +69,7 @@ private slots:
     }
 
     void flowerOverTwoTriangles() {
-        const auto unit = rowStochastic<2>(Unit, flower());
+        const auto unit = rowStochastic<2>(unitSimplex, flower());
         QVERIFY((unit[0] - matrix({-1.11, .37, 1.74, -1.28, .84, 1.44, -1.88, .67, 2.21})).norm() < 1e-14);
         QVERIFY((unit[1] - matrix({-.41, -.34, 1.75, -1.18, .14, 2.04, -.60, -.63, 2.23})).norm() < 1e-14);
         const auto minimal = minimalCanonicalSimplex(*SupportFunction<2>::of(flower())).vertices;
@@ -100,14 +100,14 @@ private slots:
     // The display of a moved cage, the baked code and the same matrices over the moved simplex: one picture.
     void threeRoutesToOnePicture() {
         const Simplex<2> moved{Vector<2>(1, -1), Vector<2>(3, 0), Vector<2>(.5, 2)};
-        ControlCage<2> cage = cageAtRest<2>(Unit);
+        ControlCage<2> cage = cageAtRest<2>(unitSimplex);
         cage.current.assign(moved.begin(), moved.end());
         const auto baked = bake(canonical::system<2>(maple()), cage);
         QVERIFY(baked.has_value());
-        const auto s = rowStochastic<2>(Unit, maple());
+        const auto s = rowStochastic<2>(unitSimplex, maple());
         Random random(2);
         Vector<2> x = *fixedPoint(maple()[0]), y = displayMap(cage)(x);
-        Barycentric<2> r = barycentric<2>(Unit, x);
+        Barycentric<2> r = barycentric<2>(unitSimplex, x);
         for (int n = 0; n < 1000; ++n) {
             const std::size_t i = random() % 4;
             x = maple()[i](x);
