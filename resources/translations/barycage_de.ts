@@ -213,10 +213,6 @@
         <translation>nicht bekannt: der Fehler wäre größer</translation>
     </message>
     <message>
-        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
-        <translation>Eine kompakte Menge, zu der jede kompakte Ausgangsmenge Schritt für Schritt führt. Ein System hat genau dann eine, wenn seine Abbildungen in einer Norm kontrahieren.</translation>
-    </message>
-    <message>
         <source>(of the attractor: its pieces are disjoint)</source>
         <translation>(des Attraktors: seine Teile sind disjunkt)</translation>
     </message>
@@ -253,10 +249,6 @@
         <translation>Zusammenhang</translation>
     </message>
     <message>
-        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
-        <translation>Ein Attraktor hängt genau dann zusammen, wenn gemeinsame Punkte seine Teile verbinden (Hata). Gemeinsame Punkte werden unter den Fixpunkten kurzer Wörter gesucht; dass es keine gibt, beweisen disjunkte Überdeckungen.</translation>
-    </message>
-    <message>
         <source>connected</source>
         <translation>zusammenhängend</translation>
     </message>
@@ -279,10 +271,6 @@
     <message>
         <source>Joint spectral radius</source>
         <translation>Gemeinsamer Spektralradius</translation>
-    </message>
-    <message>
-        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
-        <translation>Der größte Faktor je Abbildung, um den lange Wörter strecken. Beide Enden des Intervalls sind bewiesen; ein System kontrahiert genau dann in einer Norm, wenn er kleiner als 1 ist.</translation>
     </message>
     <message>
         <source>Entropy</source>
@@ -390,10 +378,6 @@
         <translation>Volumen der Hülle</translation>
     </message>
     <message>
-        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
-        <translation>Volumen der berechneten Hülle, deren Ecken Punkte des Attraktors sind. Die exakte konvexe Hülle ist höchstens um den Fehler größer.</translation>
-    </message>
-    <message>
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>Der Attraktor reicht höchstens so weit über das Polyeder hinaus; bewiesen.</translation>
     </message>
@@ -424,6 +408,22 @@
     <message>
         <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 mit den Verhältnissen dieser Abbildungen, gleiche zusammengefasst. Ihre Lösung ist die Ähnlichkeitsdimension.</translation>
+    </message>
+    <message>
+        <source>A compact set to which the iterates of every compact set converge. A system has one if and only if its maps contract in some norm.</source>
+        <translation>Eine kompakte Menge, zu der jede kompakte Ausgangsmenge Schritt für Schritt führt. Ein System hat genau dann eine, wenn seine Abbildungen in einer Norm kontrahieren.</translation>
+    </message>
+    <message>
+        <source>An attractor is connected if and only if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Ein Attraktor hängt genau dann zusammen, wenn gemeinsame Punkte seine Teile verbinden (Hata). Gemeinsame Punkte werden unter den Fixpunkten kurzer Wörter gesucht; dass es keine gibt, beweisen disjunkte Überdeckungen.</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm if and only if it is less than 1.</source>
+        <translation>Der größte Faktor je Abbildung, um den lange Wörter strecken. Beide Enden des Intervalls sind bewiesen; ein System kontrahiert genau dann in einer Norm, wenn er kleiner als 1 ist.</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
+        <translation>Volumen der berechneten Hülle, deren Ecken Punkte des Attraktors sind. Die exakte konvexe Hülle ist höchstens um den Fehler größer.</translation>
     </message>
 </context>
 <context>
@@ -2166,10 +2166,6 @@
         <translation>Lektion &amp;abspielen</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen</source>
-        <translation>Die Lektion auf dem ganzen Bildschirm abspielen</translation>
-    </message>
-    <message>
         <source>&amp;Next Step</source>
         <translation>&amp;Nächster Schritt</translation>
     </message>
@@ -2236,10 +2232,6 @@
     <message>
         <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
         <translation>Eine Lektion kann keine Datei namens „%1“ nennen. Speichern Sie die Fraktale zuerst unter einem Namen ohne : * ? &quot; &lt; &gt; |.</translation>
-    </message>
-    <message>
-        <source>Save Lesson</source>
-        <translation>Lektion speichern</translation>
     </message>
     <message>
         <source>Lessons (*.lesson)</source>
@@ -2501,6 +2493,30 @@
         <source>Make distant parts look smaller (5 on the keypad)</source>
         <translation>Entfernte Teile kleiner zeigen (5 auf dem Ziffernblock)</translation>
     </message>
+    <message>
+        <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
+        <translation>Schnappschüsse werden nicht mit der Datei gespeichert und gehen verloren: %1. Um einen zu behalten, brechen Sie ab und wählen Sie im Bereich „Schnappschüsse“ „Als Eintrag hinzufügen“.</translation>
+    </message>
+    <message>
+        <source>The target in the Collage panel is not saved with the file.</source>
+        <translation>Das Ziel im Feld „Collage“ wird nicht mit der Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Die Lektion auf dem ganzen Bildschirm abspielen, vom gewählten Schritt an oder von Anfang an</translation>
+    </message>
+    <message>
+        <source>Save Lesson in the Folder of “%1”</source>
+        <translation>Lektion im Ordner von „%1“ speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2531,6 +2547,10 @@
     <message>
         <source>“%1” is too large a number.</source>
         <translation>„%1“ ist eine zu große Zahl.</translation>
+    </message>
+    <message>
+        <source>“%1” has no finite value.</source>
+        <translation>„%1“ hat keinen endlichen Wert.</translation>
     </message>
 </context>
 <context>
@@ -3943,10 +3963,6 @@
         <translation>die Wörter %1 und %2 sind dieselbe Abbildung</translation>
     </message>
     <message>
-        <source>the words %1 and %2 are the same map to rounding</source>
-        <translation>die Wörter %1 und %2 sind bis auf Rundung dieselbe Abbildung</translation>
-    </message>
-    <message>
         <source>joint spectral radius</source>
         <translation>gemeinsamer Spektralradius</translation>
     </message>
@@ -4323,18 +4339,6 @@
         <translation>„%1“ hat %2 aktive Abbildungen, „%3“ hat %4. Beide brauchen gleich viele.</translation>
     </message>
     <message>
-        <source>Continuous: the pieces do not touch</source>
-        <translation>Stetig: Die Teile berühren sich nicht</translation>
-    </message>
-    <message>
-        <source>Continuous to %1 or better, worst at (%2, %3)</source>
-        <translation>Stetig bis auf %1 oder besser, am schlechtesten bei (%2, %3)</translation>
-    </message>
-    <message>
-        <source>Continuous to %1, worst at (%2, %3)</source>
-        <translation>Stetig bis auf %1, am schlechtesten bei (%2, %3)</translation>
-    </message>
-    <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
         <translation>„%1“ hat %2 Abbildungen; mit einer Symmetrie aus %3 Elementen wären es mehr als %4, und das ist die Grenze.</translation>
     </message>
@@ -4535,34 +4539,6 @@
         <translation>Datum:</translation>
     </message>
     <message>
-        <source>A homeomorphism, as is proved</source>
-        <translation>Bewiesen ein Homöomorphismus</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism</source>
-        <translation>Kein Homöomorphismus</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
-        <translation>Kein Homöomorphismus: zurück um %1 zerrissen, am schlechtesten bei %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better</source>
-        <translation>Homöomorphismus bis auf %1 oder besser</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1</source>
-        <translation>Homöomorphismus bis auf %1</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
-        <translation>Homöomorphismus bis auf %1 oder besser, zurück am schlechtesten bei %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1, worst on the way back at %2</source>
-        <translation>Homöomorphismus bis auf %1, zurück am schlechtesten bei %2</translation>
-    </message>
-    <message>
         <source>part of map %1</source>
         <translation>Teil der Abbildung %1</translation>
     </message>
@@ -4577,6 +4553,46 @@
     <message>
         <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
         <translation>Das Bild speichert seine Pixel auf eine Weise, die nicht gelesen werden kann. Speichern Sie es als PNG-Bild.</translation>
+    </message>
+    <message>
+        <source>Too many maps to bound the jumps</source>
+        <translation>Zu viele Abbildungen, um die Sprünge abzuschätzen</translation>
+    </message>
+    <message>
+        <source>Proved continuous: the pieces do not touch</source>
+        <translation>Bewiesen stetig: Die Teile berühren sich nicht</translation>
+    </message>
+    <message>
+        <source>Proved so far: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Bisher bewiesen: Kein Sprung zwischen Teilen ist größer als %1 (%2 % des Partners), am schlechtesten bei %3</translation>
+    </message>
+    <message>
+        <source>Proved: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Bewiesen: Kein Sprung zwischen Teilen ist größer als %1 (%2 % des Partners), am schlechtesten bei %3</translation>
+    </message>
+    <message>
+        <source>Proved to be a homeomorphism</source>
+        <translation>Bewiesen ein Homöomorphismus</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism</source>
+        <translation>Bewiesen kein Homöomorphismus</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism</source>
+        <translation>Nicht bekannt, ob es ein Homöomorphismus ist</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>Bewiesen kein Homöomorphismus; zurück ist kein Sprung größer als %1 (%2 % dieses Fraktals), am schlechtesten bei %3</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>Nicht bekannt, ob es ein Homöomorphismus ist; zurück ist kein Sprung größer als %1 (%2 % dieses Fraktals), am schlechtesten bei %3</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map within rounding error</source>
+        <translation>die Wörter %1 und %2 sind bis auf Rundung dieselbe Abbildung</translation>
     </message>
 </context>
 <context>
@@ -5443,10 +5459,6 @@
         <translation>&amp;Aufgaben auf einem Cluster:</translation>
     </message>
     <message>
-        <source>What will be written</source>
-        <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -5576,6 +5588,10 @@
     <message>
         <source>&amp;Continue</source>
         <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Summary of the export</source>
+        <translation>Zusammenfassung des Exports</translation>
     </message>
 </context>
 <context>
@@ -5797,6 +5813,10 @@
     <message>
         <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
         <translation>Bei Bild %1 gibt es keinen Attraktor. Schwächen Sie die Bewegungen ab, oder setzen Sie dort einen Schlüssel.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
+        <translation>Bei Bild %1 gibt es keinen Attraktor. Setzen Sie dort einen Schlüssel, oder ändern Sie die Schlüssel davor und danach.</translation>
     </message>
 </context>
 <context>
@@ -6878,16 +6898,16 @@
         <translation>Das Skript endete, ohne etwas einzureichen.</translation>
     </message>
     <message>
-        <source>Slurm did not take the job: %1</source>
-        <translation>Slurm hat den Auftrag nicht angenommen: %1</translation>
-    </message>
-    <message>
         <source>The result is in %1.</source>
         <translation>Das Ergebnis ist in %1.</translation>
     </message>
     <message>
         <source>The reason is in the logs in %1.</source>
         <translation>Der Grund steht in den Protokollen in %1.</translation>
+    </message>
+    <message>
+        <source>Slurm did not accept the job: %1</source>
+        <translation>Slurm hat den Auftrag nicht angenommen: %1</translation>
     </message>
 </context>
 <context>
@@ -6984,6 +7004,34 @@
     <message>
         <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
         <translation>Von jedem Punkt zum nächsten Punkt der anderen Form, in Pixeln des Bildes, wie es nachgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Mean distance of the collage: %1 → %2.</source>
+        <translation>Mittlerer Abstand der Collage: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the attractor: %1 → %2.</source>
+        <translation>Mittlerer Abstand des Attraktors: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Guarantee: %1 → %2.</source>
+        <translation>Garantie: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The distance has increased, but the overlap (IoU) has improved.</source>
+        <translation>Der Abstand ist größer geworden, aber die Überlappung (IoU) besser.</translation>
+    </message>
+    <message>
+        <source>Nothing is guaranteed any more.</source>
+        <translation>Garantiert ist nichts mehr.</translation>
+    </message>
+    <message>
+        <source>The guarantee is now weaker.</source>
+        <translation>Die Garantie ist jetzt schwächer.</translation>
     </message>
 </context>
 <context>
@@ -7084,12 +7132,20 @@
         <translation>Mit diesen Gewichten ziehen die Abbildungen im Mittel nicht zusammen; für die Helligkeiten ist nichts garantiert.</translation>
     </message>
     <message>
-        <source>What is compared with the target on the canvas</source>
-        <translation>Was auf der Zeichenfläche mit dem Ziel verglichen wird</translation>
+        <source>Choose what the canvas compares with the target</source>
+        <translation>Wählen, was die Zeichenfläche mit dem Ziel vergleicht</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
-        <translation>Was mit dem Ziel verglichen wird: die Bilder des Ziels unter den Abbildungen oder der Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau.</translation>
+        <source>Compares the target with its images under the maps, or with the attractor. Agreement is grey, excess red, and missing parts blue.</source>
+        <translation>Vergleicht das Ziel mit seinen Bildern unter den Abbildungen oder mit dem Attraktor. Gemeinsames ist grau, Überschüssiges rot, Fehlendes blau.</translation>
+    </message>
+    <message>
+        <source>Result of refining</source>
+        <translation>Ergebnis der Verbesserung</translation>
+    </message>
+    <message>
+        <source>What the last refinement has made of the distance and of the guarantee</source>
+        <translation>Was die letzte Verbesserung aus dem Abstand und der Garantie gemacht hat</translation>
     </message>
 </context>
 <context>
@@ -7571,10 +7627,6 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
         <source>First handle:</source>
         <translation>Erster Griff:</translation>
     </message>
@@ -7585,6 +7637,10 @@
     <message>
         <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Ein Anteil von 0 bis 1. Eine zu steile Kurve wird abgeflacht.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
 </context>
 <context>
@@ -8274,10 +8330,6 @@
         <translation>Kopien werden so klein gemacht, bis kein Pixel dieser Größe den Unterschied zeigen könnte oder Programme lange an ihnen zeichnen würden.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
-        <translation>Garantierte Genauigkeit: %2 px. Verweise: %1 (höchstens %3).</translation>
-    </message>
-    <message>
         <source> More levels would be more accurate, but programs would take long to draw them.</source>
         <translation> Mehr Stufen wären genauer, aber Programme würden lange daran zeichnen.</translation>
     </message>
@@ -8340,6 +8392,30 @@
     <message>
         <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt. Gespeicherte Ansichten stehen ebenfalls in der Liste.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
+        <translation>Garantierte Genauigkeit: %2 px. Programme, die die Datei öffnen, zeichnen %1 Kopien (höchstens %3).</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 sind %3 Millionen Pixel. Sie zu zeichnen kann Stunden dauern, und die Datei kann bis zu %4 groß werden.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Benötigter Speicher: etwa %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Sehr großes Bild</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Dieses Bild ist sehr groß.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>Trotzdem &amp;exportieren</translation>
     </message>
 </context>
 <context>
@@ -9359,10 +9435,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Steht neben dem Bild; eine leere Zeile beginnt einen Absatz</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the selected step</source>
-        <translation>Die Lektion vom gewählten Schritt an auf dem ganzen Bildschirm abspielen</translation>
-    </message>
-    <message>
         <source>Save the lesson in the same folder as its fractals</source>
         <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
     </message>
@@ -9390,6 +9462,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Eine Lektion ist eine Liste von Schritten. Zu jedem gehören ein Text und ein Zustand des Fensters: der Eintrag, was von ihm zu sehen ist, das Werkzeug, Farben und Umrisse.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Die Lektion auf dem ganzen Bildschirm abspielen, vom gewählten Schritt an oder von Anfang an</translation>
     </message>
 </context>
 <context>
@@ -9464,14 +9540,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Nimmt teil</translation>
     </message>
     <message>
-        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
-        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 mit dem %3-Fachen ihres Gewichts angewandt.</translation>
-    </message>
-    <message>
-        <source>Just after map %1, map %2 is never applied.</source>
-        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 nie angewandt.</translation>
-    </message>
-    <message>
         <source>From map %1 to map %2: %3</source>
         <translation>Von Abbildung %1 zu Abbildung %2: %3</translation>
     </message>
@@ -9509,6 +9577,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Ends: every sequence from here stops</source>
         <translation>Endet: Jede Folge von hier hört auf</translation>
+    </message>
+    <message>
+        <source>Directly after map %1, map %2 has %3 times its weight.</source>
+        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 mit dem %3-Fachen ihres Gewichts angewandt.</translation>
+    </message>
+    <message>
+        <source>Map %2 is never applied directly after map %1.</source>
+        <translation>Unmittelbar nach Abbildung %1 wird Abbildung %2 nie angewandt.</translation>
     </message>
 </context>
 <context>
@@ -9610,6 +9686,18 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %1</source>
         <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Reihenfolge zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset Order: puts the maps back in the order of their numbers</source>
+        <translation>Reihenfolge zurücksetzen: ordnet die Abbildungen wieder nach ihren Nummern</translation>
+    </message>
+    <message>
+        <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
+        <translation>Ordnet die Abbildungen wieder nach ihren Nummern, also wie im Bereich „Abbildungen“: Abbildung 1 liegt oben. Das ist ein Schritt, den Sie rückgängig machen können.</translation>
     </message>
 </context>
 <context>
@@ -10203,14 +10291,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>%1 Abbildungen einfügen</translation>
     </message>
     <message>
-        <source>Maps added: %1.</source>
-        <translation>Hinzugefügte Abbildungen: %1.</translation>
-    </message>
-    <message>
-        <source>The selected maps were replaced; maps pasted: %1.</source>
-        <translation>Die gewählten Abbildungen wurden ersetzt; eingefügte Abbildungen: %1.</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Den Käfig in den Code einrechnen</translation>
     </message>
@@ -10325,6 +10405,20 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Nur Abbildung %1, von %2 gewählten    %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n Abbildung hinzugefügt.</numerusform>
+            <numerusform>%n Abbildungen hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Die ausgewählten Abbildungen wurden ersetzt; %n Abbildung eingefügt.</numerusform>
+            <numerusform>Die ausgewählten Abbildungen wurden ersetzt; %n Abbildungen eingefügt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11037,6 +11131,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Turning &amp;solids:</source>
         <translation>&amp;Körper drehen:</translation>
+    </message>
+    <message>
+        <source>Restart &amp;Now</source>
+        <translation>Jetzt &amp;neu starten</translation>
+    </message>
+    <message>
+        <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
+        <translation>Schließt alle Fenster, fragt vorher nach ungespeicherten Änderungen und öffnet dieselben Dateien in der neuen Sprache wieder.</translation>
     </message>
 </context>
 <context>
@@ -11854,6 +11956,11 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Added to the file as the entry “%1”.</source>
         <translation>Als Eintrag „%1“ zur Datei hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>%1 of “%2”</source>
+        <comment>snapshot, entry</comment>
+        <translation>%1 von „%2“</translation>
     </message>
 </context>
 <context>
@@ -12786,6 +12893,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>%1, reduced to %2 × %3 pixels</source>
         <translation>%1, verkleinert auf %2 × %3 Pixel</translation>
     </message>
+    <message>
+        <source>The target is not saved with the file. It is kept while the file is open.</source>
+        <translation>Das Ziel wird nicht mit der Datei gespeichert. Es bleibt, solange die Datei geöffnet ist.</translation>
+    </message>
 </context>
 <context>
     <name>view::TargetPreview</name>
@@ -13208,12 +13319,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Die drei Ecken des neuen Dreiecks anklicken.  Rücktaste entfernt den letzten Punkt  ·  Esc bricht ab</translation>
     </message>
     <message>
-        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Eine Ecke des Tetraeders ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
-    </message>
-    <message>
         <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
         <translation>Klicken Sie die vier Ecken des neuen Tetraeders, die vierte vor den anderen.  Das Rad schiebt sie weg  ·  Ziehen mit rechts dreht die Ansicht  ·  Rücktaste entfernt den letzten Punkt  ·  Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Eine Ecke oder eine Fläche des Käfigs ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Auf eine Ecke einer Abbildung klicken, um sie auszuwählen, dann ihre Ecken oder ihre Mitte ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
     </message>
 </context>
 <context>
@@ -13665,8 +13780,28 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Überlagern</translation>
     </message>
     <message>
-        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
-        <translation>Den Partner halb durchsichtig über dem Fraktal zeigen, dort, wo er in derselben Ebene liegt</translation>
+        <source>Show the partner half transparent over the fractal, in the same coordinates</source>
+        <translation>Den Partner halb durchsichtig über dem Fraktal zeigen, in denselben Koordinaten</translation>
+    </message>
+    <message>
+        <source>Embed in the File</source>
+        <translation>In die Datei einbetten</translation>
+    </message>
+    <message>
+        <source>Store the picture itself with the entry, not only its path</source>
+        <translation>Das Bild selbst mit dem Eintrag speichern, nicht nur seinen Pfad</translation>
+    </message>
+    <message>
+        <source>Stores the picture itself with the entry, so that the file shows it wherever it goes. A picture of more than 128 KB is stored smaller. Otherwise only its path is stored.</source>
+        <translation>Speichert das Bild selbst mit dem Eintrag, sodass die Datei es überall zeigt. Ein Bild von mehr als 128 KB wird verkleinert gespeichert. Sonst wird nur sein Pfad gespeichert.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Reihenfolge zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put the maps back in the order of their numbers</source>
+        <translation>Die Abbildungen wieder nach ihren Nummern ordnen</translation>
     </message>
 </context>
 <context>
@@ -13686,10 +13821,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Choose Picture</source>
         <translation>Bild wählen</translation>
-    </message>
-    <message>
-        <source>Reorder Tops</source>
-        <translation>Reihenfolge ändern</translation>
     </message>
     <message>
         <source>Divide Words</source>
@@ -13714,6 +13845,22 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
         <translation>Punkte zweier Fraktale mit derselben Adresse entsprechen einander. So wird ein Bild auf dem Partner auf dieses Fraktal übertragen.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Reihenfolge zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reorder Overlapping Maps</source>
+        <translation>Reihenfolge ändern</translation>
+    </message>
+    <message>
+        <source>Do Not Embed Picture</source>
+        <translation>Bild nicht einbetten</translation>
+    </message>
+    <message>
+        <source>Embed Picture</source>
+        <translation>Bild einbetten</translation>
     </message>
 </context>
 <context>

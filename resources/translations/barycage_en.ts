@@ -220,6 +220,23 @@
     </message>
 </context>
 <context>
+    <name>view::MapsPanel</name>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>view::ProblemsPanel</name>
     <message numerus="yes">
         <source>%n problems were found while reading.</source>

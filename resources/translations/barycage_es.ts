@@ -213,10 +213,6 @@
         <translation>desconocido: el error sería mayor</translation>
     </message>
     <message>
-        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
-        <translation>Un conjunto compacto al que lleva, paso a paso, todo conjunto compacto inicial. Un sistema lo tiene exactamente si sus aplicaciones contraen en alguna norma.</translation>
-    </message>
-    <message>
         <source>(of the attractor: its pieces are disjoint)</source>
         <translation>(del atractor: sus piezas son disjuntas)</translation>
     </message>
@@ -253,10 +249,6 @@
         <translation>Conexión</translation>
     </message>
     <message>
-        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
-        <translation>Un atractor es conexo exactamente si puntos comunes unen sus piezas (Hata). Los puntos comunes se buscan entre los puntos fijos de palabras cortas; que no los hay se demuestra con recubrimientos disjuntos.</translation>
-    </message>
-    <message>
         <source>connected</source>
         <translation>conexo</translation>
     </message>
@@ -279,10 +271,6 @@
     <message>
         <source>Joint spectral radius</source>
         <translation>Radio espectral conjunto</translation>
-    </message>
-    <message>
-        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
-        <translation>El mayor factor por aplicación con que estiran las palabras largas. Los dos extremos del intervalo están demostrados; un sistema contrae en alguna norma exactamente si es menor que 1.</translation>
     </message>
     <message>
         <source>Entropy</source>
@@ -390,10 +378,6 @@
         <translation>Volumen de la envolvente</translation>
     </message>
     <message>
-        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
-        <translation>Volumen de la envolvente calculada, cuyos vértices son puntos del atractor. La envolvente convexa exacta es mayor como mucho en el error.</translation>
-    </message>
-    <message>
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>El atractor sobresale del poliedro a lo sumo esta distancia; certificado.</translation>
     </message>
@@ -424,6 +408,22 @@
     <message>
         <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 con las razones de estas aplicaciones, agrupando las iguales. Su solución es la dimensión de semejanza.</translation>
+    </message>
+    <message>
+        <source>A compact set to which the iterates of every compact set converge. A system has one if and only if its maps contract in some norm.</source>
+        <translation>Un conjunto compacto al que lleva, paso a paso, todo conjunto compacto inicial. Un sistema lo tiene si y solo si sus aplicaciones contraen en alguna norma.</translation>
+    </message>
+    <message>
+        <source>An attractor is connected if and only if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Un atractor es conexo si y solo si puntos comunes unen sus piezas (Hata). Los puntos comunes se buscan entre los puntos fijos de palabras cortas; que no los hay se demuestra con recubrimientos disjuntos.</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm if and only if it is less than 1.</source>
+        <translation>El mayor factor por aplicación con que estiran las palabras largas. Los dos extremos del intervalo están demostrados; un sistema contrae en alguna norma si y solo si es menor que 1.</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
+        <translation>Volumen de la envolvente calculada, cuyos vértices son puntos del atractor. La envolvente convexa exacta es mayor como mucho en el error.</translation>
     </message>
 </context>
 <context>
@@ -2166,10 +2166,6 @@
         <translation>&amp;Reproducir la lección</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen</source>
-        <translation>Reproducir la lección en toda la pantalla</translation>
-    </message>
-    <message>
         <source>&amp;Next Step</source>
         <translation>Paso &amp;siguiente</translation>
     </message>
@@ -2236,10 +2232,6 @@
     <message>
         <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
         <translation>Una lección no puede referirse a un archivo llamado «%1». Guarde antes los fractales con un nombre sin : * ? &quot; &lt; &gt; |.</translation>
-    </message>
-    <message>
-        <source>Save Lesson</source>
-        <translation>Guardar la lección</translation>
     </message>
     <message>
         <source>Lessons (*.lesson)</source>
@@ -2501,6 +2493,30 @@
         <source>Make distant parts look smaller (5 on the keypad)</source>
         <translation>Mostrar más pequeñas las partes lejanas (5 en el teclado numérico)</translation>
     </message>
+    <message>
+        <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
+        <translation>Las instantáneas no se guardan con el archivo y se perderán: %1. Para conservar una, cancele y elija «Añadir como entrada» en el panel Instantáneas.</translation>
+    </message>
+    <message>
+        <source>The target in the Collage panel is not saved with the file.</source>
+        <translation>El objetivo del panel «Collage» no se guarda con el archivo.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Reproducir la lección en toda la pantalla, desde el paso que eligió o desde el principio</translation>
+    </message>
+    <message>
+        <source>Save Lesson in the Folder of “%1”</source>
+        <translation>Guardar la lección en la carpeta de «%1»</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2531,6 +2547,10 @@
     <message>
         <source>“%1” is too large a number.</source>
         <translation>«%1» es un número demasiado grande.</translation>
+    </message>
+    <message>
+        <source>“%1” has no finite value.</source>
+        <translation>«%1» no tiene un valor finito.</translation>
     </message>
 </context>
 <context>
@@ -3943,10 +3963,6 @@
         <translation>las palabras %1 y %2 son la misma aplicación</translation>
     </message>
     <message>
-        <source>the words %1 and %2 are the same map to rounding</source>
-        <translation>las palabras %1 y %2 son la misma aplicación salvo redondeo</translation>
-    </message>
-    <message>
         <source>joint spectral radius</source>
         <translation>radio espectral conjunto</translation>
     </message>
@@ -4323,18 +4339,6 @@
         <translation>«%1» tiene %2 aplicaciones activas y «%3» tiene %4. Necesitan tener las mismas.</translation>
     </message>
     <message>
-        <source>Continuous: the pieces do not touch</source>
-        <translation>Continua: las partes no se tocan</translation>
-    </message>
-    <message>
-        <source>Continuous to %1 or better, worst at (%2, %3)</source>
-        <translation>Continua salvo %1 o mejor, lo peor en (%2, %3)</translation>
-    </message>
-    <message>
-        <source>Continuous to %1, worst at (%2, %3)</source>
-        <translation>Continua salvo %1, lo peor en (%2, %3)</translation>
-    </message>
-    <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
         <translation>«%1» tiene %2 aplicaciones; con una simetría de %3 elementos serían más de %4, que es el límite.</translation>
     </message>
@@ -4535,34 +4539,6 @@
         <translation>Fecha:</translation>
     </message>
     <message>
-        <source>A homeomorphism, as is proved</source>
-        <translation>Homeomorfismo, demostrado</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism</source>
-        <translation>No es un homeomorfismo</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
-        <translation>No es un homeomorfismo: a la vuelta se rasga %1, lo peor en %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better</source>
-        <translation>Homeomorfismo salvo %1 o mejor</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1</source>
-        <translation>Homeomorfismo salvo %1</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
-        <translation>Homeomorfismo salvo %1 o mejor, a la vuelta lo peor en %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1, worst on the way back at %2</source>
-        <translation>Homeomorfismo salvo %1, a la vuelta lo peor en %2</translation>
-    </message>
-    <message>
         <source>part of map %1</source>
         <translation>parte de la aplicación %1</translation>
     </message>
@@ -4577,6 +4553,46 @@
     <message>
         <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
         <translation>La imagen guarda sus píxeles de una forma que no se puede leer. Guárdela como imagen PNG.</translation>
+    </message>
+    <message>
+        <source>Too many maps to bound the jumps</source>
+        <translation>Demasiadas aplicaciones para acotar los saltos</translation>
+    </message>
+    <message>
+        <source>Proved continuous: the pieces do not touch</source>
+        <translation>Continuidad demostrada: las partes no se tocan</translation>
+    </message>
+    <message>
+        <source>Proved so far: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Demostrado hasta ahora: ningún salto entre partes supera %1 (%2 % de la pareja), lo peor cerca de %3</translation>
+    </message>
+    <message>
+        <source>Proved: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Demostrado: ningún salto entre partes supera %1 (%2 % de la pareja), lo peor cerca de %3</translation>
+    </message>
+    <message>
+        <source>Proved to be a homeomorphism</source>
+        <translation>Homeomorfismo, demostrado</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism</source>
+        <translation>No es un homeomorfismo, demostrado</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism</source>
+        <translation>No se sabe si es un homeomorfismo</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>No es un homeomorfismo, demostrado; a la vuelta ningún salto supera %1 (%2 % de este fractal), lo peor cerca de %3</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>No se sabe si es un homeomorfismo; a la vuelta ningún salto supera %1 (%2 % de este fractal), lo peor cerca de %3</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map within rounding error</source>
+        <translation>las palabras %1 y %2 son la misma aplicación salvo redondeo</translation>
     </message>
 </context>
 <context>
@@ -5443,10 +5459,6 @@
         <translation>&amp;Tareas en un clúster:</translation>
     </message>
     <message>
-        <source>What will be written</source>
-        <translation>Lo que se escribirá</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Resultado</translation>
     </message>
@@ -5576,6 +5588,10 @@
     <message>
         <source>&amp;Continue</source>
         <translation>&amp;Continuar</translation>
+    </message>
+    <message>
+        <source>Summary of the export</source>
+        <translation>Resumen de la exportación</translation>
     </message>
 </context>
 <context>
@@ -5797,6 +5813,10 @@
     <message>
         <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
         <translation>En el fotograma %1 no hay atractor. Atenúe los movimientos o ponga una clave allí.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
+        <translation>En el fotograma %1 no hay atractor. Ponga una clave allí o cambie las claves vecinas.</translation>
     </message>
 </context>
 <context>
@@ -6878,16 +6898,16 @@
         <translation>El guion terminó sin enviar nada.</translation>
     </message>
     <message>
-        <source>Slurm did not take the job: %1</source>
-        <translation>Slurm no aceptó el trabajo: %1</translation>
-    </message>
-    <message>
         <source>The result is in %1.</source>
         <translation>El resultado está en %1.</translation>
     </message>
     <message>
         <source>The reason is in the logs in %1.</source>
         <translation>La causa está en los registros de %1.</translation>
+    </message>
+    <message>
+        <source>Slurm did not accept the job: %1</source>
+        <translation>Slurm no aceptó el trabajo: %1</translation>
     </message>
 </context>
 <context>
@@ -6984,6 +7004,34 @@
     <message>
         <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
         <translation>De cada punto al punto más cercano de la otra forma, en píxeles de la imagen tal como se calca</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Mean distance of the collage: %1 → %2.</source>
+        <translation>Distancia media del collage: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the attractor: %1 → %2.</source>
+        <translation>Distancia media del atractor: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Guarantee: %1 → %2.</source>
+        <translation>Garantía: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The distance has increased, but the overlap (IoU) has improved.</source>
+        <translation>La distancia ha aumentado, pero la solapamiento (IoU) ha mejorado.</translation>
+    </message>
+    <message>
+        <source>Nothing is guaranteed any more.</source>
+        <translation>Ya no se garantiza nada.</translation>
+    </message>
+    <message>
+        <source>The guarantee is now weaker.</source>
+        <translation>La garantía es ahora más débil.</translation>
     </message>
 </context>
 <context>
@@ -7084,12 +7132,20 @@
         <translation>Con estos pesos, las aplicaciones no contraen en promedio, así que no se garantiza nada para los tonos.</translation>
     </message>
     <message>
-        <source>What is compared with the target on the canvas</source>
-        <translation>Qué se compara con el objetivo en el lienzo</translation>
+        <source>Choose what the canvas compares with the target</source>
+        <translation>Elige qué compara el lienzo con el objetivo</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
-        <translation>Qué se compara con el objetivo: las imágenes del objetivo por las aplicaciones, o el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul.</translation>
+        <source>Compares the target with its images under the maps, or with the attractor. Agreement is grey, excess red, and missing parts blue.</source>
+        <translation>Compara el objetivo con sus imágenes por las aplicaciones, o con el atractor. Lo común en gris, lo que sobra en rojo, lo que falta en azul.</translation>
+    </message>
+    <message>
+        <source>Result of refining</source>
+        <translation>Resultado del afinado</translation>
+    </message>
+    <message>
+        <source>What the last refinement has made of the distance and of the guarantee</source>
+        <translation>Qué ha hecho el último afinado con la distancia y la garantía</translation>
     </message>
 </context>
 <context>
@@ -7571,10 +7627,6 @@
         <translation>Tiempo</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>Camino</translation>
-    </message>
-    <message>
         <source>First handle:</source>
         <translation>Primer tirador:</translation>
     </message>
@@ -7585,6 +7637,10 @@
     <message>
         <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Una fracción de 0 a 1. Una curva demasiado empinada se aplana.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
     </message>
 </context>
 <context>
@@ -8274,10 +8330,6 @@
         <translation>Se hacen copias cada vez más pequeñas hasta que ningún píxel de este tamaño pueda notar la diferencia, o hasta que los programas tarden mucho en dibujarlas.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
-        <translation>Precisión garantizada: %2 px. Referencias: %1 (el límite es %3).</translation>
-    </message>
-    <message>
         <source> More levels would be more accurate, but programs would take long to draw them.</source>
         <translation> Con más niveles sería más preciso, pero los programas tardarían mucho en dibujarlo.</translation>
     </message>
@@ -8340,6 +8392,30 @@
     <message>
         <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo. Las vistas guardadas también están en la lista.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
+        <translation>Precisión garantizada: %2 px. Los programas que abren el archivo dibujan %1 copias (el límite es %3).</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 son %3 millones de píxeles. Dibujarlos puede llevar horas, y el archivo puede ocupar hasta %4.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Memoria necesaria: unos %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Imagen muy grande</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Esta imagen es muy grande.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>&amp;Exportar de todos modos</translation>
     </message>
 </context>
 <context>
@@ -9359,10 +9435,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Aparece junto a la imagen; una línea vacía empieza un párrafo</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the selected step</source>
-        <translation>Reproducir la lección en toda la pantalla desde el paso elegido</translation>
-    </message>
-    <message>
         <source>Save the lesson in the same folder as its fractals</source>
         <translation>Guardar la lección junto al archivo de sus fractales</translation>
     </message>
@@ -9390,6 +9462,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Una lección es una lista de pasos. Cada uno tiene un texto y el estado de la ventana que le corresponde: la entrada, lo que se ve de ella, la herramienta, los colores y los contornos.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Reproducir la lección en toda la pantalla, desde el paso que eligió o desde el principio</translation>
     </message>
 </context>
 <context>
@@ -9464,14 +9540,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Interviene</translation>
     </message>
     <message>
-        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
-        <translation>Justo después de la aplicación %1, la aplicación %2 se usa con su peso multiplicado por %3.</translation>
-    </message>
-    <message>
-        <source>Just after map %1, map %2 is never applied.</source>
-        <translation>Justo después de la aplicación %1 no se usa nunca la aplicación %2.</translation>
-    </message>
-    <message>
         <source>From map %1 to map %2: %3</source>
         <translation>De la aplicación %1 a la aplicación %2: %3</translation>
     </message>
@@ -9509,6 +9577,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Ends: every sequence from here stops</source>
         <translation>Termina: toda sucesión desde aquí se detiene</translation>
+    </message>
+    <message>
+        <source>Directly after map %1, map %2 has %3 times its weight.</source>
+        <translation>Justo después de la aplicación %1, la aplicación %2 se usa con su peso multiplicado por %3.</translation>
+    </message>
+    <message>
+        <source>Map %2 is never applied directly after map %1.</source>
+        <translation>Justo después de la aplicación %1 no se usa nunca la aplicación %2.</translation>
     </message>
 </context>
 <context>
@@ -9610,6 +9686,18 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %1</source>
         <translation>Aplicación %1</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Restablecer el orden</translation>
+    </message>
+    <message>
+        <source>Reset Order: puts the maps back in the order of their numbers</source>
+        <translation>Restablecer el orden: vuelve a poner las aplicaciones en el orden de sus números</translation>
+    </message>
+    <message>
+        <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
+        <translation>Vuelve a poner las aplicaciones en el orden de sus números, que es el del panel Aplicaciones: la aplicación 1 queda encima. Es un solo paso que se puede deshacer.</translation>
     </message>
 </context>
 <context>
@@ -10203,14 +10291,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Pegar %1 aplicaciones</translation>
     </message>
     <message>
-        <source>Maps added: %1.</source>
-        <translation>Aplicaciones añadidas: %1.</translation>
-    </message>
-    <message>
-        <source>The selected maps were replaced; maps pasted: %1.</source>
-        <translation>Se sustituyeron las aplicaciones seleccionadas; aplicaciones pegadas: %1.</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Incorporar la jaula al código</translation>
     </message>
@@ -10325,6 +10405,20 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Solo la aplicación %1, de %2 seleccionadas    %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n aplicación añadida.</numerusform>
+            <numerusform>%n aplicaciones añadidas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Se reemplazaron las aplicaciones seleccionadas; %n aplicación pegada.</numerusform>
+            <numerusform>Se reemplazaron las aplicaciones seleccionadas; %n aplicaciones pegadas.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11037,6 +11131,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Turning &amp;solids:</source>
         <translation>Giro de &amp;sólidos:</translation>
+    </message>
+    <message>
+        <source>Restart &amp;Now</source>
+        <translation>Reiniciar &amp;ahora</translation>
+    </message>
+    <message>
+        <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
+        <translation>Cierra todas las ventanas, pregunta antes por los cambios sin guardar y vuelve a abrir los mismos archivos en el nuevo idioma.</translation>
     </message>
 </context>
 <context>
@@ -11854,6 +11956,11 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Added to the file as the entry “%1”.</source>
         <translation>Añadida al archivo como la entrada «%1».</translation>
+    </message>
+    <message>
+        <source>%1 of “%2”</source>
+        <comment>snapshot, entry</comment>
+        <translation>%1 de «%2»</translation>
     </message>
 </context>
 <context>
@@ -12786,6 +12893,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>%1, reduced to %2 × %3 pixels</source>
         <translation>%1, reducida a %2 × %3 píxeles</translation>
     </message>
+    <message>
+        <source>The target is not saved with the file. It is kept while the file is open.</source>
+        <translation>El objetivo no se guarda con el archivo. Se conserva mientras el archivo está abierto.</translation>
+    </message>
 </context>
 <context>
     <name>view::TargetPreview</name>
@@ -13208,12 +13319,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Haga clic en los tres vértices del triángulo nuevo.  Retroceso quita el último punto  ·  Esc cancela</translation>
     </message>
     <message>
-        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Arrastre un vértice del tetraedro.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
-    </message>
-    <message>
         <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
         <translation>Haga clic en los cuatro vértices del nuevo tetraedro, el cuarto delante de los demás.  La rueda lo aleja  ·  arrastrar con el botón derecho gira la vista  ·  Retroceso quita el último punto  ·  Esc cancela</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Arrastre un vértice o una cara de la jaula.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
+    </message>
+    <message>
+        <source>Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Haga clic en un vértice de una aplicación para seleccionarla y arrastre sus vértices o su centro.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
     </message>
 </context>
 <context>
@@ -13665,8 +13780,28 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Superponer</translation>
     </message>
     <message>
-        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
-        <translation>Muestra la pareja semitransparente sobre el fractal, donde está en el mismo plano</translation>
+        <source>Show the partner half transparent over the fractal, in the same coordinates</source>
+        <translation>Muestra la pareja semitransparente sobre el fractal, en las mismas coordenadas</translation>
+    </message>
+    <message>
+        <source>Embed in the File</source>
+        <translation>Incrustar en el archivo</translation>
+    </message>
+    <message>
+        <source>Store the picture itself with the entry, not only its path</source>
+        <translation>Guardar con la entrada la imagen misma, no solo su ruta</translation>
+    </message>
+    <message>
+        <source>Stores the picture itself with the entry, so that the file shows it wherever it goes. A picture of more than 128 KB is stored smaller. Otherwise only its path is stored.</source>
+        <translation>Guarda con la entrada la imagen misma, de modo que el archivo la muestra vaya donde vaya. Una imagen de más de 128 KB se guarda reducida. Si no, solo se guarda su ruta.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Restablecer el orden</translation>
+    </message>
+    <message>
+        <source>Put the maps back in the order of their numbers</source>
+        <translation>Volver a poner las aplicaciones en el orden de sus números</translation>
     </message>
 </context>
 <context>
@@ -13686,10 +13821,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Choose Picture</source>
         <translation>Elegir imagen</translation>
-    </message>
-    <message>
-        <source>Reorder Tops</source>
-        <translation>Reordenar las de encima</translation>
     </message>
     <message>
         <source>Divide Words</source>
@@ -13714,6 +13845,22 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
         <translation>Los puntos de dos fractales que tienen la misma dirección se corresponden. Así se traslada a este fractal una imagen del compañero.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Restablecer el orden</translation>
+    </message>
+    <message>
+        <source>Reorder Overlapping Maps</source>
+        <translation>Reordenar las de encima</translation>
+    </message>
+    <message>
+        <source>Do Not Embed Picture</source>
+        <translation>No incrustar imagen</translation>
+    </message>
+    <message>
+        <source>Embed Picture</source>
+        <translation>Incrustar imagen</translation>
     </message>
 </context>
 <context>

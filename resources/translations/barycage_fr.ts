@@ -213,10 +213,6 @@
         <translation>inconnu : l’erreur serait plus grande</translation>
     </message>
     <message>
-        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
-        <translation>Un ensemble compact auquel mène, pas à pas, tout ensemble compact de départ. Un système en a un exactement si ses applications contractent dans une norme.</translation>
-    </message>
-    <message>
         <source>(of the attractor: its pieces are disjoint)</source>
         <translation>(de l’attracteur : ses morceaux sont disjoints)</translation>
     </message>
@@ -253,10 +249,6 @@
         <translation>Connexité</translation>
     </message>
     <message>
-        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
-        <translation>Un attracteur est connexe exactement si des points communs relient ses morceaux (Hata). Les points communs sont cherchés parmi les points fixes de mots courts ; leur absence est prouvée par des recouvrements disjoints.</translation>
-    </message>
-    <message>
         <source>connected</source>
         <translation>connexe</translation>
     </message>
@@ -279,10 +271,6 @@
     <message>
         <source>Joint spectral radius</source>
         <translation>Rayon spectral joint</translation>
-    </message>
-    <message>
-        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
-        <translation>Le plus grand facteur par application dont les longs mots étirent. Les deux bornes de l’intervalle sont prouvées ; un système contracte dans une norme exactement s’il est inférieur à 1.</translation>
     </message>
     <message>
         <source>Entropy</source>
@@ -390,10 +378,6 @@
         <translation>Volume de l’enveloppe</translation>
     </message>
     <message>
-        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
-        <translation>Volume de l’enveloppe calculée, dont les sommets sont des points de l’attracteur. L’enveloppe convexe exacte est plus grande d’au plus l’erreur.</translation>
-    </message>
-    <message>
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
@@ -424,6 +408,22 @@
     <message>
         <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 avec les rapports de ces applications, ceux qui sont égaux étant regroupés. Sa solution est la dimension de similitude.</translation>
+    </message>
+    <message>
+        <source>A compact set to which the iterates of every compact set converge. A system has one if and only if its maps contract in some norm.</source>
+        <translation>Un ensemble compact auquel mène, pas à pas, tout ensemble compact de départ. Un système en a un si et seulement si ses applications contractent dans une norme.</translation>
+    </message>
+    <message>
+        <source>An attractor is connected if and only if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Un attracteur est connexe si et seulement si des points communs relient ses morceaux (Hata). Les points communs sont cherchés parmi les points fixes de mots courts ; leur absence est prouvée par des recouvrements disjoints.</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm if and only if it is less than 1.</source>
+        <translation>Le plus grand facteur par application dont les longs mots étirent. Les deux bornes de l’intervalle sont prouvées ; un système contracte dans une norme si et seulement s’il est inférieur à 1.</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
+        <translation>Volume de l’enveloppe calculée, dont les sommets sont des points de l’attracteur. L’enveloppe convexe exacte est plus grande d’au plus l’erreur.</translation>
     </message>
 </context>
 <context>
@@ -2166,10 +2166,6 @@
         <translation>&amp;Jouer la leçon</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen</source>
-        <translation>Jouer la leçon sur tout l’écran</translation>
-    </message>
-    <message>
         <source>&amp;Next Step</source>
         <translation>Étape &amp;suivante</translation>
     </message>
@@ -2236,10 +2232,6 @@
     <message>
         <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
         <translation>Une leçon ne peut pas désigner un fichier nommé «&#x202f;%1&#x202f;». Enregistrez les fractales sous un nom sans : * ? &quot; &lt; &gt; | d’abord.</translation>
-    </message>
-    <message>
-        <source>Save Lesson</source>
-        <translation>Enregistrer la leçon</translation>
     </message>
     <message>
         <source>Lessons (*.lesson)</source>
@@ -2501,6 +2493,30 @@
         <source>Make distant parts look smaller (5 on the keypad)</source>
         <translation>Montrer plus petites les parties éloignées (5 sur le pavé numérique)</translation>
     </message>
+    <message>
+        <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
+        <translation>Les instantanés ne sont pas enregistrés avec le fichier et seront perdus : %1. Pour en garder un, annulez et choisissez « Ajouter comme entrée » dans le panneau Instantanés.</translation>
+    </message>
+    <message>
+        <source>The target in the Collage panel is not saved with the file.</source>
+        <translation>La cible du panneau « Collage » n’est pas enregistrée avec le fichier.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Jouer la leçon sur tout l’écran, à partir de l’étape choisie ou du début</translation>
+    </message>
+    <message>
+        <source>Save Lesson in the Folder of “%1”</source>
+        <translation>Enregistrer la leçon dans le dossier de « %1 »</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Abandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2531,6 +2547,10 @@
     <message>
         <source>“%1” is too large a number.</source>
         <translation>«&#x202f;%1&#x202f;» est un nombre trop grand.</translation>
+    </message>
+    <message>
+        <source>“%1” has no finite value.</source>
+        <translation>« %1 » n’a pas de valeur finie.</translation>
     </message>
 </context>
 <context>
@@ -3943,10 +3963,6 @@
         <translation>les mots %1 et %2 sont la même application</translation>
     </message>
     <message>
-        <source>the words %1 and %2 are the same map to rounding</source>
-        <translation>les mots %1 et %2 sont la même application à l’arrondi près</translation>
-    </message>
-    <message>
         <source>joint spectral radius</source>
         <translation>rayon spectral joint</translation>
     </message>
@@ -4323,18 +4339,6 @@
         <translation>« %1 » a %2 applications actives et « %3 » en a %4. Il en faut autant des deux côtés.</translation>
     </message>
     <message>
-        <source>Continuous: the pieces do not touch</source>
-        <translation>Continue : les parties ne se touchent pas</translation>
-    </message>
-    <message>
-        <source>Continuous to %1 or better, worst at (%2, %3)</source>
-        <translation>Continue à %1 près ou mieux, au pire en (%2, %3)</translation>
-    </message>
-    <message>
-        <source>Continuous to %1, worst at (%2, %3)</source>
-        <translation>Continue à %1 près, au pire en (%2, %3)</translation>
-    </message>
-    <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
         <translation>« %1 » a %2 applications ; avec une symétrie de %3 éléments, il y en aurait plus de %4, ce qui est la limite.</translation>
     </message>
@@ -4535,34 +4539,6 @@
         <translation>Date :</translation>
     </message>
     <message>
-        <source>A homeomorphism, as is proved</source>
-        <translation>Homéomorphisme, c’est démontré</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism</source>
-        <translation>Ce n’est pas un homéomorphisme</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
-        <translation>Ce n’est pas un homéomorphisme&#x202f;: au retour, déchirure de %1, au pire en %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better</source>
-        <translation>Homéomorphisme à %1 près ou mieux</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1</source>
-        <translation>Homéomorphisme à %1 près</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
-        <translation>Homéomorphisme à %1 près ou mieux, au retour au pire en %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1, worst on the way back at %2</source>
-        <translation>Homéomorphisme à %1 près, au retour au pire en %2</translation>
-    </message>
-    <message>
         <source>part of map %1</source>
         <translation>partie de l’application %1</translation>
     </message>
@@ -4577,6 +4553,46 @@
     <message>
         <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
         <translation>L’image enregistre ses pixels d’une manière qui ne peut pas être lue. Enregistrez-la en PNG.</translation>
+    </message>
+    <message>
+        <source>Too many maps to bound the jumps</source>
+        <translation>Trop d’applications pour majorer les sauts</translation>
+    </message>
+    <message>
+        <source>Proved continuous: the pieces do not touch</source>
+        <translation>Continuité démontrée : les parties ne se touchent pas</translation>
+    </message>
+    <message>
+        <source>Proved so far: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Démontré jusqu’ici : aucun saut entre parties ne dépasse %1 (%2 % du partenaire), au pire près de %3</translation>
+    </message>
+    <message>
+        <source>Proved: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Démontré : aucun saut entre parties ne dépasse %1 (%2 % du partenaire), au pire près de %3</translation>
+    </message>
+    <message>
+        <source>Proved to be a homeomorphism</source>
+        <translation>Homéomorphisme, c’est démontré</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism</source>
+        <translation>Ce n’est pas un homéomorphisme, c’est démontré</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism</source>
+        <translation>On ne sait pas si c’est un homéomorphisme</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>Ce n’est pas un homéomorphisme, c’est démontré ; au retour, aucun saut ne dépasse %1 (%2 % de cette fractale), au pire près de %3</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>On ne sait pas si c’est un homéomorphisme ; au retour, aucun saut ne dépasse %1 (%2 % de cette fractale), au pire près de %3</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map within rounding error</source>
+        <translation>les mots %1 et %2 sont la même application à l’arrondi près</translation>
     </message>
 </context>
 <context>
@@ -4667,7 +4683,7 @@
     </message>
     <message>
         <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Une application contractante laisse exactement un point à sa place : son point fixe. Désactivez toutes les applications sauf deux avec les yeux à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
+        <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les yeux à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
     </message>
 </context>
 <context>
@@ -5443,10 +5459,6 @@
         <translation>&amp;Tâches sur une grappe :</translation>
     </message>
     <message>
-        <source>What will be written</source>
-        <translation>Ce qui sera écrit</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Résultat</translation>
     </message>
@@ -5576,6 +5588,10 @@
     <message>
         <source>&amp;Continue</source>
         <translation>&amp;Continuer</translation>
+    </message>
+    <message>
+        <source>Summary of the export</source>
+        <translation>Résumé de l’exportation</translation>
     </message>
 </context>
 <context>
@@ -5797,6 +5813,10 @@
     <message>
         <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
         <translation>À l’image %1, il n’y a pas d’attracteur. Affaiblissez les mouvements ou posez-y une clé.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
+        <translation>À l’image %1, il n’y a pas d’attracteur. Posez-y une clé ou modifiez les clés voisines.</translation>
     </message>
 </context>
 <context>
@@ -6878,16 +6898,16 @@
         <translation>Le script s’est terminé sans rien soumettre.</translation>
     </message>
     <message>
-        <source>Slurm did not take the job: %1</source>
-        <translation>Slurm n’a pas accepté le travail : %1</translation>
-    </message>
-    <message>
         <source>The result is in %1.</source>
         <translation>Le résultat est dans %1.</translation>
     </message>
     <message>
         <source>The reason is in the logs in %1.</source>
         <translation>La raison est dans les journaux de %1.</translation>
+    </message>
+    <message>
+        <source>Slurm did not accept the job: %1</source>
+        <translation>Slurm n’a pas accepté le travail : %1</translation>
     </message>
 </context>
 <context>
@@ -6984,6 +7004,34 @@
     <message>
         <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
         <translation>De chaque point au point le plus proche de l’autre forme, en pixels de l’image telle qu’elle est tracée</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Mean distance of the collage: %1 → %2.</source>
+        <translation>Distance moyenne du collage : %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the attractor: %1 → %2.</source>
+        <translation>Distance moyenne de l’attracteur : %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Guarantee: %1 → %2.</source>
+        <translation>Garantie : %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The distance has increased, but the overlap (IoU) has improved.</source>
+        <translation>La distance a augmenté, mais le recouvrement (IoU) s’est amélioré.</translation>
+    </message>
+    <message>
+        <source>Nothing is guaranteed any more.</source>
+        <translation>Plus rien n’est garanti.</translation>
+    </message>
+    <message>
+        <source>The guarantee is now weaker.</source>
+        <translation>La garantie est maintenant plus faible.</translation>
     </message>
 </context>
 <context>
@@ -7084,12 +7132,20 @@
         <translation>Avec ces poids, les applications ne sont pas contractantes en moyenne ; rien n’est donc garanti pour les nuances.</translation>
     </message>
     <message>
-        <source>What is compared with the target on the canvas</source>
-        <translation>Ce qui est comparé à la cible sur le canevas</translation>
+        <source>Choose what the canvas compares with the target</source>
+        <translation>Choisir ce que le canevas compare à la cible</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
-        <translation>Ce qui est comparé à la cible : les images de la cible par les applications, ou l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu.</translation>
+        <source>Compares the target with its images under the maps, or with the attractor. Agreement is grey, excess red, and missing parts blue.</source>
+        <translation>Compare la cible à ses images par les applications, ou à l’attracteur. Le commun en gris, l’excédent en rouge, le manque en bleu.</translation>
+    </message>
+    <message>
+        <source>Result of refining</source>
+        <translation>Résultat de l’affinage</translation>
+    </message>
+    <message>
+        <source>What the last refinement has made of the distance and of the guarantee</source>
+        <translation>Ce que le dernier affinage a fait de la distance et de la garantie</translation>
     </message>
 </context>
 <context>
@@ -7571,10 +7627,6 @@
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>Chemin</translation>
-    </message>
-    <message>
         <source>First handle:</source>
         <translation>Première poignée :</translation>
     </message>
@@ -7585,6 +7637,10 @@
     <message>
         <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Une fraction de 0 à 1. Une courbe trop raide est aplatie.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
     </message>
 </context>
 <context>
@@ -8274,10 +8330,6 @@
         <translation>Les copies sont réduites jusqu’à ce qu’aucun pixel de cette taille ne puisse montrer la différence, ou que les logiciels mettent longtemps à les dessiner.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
-        <translation>Précision garantie : %2 px. Références : %1 (la limite est %3).</translation>
-    </message>
-    <message>
         <source> More levels would be more accurate, but programs would take long to draw them.</source>
         <translation> Plus de niveaux seraient plus précis, mais les programmes mettraient longtemps à les dessiner.</translation>
     </message>
@@ -8340,6 +8392,30 @@
     <message>
         <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
+        <translation>Précision garantie : %2 px. Les programmes qui ouvrent le fichier dessinent %1 copies (la limite est %3).</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 font %3 millions de pixels. Les dessiner peut prendre des heures, et le fichier peut occuper jusqu’à %4.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Mémoire nécessaire : environ %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Très grande image</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Cette image est très grande.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>&amp;Exporter quand même</translation>
     </message>
 </context>
 <context>
@@ -9359,10 +9435,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Affiché à côté de l’image&#x202f;; une ligne vide commence un paragraphe</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the selected step</source>
-        <translation>Jouer la leçon sur tout l’écran à partir de l’étape choisie</translation>
-    </message>
-    <message>
         <source>Save the lesson in the same folder as its fractals</source>
         <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
     </message>
@@ -9390,6 +9462,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Une leçon est une liste d’étapes. Chacune a un texte et l’état de la fenêtre qui lui correspond : l’entrée, ce qu’on en voit, l’outil, les couleurs et les contours.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Jouer la leçon sur tout l’écran, à partir de l’étape choisie ou du début</translation>
     </message>
 </context>
 <context>
@@ -9464,14 +9540,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Participe</translation>
     </message>
     <message>
-        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
-        <translation>Juste après l’application %1, l’application %2 est appliquée avec son poids multiplié par %3.</translation>
-    </message>
-    <message>
-        <source>Just after map %1, map %2 is never applied.</source>
-        <translation>Juste après l’application %1, l’application %2 n’est jamais appliquée.</translation>
-    </message>
-    <message>
         <source>From map %1 to map %2: %3</source>
         <translation>De l’application %1 à l’application %2&#x202f;: %3</translation>
     </message>
@@ -9509,6 +9577,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Ends: every sequence from here stops</source>
         <translation>S’arrête : toute suite à partir d’ici prend fin</translation>
+    </message>
+    <message>
+        <source>Directly after map %1, map %2 has %3 times its weight.</source>
+        <translation>Juste après l’application %1, l’application %2 est appliquée avec son poids multiplié par %3.</translation>
+    </message>
+    <message>
+        <source>Map %2 is never applied directly after map %1.</source>
+        <translation>Juste après l’application %1, l’application %2 n’est jamais appliquée.</translation>
     </message>
 </context>
 <context>
@@ -9610,6 +9686,18 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %1</source>
         <translation>Application %1</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Réinitialiser l’ordre</translation>
+    </message>
+    <message>
+        <source>Reset Order: puts the maps back in the order of their numbers</source>
+        <translation>Réinitialiser l’ordre : remet les applications dans l’ordre de leurs numéros</translation>
+    </message>
+    <message>
+        <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
+        <translation>Remet les applications dans l’ordre de leurs numéros, celui du panneau Applications : l’application 1 est au-dessus. C’est une seule étape, que vous pouvez annuler.</translation>
     </message>
 </context>
 <context>
@@ -10203,14 +10291,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Coller %1 applications</translation>
     </message>
     <message>
-        <source>Maps added: %1.</source>
-        <translation>Applications ajoutées&#x202f;: %1.</translation>
-    </message>
-    <message>
-        <source>The selected maps were replaced; maps pasted: %1.</source>
-        <translation>Les applications sélectionnées ont été remplacées&#x202f;; applications collées&#x202f;: %1.</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Intégrer la cage au code</translation>
     </message>
@@ -10325,6 +10405,20 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Application %1 seule, sur %2 sélectionnées    %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n application ajoutée.</numerusform>
+            <numerusform>%n applications ajoutées.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Les applications sélectionnées ont été remplacées ; %n application collée.</numerusform>
+            <numerusform>Les applications sélectionnées ont été remplacées ; %n applications collées.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11037,6 +11131,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Turning &amp;solids:</source>
         <translation>Rotation des &amp;solides :</translation>
+    </message>
+    <message>
+        <source>Restart &amp;Now</source>
+        <translation>Redémarrer &amp;maintenant</translation>
+    </message>
+    <message>
+        <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
+        <translation>Ferme toutes les fenêtres, demande d’abord que faire des modifications non enregistrées et rouvre les mêmes fichiers dans la nouvelle langue.</translation>
     </message>
 </context>
 <context>
@@ -11854,6 +11956,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Added to the file as the entry “%1”.</source>
         <translation>Ajouté au fichier sous l’entrée « %1 ».</translation>
+    </message>
+    <message>
+        <source>%1 of “%2”</source>
+        <comment>snapshot, entry</comment>
+        <translation>%1 de « %2 »</translation>
     </message>
 </context>
 <context>
@@ -12786,6 +12893,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>%1, reduced to %2 × %3 pixels</source>
         <translation>%1, réduite à %2 × %3 pixels</translation>
     </message>
+    <message>
+        <source>The target is not saved with the file. It is kept while the file is open.</source>
+        <translation>La cible n’est pas enregistrée avec le fichier. Elle est conservée tant que le fichier est ouvert.</translation>
+    </message>
 </context>
 <context>
     <name>view::TargetPreview</name>
@@ -13208,12 +13319,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Cliquez sur les trois coins du nouveau triangle.  Retour arrière retire le dernier point  ·  Échap annule</translation>
     </message>
     <message>
-        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Faites glisser un coin du tétraèdre.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
-    </message>
-    <message>
         <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
         <translation>Cliquez les quatre sommets du nouveau tétraèdre, le quatrième devant les autres.  La molette l’éloigne  ·  glisser à droite tourne la vue  ·  Retour arrière supprime le dernier point  ·  Échap annule</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Faites glisser un coin ou une face de la cage.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
+    </message>
+    <message>
+        <source>Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Cliquez sur un coin d’une application pour la sélectionner, puis faites glisser ses coins ou son milieu.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
     </message>
 </context>
 <context>
@@ -13665,8 +13780,28 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Superposer</translation>
     </message>
     <message>
-        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
-        <translation>Afficher le partenaire à demi transparent par-dessus la fractale, là où il se trouve dans le même plan</translation>
+        <source>Show the partner half transparent over the fractal, in the same coordinates</source>
+        <translation>Afficher le partenaire à demi transparent par-dessus la fractale, dans les mêmes coordonnées</translation>
+    </message>
+    <message>
+        <source>Embed in the File</source>
+        <translation>Incorporer au fichier</translation>
+    </message>
+    <message>
+        <source>Store the picture itself with the entry, not only its path</source>
+        <translation>Enregistrer avec l’entrée l’image elle-même, pas seulement son chemin</translation>
+    </message>
+    <message>
+        <source>Stores the picture itself with the entry, so that the file shows it wherever it goes. A picture of more than 128 KB is stored smaller. Otherwise only its path is stored.</source>
+        <translation>Enregistre avec l’entrée l’image elle-même, pour que le fichier la montre où qu’il aille. Une image de plus de 128 Ko est enregistrée en plus petit. Sinon, seul son chemin est enregistré.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Réinitialiser l’ordre</translation>
+    </message>
+    <message>
+        <source>Put the maps back in the order of their numbers</source>
+        <translation>Remettre les applications dans l’ordre de leurs numéros</translation>
     </message>
 </context>
 <context>
@@ -13686,10 +13821,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Choose Picture</source>
         <translation>Choisir une image</translation>
-    </message>
-    <message>
-        <source>Reorder Tops</source>
-        <translation>Réordonner les applications</translation>
     </message>
     <message>
         <source>Divide Words</source>
@@ -13714,6 +13845,22 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
         <translation>Les points de deux fractales qui ont la même adresse se correspondent. Une image posée sur le partenaire est ainsi reportée sur cette fractale.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Réinitialiser l’ordre</translation>
+    </message>
+    <message>
+        <source>Reorder Overlapping Maps</source>
+        <translation>Réordonner les applications</translation>
+    </message>
+    <message>
+        <source>Do Not Embed Picture</source>
+        <translation>Ne pas incorporer l’image</translation>
+    </message>
+    <message>
+        <source>Embed Picture</source>
+        <translation>Incorporer l’image</translation>
     </message>
 </context>
 <context>

@@ -214,10 +214,6 @@
         <translation>непознато: грешката би била поголема</translation>
     </message>
     <message>
-        <source>A compact set to which the iterates of every compact set converge. A system has one exactly if its maps contract in some norm.</source>
-        <translation>Компактно множество до кое чекор по чекор води секое компактно почетно множество. Систем го има точно ако неговите пресликувања контрахираат во некоја норма.</translation>
-    </message>
-    <message>
         <source>(of the attractor: its pieces are disjoint)</source>
         <translation>(на атракторот: неговите делови се дисјунктни)</translation>
     </message>
@@ -254,10 +250,6 @@
         <translation>Сврзаност</translation>
     </message>
     <message>
-        <source>An attractor is connected exactly if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
-        <translation>Атрактор е сврзан точно ако заеднички точки ги поврзуваат неговите делови (Хата). Заедничките точки се бараат меѓу неподвижните точки на кратки зборови, а дека ги нема се докажува со дисјунктни покривки.</translation>
-    </message>
-    <message>
         <source>connected</source>
         <translation>сврзан</translation>
     </message>
@@ -280,10 +272,6 @@
     <message>
         <source>Joint spectral radius</source>
         <translation>Заеднички спектрален радиус</translation>
-    </message>
-    <message>
-        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm exactly if it is less than 1.</source>
-        <translation>Најголемиот фактор по пресликување со кој растегнуваат долгите зборови. Двата краја на интервалот се докажани; систем контрахира во некоја норма точно ако е помал од 1.</translation>
     </message>
     <message>
         <source>Entropy</source>
@@ -391,10 +379,6 @@
         <translation>Волумен на обвивката</translation>
     </message>
     <message>
-        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by the error at most.</source>
-        <translation>Волумен на пресметаната обвивка, чии темиња се точки од атракторот. Точната конвексна обвивка е поголема најмногу за грешката.</translation>
-    </message>
-    <message>
         <source>The attractor extends at most this far beyond the polyhedron; certified.</source>
         <translation>Атракторот излегува од полиедарот најмногу за толку; докажано.</translation>
     </message>
@@ -425,6 +409,22 @@
     <message>
         <source>Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the similarity dimension.</source>
         <translation>Σ sᵢᴰ = 1 со коефициентите на овие пресликувања, еднаквите земени заедно. Нејзиното решение е димензијата на сличност.</translation>
+    </message>
+    <message>
+        <source>A compact set to which the iterates of every compact set converge. A system has one if and only if its maps contract in some norm.</source>
+        <translation>Компактно множество до кое чекор по чекор води секое компактно почетно множество. Систем го има ако и само ако неговите пресликувања контрахираат во некоја норма.</translation>
+    </message>
+    <message>
+        <source>An attractor is connected if and only if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
+        <translation>Атрактор е сврзан ако и само ако заеднички точки ги поврзуваат неговите делови (Хата). Заедничките точки се бараат меѓу неподвижните точки на кратки зборови, а дека ги нема се докажува со дисјунктни покривки.</translation>
+    </message>
+    <message>
+        <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm if and only if it is less than 1.</source>
+        <translation>Најголемиот фактор по пресликување со кој растегнуваат долгите зборови. Двата краја на интервалот се докажани; систем контрахира во некоја норма ако и само ако е помал од 1.</translation>
+    </message>
+    <message>
+        <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
+        <translation>Волумен на пресметаната обвивка, чии темиња се точки од атракторот. Точната конвексна обвивка е поголема најмногу за грешката.</translation>
     </message>
 </context>
 <context>
@@ -2174,10 +2174,6 @@
         <translation>&amp;Пушти ја лекцијата</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen</source>
-        <translation>Пушти ја лекцијата на целиот екран</translation>
-    </message>
-    <message>
         <source>&amp;Next Step</source>
         <translation>&amp;Следен чекор</translation>
     </message>
@@ -2244,10 +2240,6 @@
     <message>
         <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
         <translation>Лекција не може да упати на датотека со име „%1“. Прво зачувајте ги фракталите под име без : * ? &quot; &lt; &gt; |.</translation>
-    </message>
-    <message>
-        <source>Save Lesson</source>
-        <translation>Зачувај ја лекцијата</translation>
     </message>
     <message>
         <source>Lessons (*.lesson)</source>
@@ -2509,6 +2501,30 @@
         <source>Make distant parts look smaller (5 on the keypad)</source>
         <translation>Подалечните делови се прикажуваат помали (5 на нумеричката тастатура)</translation>
     </message>
+    <message>
+        <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
+        <translation>Снимките не се зачувуваат со датотеката и ќе се изгубат: %1. За да задржите некоја, откажете и изберете „Додај како запис“ во таблата „Снимки“.</translation>
+    </message>
+    <message>
+        <source>The target in the Collage panel is not saved with the file.</source>
+        <translation>Целта во панелот „Колаж“ не се зачувува со датотеката.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Пушти ја лекцијата на целиот екран, од избраниот чекор или од почеток</translation>
+    </message>
+    <message>
+        <source>Save Lesson in the Folder of “%1”</source>
+        <translation>Зачувај ја лекцијата во папката на „%1“</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Отфрли</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;ткажи</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2539,6 +2555,10 @@
     <message>
         <source>“%1” is too large a number.</source>
         <translation>„%1“ е преголем број.</translation>
+    </message>
+    <message>
+        <source>“%1” has no finite value.</source>
+        <translation>„%1“ нема конечна вредност.</translation>
     </message>
 </context>
 <context>
@@ -3952,10 +3972,6 @@
         <translation>зборовите %1 и %2 се исто пресликување</translation>
     </message>
     <message>
-        <source>the words %1 and %2 are the same map to rounding</source>
-        <translation>зборовите %1 и %2 се исто пресликување до заокружување</translation>
-    </message>
-    <message>
         <source>joint spectral radius</source>
         <translation>заеднички спектрален радиус</translation>
     </message>
@@ -4332,18 +4348,6 @@
         <translation>„%1“ има %2 активни пресликувања, а „%3“ има %4. Треба да имаат еднаков број.</translation>
     </message>
     <message>
-        <source>Continuous: the pieces do not touch</source>
-        <translation>Непрекината: деловите не се допираат</translation>
-    </message>
-    <message>
-        <source>Continuous to %1 or better, worst at (%2, %3)</source>
-        <translation>Непрекината до %1 или подобро, најлошо во (%2, %3)</translation>
-    </message>
-    <message>
-        <source>Continuous to %1, worst at (%2, %3)</source>
-        <translation>Непрекината до %1, најлошо во (%2, %3)</translation>
-    </message>
-    <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
         <translation>„%1“ има %2 пресликувања; со симетрија од %3 елементи би биле повеќе од %4, а тоа е границата.</translation>
     </message>
@@ -4544,34 +4548,6 @@
         <translation>Датум:</translation>
     </message>
     <message>
-        <source>A homeomorphism, as is proved</source>
-        <translation>Хомеоморфизам, докажано</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism</source>
-        <translation>Не е хомеоморфизам</translation>
-    </message>
-    <message>
-        <source>Not a homeomorphism: torn by %1 on the way back, worst at %2</source>
-        <translation>Не е хомеоморфизам: назад се кине за %1, најлошо во %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better</source>
-        <translation>Хомеоморфизам до %1 или подобро</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1</source>
-        <translation>Хомеоморфизам до %1</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1 or better, worst on the way back at %2</source>
-        <translation>Хомеоморфизам до %1 или подобро, назад најлошо во %2</translation>
-    </message>
-    <message>
-        <source>Homeomorphism to %1, worst on the way back at %2</source>
-        <translation>Хомеоморфизам до %1, назад најлошо во %2</translation>
-    </message>
-    <message>
         <source>part of map %1</source>
         <translation>дел од пресликувањето %1</translation>
     </message>
@@ -4586,6 +4562,46 @@
     <message>
         <source>The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.</source>
         <translation>Сликата ги чува пикселите на начин што не може да се прочита. Зачувајте ја како PNG-слика.</translation>
+    </message>
+    <message>
+        <source>Too many maps to bound the jumps</source>
+        <translation>Премногу пресликувања за да се ограничат скоковите</translation>
+    </message>
+    <message>
+        <source>Proved continuous: the pieces do not touch</source>
+        <translation>Докажано непрекината: деловите не се допираат</translation>
+    </message>
+    <message>
+        <source>Proved so far: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Досега докажано: ниеден скок меѓу деловите не е поголем од %1 (%2 % од партнерот), најлошо кај %3</translation>
+    </message>
+    <message>
+        <source>Proved: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
+        <translation>Докажано: ниеден скок меѓу деловите не е поголем од %1 (%2 % од партнерот), најлошо кај %3</translation>
+    </message>
+    <message>
+        <source>Proved to be a homeomorphism</source>
+        <translation>Докажано хомеоморфизам</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism</source>
+        <translation>Докажано не е хомеоморфизам</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism</source>
+        <translation>Не е познато дали е хомеоморфизам</translation>
+    </message>
+    <message>
+        <source>Proved not to be a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>Докажано не е хомеоморфизам; назад ниеден скок не е поголем од %1 (%2 % од овој фрактал), најлошо кај %3</translation>
+    </message>
+    <message>
+        <source>Not known whether it is a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
+        <translation>Не е познато дали е хомеоморфизам; назад ниеден скок не е поголем од %1 (%2 % од овој фрактал), најлошо кај %3</translation>
+    </message>
+    <message>
+        <source>the words %1 and %2 are the same map within rounding error</source>
+        <translation>зборовите %1 и %2 се исто пресликување до заокружување</translation>
     </message>
 </context>
 <context>
@@ -5455,10 +5471,6 @@
         <translation>Задачи на &amp;кластер:</translation>
     </message>
     <message>
-        <source>What will be written</source>
-        <translation>Што ќе се запише</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Резултат</translation>
     </message>
@@ -5589,6 +5601,10 @@
     <message>
         <source>&amp;Continue</source>
         <translation>&amp;Продолжи</translation>
+    </message>
+    <message>
+        <source>Summary of the export</source>
+        <translation>Преглед на извозот</translation>
     </message>
 </context>
 <context>
@@ -5810,6 +5826,10 @@
     <message>
         <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
         <translation>Кај слика %1 нема атрактор. Ослабете ги движењата или поставете клуч таму.</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
+        <translation>Кај слика %1 нема атрактор. Поставете клуч таму или сменете ги соседните клучеви.</translation>
     </message>
 </context>
 <context>
@@ -6892,16 +6912,16 @@
         <translation>Скриптата заврши без да поднесе ништо.</translation>
     </message>
     <message>
-        <source>Slurm did not take the job: %1</source>
-        <translation>Slurm не ја прифати задачата: %1</translation>
-    </message>
-    <message>
         <source>The result is in %1.</source>
         <translation>Резултатот е во %1.</translation>
     </message>
     <message>
         <source>The reason is in the logs in %1.</source>
         <translation>Причината е во дневниците во %1.</translation>
+    </message>
+    <message>
+        <source>Slurm did not accept the job: %1</source>
+        <translation>Slurm не ја прифати задачата: %1</translation>
     </message>
 </context>
 <context>
@@ -6998,6 +7018,34 @@
     <message>
         <source>From each point to the nearest point of the other shape, in pixels of the picture as it is traced</source>
         <translation>Од секоја точка до најблиската точка на другата форма, во пиксели на сликата како што се исцртува</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нема</translation>
+    </message>
+    <message>
+        <source>Mean distance of the collage: %1 → %2.</source>
+        <translation>Средно растојание на колажот: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the attractor: %1 → %2.</source>
+        <translation>Средно растојание на атракторот: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Guarantee: %1 → %2.</source>
+        <translation>Гаранција: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The distance has increased, but the overlap (IoU) has improved.</source>
+        <translation>Растојанието се зголеми, но преклопот (IoU) се подобри.</translation>
+    </message>
+    <message>
+        <source>Nothing is guaranteed any more.</source>
+        <translation>Веќе ништо не е гарантирано.</translation>
+    </message>
+    <message>
+        <source>The guarantee is now weaker.</source>
+        <translation>Гаранцијата сега е послаба.</translation>
     </message>
 </context>
 <context>
@@ -7099,12 +7147,20 @@
         <translation>Со овие тежини, пресликувањата во просек не собираат, па за нијансите ништо не е гарантирано.</translation>
     </message>
     <message>
-        <source>What is compared with the target on the canvas</source>
-        <translation>Што се споредува со целта на платното</translation>
+        <source>Choose what the canvas compares with the target</source>
+        <translation>Избери што споредува платното со целта</translation>
     </message>
     <message>
-        <source>What is compared with the target: the images of the target under the maps, or the attractor. Agreement is grey, excess red, and what is missing blue.</source>
-        <translation>Што се споредува со целта: сликите на целта под пресликувањата, или атракторот. Заедничкото е сиво, вишокот црвен, недостигот син.</translation>
+        <source>Compares the target with its images under the maps, or with the attractor. Agreement is grey, excess red, and missing parts blue.</source>
+        <translation>Ја споредува целта со нејзините слики под пресликувањата, или со атракторот. Заедничкото е сиво, вишокот црвен, недостигот син.</translation>
+    </message>
+    <message>
+        <source>Result of refining</source>
+        <translation>Резултат од дотерувањето</translation>
+    </message>
+    <message>
+        <source>What the last refinement has made of the distance and of the guarantee</source>
+        <translation>Што направи последното дотерување со растојанието и со гаранцијата</translation>
     </message>
 </context>
 <context>
@@ -7586,10 +7642,6 @@
         <translation>Време</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>Пат</translation>
-    </message>
-    <message>
         <source>First handle:</source>
         <translation>Прва рачка:</translation>
     </message>
@@ -7600,6 +7652,10 @@
     <message>
         <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
         <translation>Дел од 0 до 1. Престрмна крива се израмнува.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Напредок</translation>
     </message>
 </context>
 <context>
@@ -8296,10 +8352,6 @@
         <translation>Копиите се смалуваат сѐ додека ниеден пиксел со оваа големина не може да ја забележи разликата или додека на програмите не им треба долго да ги нацртаат.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. References: %1 (the limit is %3).</source>
-        <translation>Гарантирана точност: %2 px. Референци: %1 (границата е %3).</translation>
-    </message>
-    <message>
         <source> More levels would be more accurate, but programs would take long to draw them.</source>
         <translation> Со повеќе нивоа би било поточно, но програмите долго би цртале.</translation>
     </message>
@@ -8362,6 +8414,30 @@
     <message>
         <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
         <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното. Во листата се и зачуваните погледи.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
+        <translation>Гарантирана точност: %2 px. Програмите што ја отвораат датотеката цртаат %1 копии (границата е %3).</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 се %3 милиони пиксели. Цртањето може да трае со часови, а датотеката може да зафати до %4.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Потребна меморија: околу %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Многу голема слика</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Оваа слика е многу голема.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>&amp;Сепак извези</translation>
     </message>
 </context>
 <context>
@@ -9384,10 +9460,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Стои до сликата; празен ред почнува нов пасус</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the selected step</source>
-        <translation>Пушти ја лекцијата на целиот екран од избраниот чекор</translation>
-    </message>
-    <message>
         <source>Save the lesson in the same folder as its fractals</source>
         <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
     </message>
@@ -9415,6 +9487,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
         <translation>%1. Лекцијата е список од чекори. Секој има текст и состојба на прозорецот што му припаѓа: записот, што се гледа од него, алатката, боите и контурите.</translation>
+    </message>
+    <message>
+        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
+        <translation>Пушти ја лекцијата на целиот екран, од избраниот чекор или од почеток</translation>
     </message>
 </context>
 <context>
@@ -9489,14 +9565,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Учествува</translation>
     </message>
     <message>
-        <source>Just after map %1, map %2 is applied with its weight times %3.</source>
-        <translation>Веднаш по пресликувањето %1, пресликувањето %2 се применува со својата тежина помножена со %3.</translation>
-    </message>
-    <message>
-        <source>Just after map %1, map %2 is never applied.</source>
-        <translation>Веднаш по пресликувањето %1, пресликувањето %2 никогаш не се применува.</translation>
-    </message>
-    <message>
         <source>From map %1 to map %2: %3</source>
         <translation>Од пресликувањето %1 до пресликувањето %2: %3</translation>
     </message>
@@ -9535,6 +9603,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Ends: every sequence from here stops</source>
         <translation>Завршува: секоја низа оттука запира</translation>
+    </message>
+    <message>
+        <source>Directly after map %1, map %2 has %3 times its weight.</source>
+        <translation>Веднаш по пресликувањето %1, пресликувањето %2 се применува со својата тежина помножена со %3.</translation>
+    </message>
+    <message>
+        <source>Map %2 is never applied directly after map %1.</source>
+        <translation>Веднаш по пресликувањето %1, пресликувањето %2 никогаш не се применува.</translation>
     </message>
 </context>
 <context>
@@ -9636,6 +9712,18 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Map %1</source>
         <translation>Пресликување %1</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Врати го редоследот</translation>
+    </message>
+    <message>
+        <source>Reset Order: puts the maps back in the order of their numbers</source>
+        <translation>Врати го редоследот: ги подредува пресликувањата повторно по нивните броеви</translation>
+    </message>
+    <message>
+        <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
+        <translation>Ги подредува пресликувањата повторно по нивните броеви, како во панелот „Пресликувања“: пресликувањето 1 е најгоре. Тоа е еден чекор што може да се врати.</translation>
     </message>
 </context>
 <context>
@@ -10229,14 +10317,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Вметнување на %1 пресликувања</translation>
     </message>
     <message>
-        <source>Maps added: %1.</source>
-        <translation>Додадени пресликувања: %1.</translation>
-    </message>
-    <message>
-        <source>The selected maps were replaced; maps pasted: %1.</source>
-        <translation>Избраните пресликувања се заменети; вметнати пресликувања: %1.</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Впишување на кафезот во кодот</translation>
     </message>
@@ -10351,6 +10431,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Само пресликувањето %1, од избрани %2    %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>Додадено %n пресликување.</numerusform>
+            <numerusform>Додадени %n пресликувања.</numerusform>
+            <numerusform>Додадени %n пресликувања.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Избраните пресликувања се заменети; вметнато %n пресликување.</numerusform>
+            <numerusform>Избраните пресликувања се заменети; вметнати %n пресликувања.</numerusform>
+            <numerusform>Избраните пресликувања се заменети; вметнати %n пресликувања.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11063,6 +11159,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Turning &amp;solids:</source>
         <translation>Вртење на &amp;телата:</translation>
+    </message>
+    <message>
+        <source>Restart &amp;Now</source>
+        <translation>Стартувај повторно се&amp;га</translation>
+    </message>
+    <message>
+        <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
+        <translation>Ги затвора сите прозорци, претходно прашува за незачуваните промени и повторно ги отвора истите датотеки на новиот јазик.</translation>
     </message>
 </context>
 <context>
@@ -11881,6 +11985,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Added to the file as the entry “%1”.</source>
         <translation>Додадена во датотеката како запис „%1“.</translation>
+    </message>
+    <message>
+        <source>%1 of “%2”</source>
+        <comment>snapshot, entry</comment>
+        <translation>%1 од „%2“</translation>
     </message>
 </context>
 <context>
@@ -12814,6 +12923,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>%1, reduced to %2 × %3 pixels</source>
         <translation>%1, намалена на %2 × %3 пиксели</translation>
     </message>
+    <message>
+        <source>The target is not saved with the file. It is kept while the file is open.</source>
+        <translation>Целта не се зачувува со датотеката. Останува додека датотеката е отворена.</translation>
+    </message>
 </context>
 <context>
     <name>view::TargetPreview</name>
@@ -13238,12 +13351,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Кликни ги трите темиња на новиот триаголник.  Backspace ја брише последната точка  ·  Esc откажува</translation>
     </message>
     <message>
-        <source>Drag a corner of the tetrahedron.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Влечи теме на тетраедарот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
-    </message>
-    <message>
         <source>Click the four corners of the new tetrahedron, the fourth in front of the others.  The wheel pushes it away  ·  right-drag turns the view  ·  Backspace removes the last point  ·  Esc cancels</source>
         <translation>Кликнете ги четирите темиња на новиот тетраедар, четвртото пред другите.  Тркалцето го оддалечува  ·  влечење со десното копче го врти погледот  ·  Backspace ја отстранува последната точка  ·  Esc откажува</translation>
+    </message>
+    <message>
+        <source>Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Влечи теме или страна на кафезот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+    </message>
+    <message>
+        <source>Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Кликни на теме од пресликување за да го избереш, па влечи ги неговите темиња или средината.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
     </message>
 </context>
 <context>
@@ -13695,8 +13812,28 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Преклопи</translation>
     </message>
     <message>
-        <source>Show the partner half transparent over the fractal, where it lies in the same plane</source>
-        <translation>Прикажи го партнерот полупроѕирно врз фракталот, каде што лежи во истата рамнина</translation>
+        <source>Show the partner half transparent over the fractal, in the same coordinates</source>
+        <translation>Прикажи го партнерот полупроѕирно врз фракталот, во истите координати</translation>
+    </message>
+    <message>
+        <source>Embed in the File</source>
+        <translation>Вгради во датотеката</translation>
+    </message>
+    <message>
+        <source>Store the picture itself with the entry, not only its path</source>
+        <translation>Зачувај ја со записот самата слика, а не само нејзината патека</translation>
+    </message>
+    <message>
+        <source>Stores the picture itself with the entry, so that the file shows it wherever it goes. A picture of more than 128 KB is stored smaller. Otherwise only its path is stored.</source>
+        <translation>Ја зачувува самата слика со записот, па датотеката ја прикажува каде и да оди. Слика поголема од 128 KB се зачувува намалена. Инаку се зачувува само нејзината патека.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Врати го редоследот</translation>
+    </message>
+    <message>
+        <source>Put the maps back in the order of their numbers</source>
+        <translation>Подреди ги пресликувањата повторно по нивните броеви</translation>
     </message>
 </context>
 <context>
@@ -13716,10 +13853,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Choose Picture</source>
         <translation>Избери слика</translation>
-    </message>
-    <message>
-        <source>Reorder Tops</source>
-        <translation>Промени го редоследот</translation>
     </message>
     <message>
         <source>Divide Words</source>
@@ -13744,6 +13877,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Points of two fractals that have the same address correspond to each other. A picture on the partner is carried over to this fractal in that way.</source>
         <translation>Точките на два фрактала што имаат иста адреса си одговараат. Така слика од партнерот се пренесува на овој фрактал.</translation>
+    </message>
+    <message>
+        <source>Reset Order</source>
+        <translation>Врати го редоследот</translation>
+    </message>
+    <message>
+        <source>Reorder Overlapping Maps</source>
+        <translation>Промени го редоследот</translation>
+    </message>
+    <message>
+        <source>Do Not Embed Picture</source>
+        <translation>Не вградувај слика</translation>
+    </message>
+    <message>
+        <source>Embed Picture</source>
+        <translation>Вгради слика</translation>
     </message>
 </context>
 <context>
