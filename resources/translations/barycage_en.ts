@@ -223,16 +223,16 @@
     <name>view::MapsPanel</name>
     <message numerus="yes">
         <source>%n maps added.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n map added.</numerusform>
+            <numerusform>%n maps added.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>The selected maps were replaced; %n maps pasted.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The selected maps were replaced; %n map pasted.</numerusform>
+            <numerusform>The selected maps were replaced; %n maps pasted.</numerusform>
         </translation>
     </message>
 </context>
