@@ -391,7 +391,7 @@ private slots:
     void progressScrollsIntoView() {
         QScrollArea area;
         area.setWidgetResizable(true);
-        area.resize(360, 300);
+        area.resize(600, 300);
         area.setWidget(m_panel.get());
         area.show();
         traceLeaf();
