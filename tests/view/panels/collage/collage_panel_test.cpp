@@ -57,7 +57,11 @@ private slots:
 
     void aPictureIsTracedAndMeasured() {
         QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        const auto* note = named<QLabel>(
+            QStringLiteral("The target is not saved with the file. It is kept while the file is open."));
+        QVERIFY(note && !note->isVisible());
         traceLeaf();
+        QVERIFY(note->isVisible());
         const collage::Mask& mask = m_panel->target()->traced()->mask;
         QCOMPARE(mask.width, 160);
         QVERIFY(mask(80, 80));
