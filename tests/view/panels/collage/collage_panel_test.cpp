@@ -57,7 +57,11 @@ private slots:
 
     void aPictureIsTracedAndMeasured() {
         QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
+        const auto* note = named<QLabel>(
+            QStringLiteral("The target is not saved with the file. It is kept while the file is open."));
+        QVERIFY(note && !note->isVisible());
         traceLeaf();
+        QVERIFY(note->isVisible());
         const collage::Mask& mask = m_panel->target()->traced()->mask;
         QCOMPARE(mask.width, 160);
         QVERIFY(mask(80, 80));
@@ -391,7 +395,7 @@ private slots:
     void progressScrollsIntoView() {
         QScrollArea area;
         area.setWidgetResizable(true);
-        area.resize(360, 300);
+        area.resize(600, 300);
         area.setWidget(m_panel.get());
         area.show();
         traceLeaf();
