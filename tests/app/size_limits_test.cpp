@@ -22,11 +22,14 @@ private slots:
     void longFunctionsAreFound_data();
     void longFunctionsAreFound();
     void wideClassesAreFound();
+    void parameterListsAreShort();
+    void longParameterListsAreFound_data();
+    void longParameterListsAreFound();
 };
 
 namespace {
 
-constexpr qsizetype maxFileLines = 600, maxFunctionLines = 60, maxPublicFunctions = 30;
+constexpr qsizetype maxFileLines = 600, maxFunctionLines = 60, maxPublicFunctions = 30, maxParameters = 6;
 
 // Functions that are tables of data.
 const QStringList tables{
@@ -125,6 +128,22 @@ QStringList longFunctionsIn(const QStringList& lines) {
     for (const Block& function : functionsIn(lines))
         if (function.lines() > maxFunctionLines) heads << function.head;
     return heads;
+}
+
+// In the first parentheses of the head of a function that close again; those of a call do not, where a lambda
+// is its last argument. Commas in angle and other brackets do not count.
+qsizetype parametersIn(const QString& head) {
+    qsizetype depth = 0, angles = 0, commas = 0;
+    for (qsizetype i = head.indexOf(u'('); i >= 0 && i < head.size(); ++i) {
+        const QChar c = head[i];
+        if (c == u'(' || c == u'[' || c == u'{') ++depth;
+        if (c == u')' || c == u']' || c == u'}') --depth;
+        if (c == u'<' && head[i - 1].isLetterOrNumber()) ++angles;
+        if (c == u'>' && angles > 0) --angles;
+        if (c == u',' && depth == 1 && angles == 0) ++commas;
+        if (depth == 0) return commas + 1;
+    }
+    return 0;
 }
 
 // "Name: count" of each class that has more public functions than a reader can keep in mind.
@@ -249,6 +268,38 @@ void SizeLimitsTest::wideClassesAreFound() {
     QCOMPARE(wideClassesIn(narrow + rest), QStringList());
     QCOMPARE(wideClassesIn(wide + rest),
              QStringList{QStringLiteral("Narrow: %1").arg(maxPublicFunctions + 1)});
+}
+
+void SizeLimitsTest::parameterListsAreShort() {
+    qsizetype longest = 0;
+    for (const QString& path : allSources())
+        for (const Block& function : functionsIn(linesOf(path))) {
+            const qsizetype parameters = parametersIn(function.head);
+            longest = std::max(longest, parameters);
+            QVERIFY2(parameters <= maxParameters,
+                     qPrintable(nameOf(path) + QStringLiteral(": ") + function.head));
+        }
+    QCOMPARE(longest, maxParameters); // the test sees them
+}
+
+void SizeLimitsTest::longParameterListsAreFound_data() {
+    QTest::addColumn<QString>("head");
+    QTest::addColumn<qsizetype>("parameters");
+
+    QTest::newRow("seven") << QStringLiteral("void f(int a, int b, int c, int d, int e, int f, int g) const")
+                           << qsizetype(7);
+    QTest::newRow("types with commas")
+        << QStringLiteral("void f(std::map<QString, std::pair<int, int>>& a, int b = g(1, 2))")
+        << qsizetype(2);
+    QTest::newRow("constructor") << QStringLiteral("C::C(int a, int b, int c) : m_a(a), m_b(b, c)")
+                                 << qsizetype(3);
+    QTest::newRow("lambda") << QStringLiteral("const auto f = [&, this](int a, int b)") << qsizetype(2);
+    QTest::newRow("call") << QStringLiteral("call(a, b, c, d, e, f, g, [&](int x)") << qsizetype(0);
+}
+
+void SizeLimitsTest::longParameterListsAreFound() {
+    QFETCH(QString, head);
+    QTEST(parametersIn(head), "parameters");
 }
 
 QTEST_APPLESS_MAIN(SizeLimitsTest)
