@@ -174,17 +174,17 @@ void CliSpaceTest::aSliceKeepsWhatIsBetweenItsPlanes() {
         across += upright.isEmpty(x, 30) ? 0 : 1;
     QVERIFY(across >= 1 && across <= 3); // an infinitely thin slice is a pixel wide
     QVERIFY(depths(view + "--slice 0,0,1,-1").isEmpty(40, 30));
-    const QByteArray call = "render cube.ifs -o sliced.png --size 8x6 --slice ";
-    QVERIFY(run(call + "0,0,2,0.5").err.isEmpty());
-    QVERIFY(
-        run(call + "0,0,2,-1").err.contains("empty: along its normal, the attractor extends from 0 to 2"));
-    const Result between = run(call + "0,0,1,1.5,0.25");
-    QCOMPARE(between.status, 0);
-    QVERIFY(between.err.contains("The slice misses the attractor"));
+    const auto warnings = [&](const QByteArray& slice) {
+        return run("render cube.ifs -o sliced.png --size 8x6 --slice " + slice).err;
+    };
+    const QByteArray missed = "The slice misses the attractor";
+    QVERIFY(!warnings("0,0,2,0.5").contains(missed));
+    QVERIFY(warnings("0,0,2,-1").contains("empty: along its normal, the attractor extends from 0 to 2"));
+    QVERIFY(warnings("0,0,1,1.5,0.25").contains(missed));
     // What counts is where the cage puts it.
-    QVERIFY(run(call +
-                "0,0,1,1.5,0.25 --rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1\" --cage \"0,0,1 1,0,1 0,1,1 0,0,2\"")
-                .err.isEmpty());
+    QVERIFY(!warnings("0,0,1,1.5,0.25 --rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1\" "
+                      "--cage \"0,0,1 1,0,1 0,1,1 0,0,2\"")
+                 .contains(missed));
 }
 
 void CliSpaceTest::stereoShowsBothEyes() {
