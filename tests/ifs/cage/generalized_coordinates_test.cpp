@@ -16,7 +16,7 @@ namespace {
 
 using Polygon2 = std::vector<Vector<2>>;
 
-const Polygon2 square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Polygon2 unitSquare{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const Polygon2 pentagon{{0, 0}, {2, 0}, {3, 1}, {2, 3}, {0, 2}};
 const Polygon2 lShape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 
@@ -93,9 +93,9 @@ private slots:
         const auto meanValue = [](const Polygon2& p, double x, double y) {
             return generalizedCoordinates(Coordinates::MeanValue, p, {x, y});
         };
-        QVERIFY(difference(wachspress(square, .25, .25), {9. / 16, 3. / 16, 1. / 16, 3. / 16}) <= 1e-15);
-        QVERIFY(difference(meanValue(square, .25, .25), {0.572949016875158, 0.177050983124842,
-                                                         0.072949016875158, 0.177050983124842}) <= 1e-14);
+        QVERIFY(difference(wachspress(unitSquare, .25, .25), {9. / 16, 3. / 16, 1. / 16, 3. / 16}) <= 1e-15);
+        QVERIFY(difference(meanValue(unitSquare, .25, .25), {0.572949016875158, 0.177050983124842,
+                                                             0.072949016875158, 0.177050983124842}) <= 1e-14);
         QVERIFY(difference(wachspress(pentagon, 1, 1), {24. / 71, 12. / 71, 9. / 71, 10. / 71, 16. / 71}) <=
                 1e-15);
         QVERIFY(
@@ -200,7 +200,7 @@ private slots:
 
     void neverNaN() {
         const double huge = 1e150;
-        const std::vector<Polygon2> polygons{square,
+        const std::vector<Polygon2> polygons{unitSquare,
                                              lShape,
                                              {{0, 0}, {1, 0}, {2, 0}, {3, 0}},
                                              {{1, 1}, {1, 1}, {1, 1}, {1, 1}},
@@ -229,7 +229,7 @@ private slots:
     }
 
     void polygonsAreTold() {
-        QVERIFY(isSimplePolygon(square) && isStrictlyConvex(square));
+        QVERIFY(isSimplePolygon(unitSquare) && isStrictlyConvex(unitSquare));
         QVERIFY(isSimplePolygon(lShape) && !isStrictlyConvex(lShape));
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));         // crosses itself
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {2, 0}, {1, 0}, {1, 1}}));         // folds back
@@ -237,7 +237,7 @@ private slots:
         QVERIFY(!isSimplePolygon(Polygon2{{0, 0}, {1, 0}}));
         const Polygon2 withStraightCorner{{0, 0}, {1, 0}, {2, 0}, {1, 2}};
         QVERIFY(isSimplePolygon(withStraightCorner) && !isStrictlyConvex(withStraightCorner));
-        Polygon2 clockwise(square.rbegin(), square.rend());
+        Polygon2 clockwise(unitSquare.rbegin(), unitSquare.rend());
         QVERIFY(isStrictlyConvex(clockwise));
         QCOMPARE(signedArea(clockwise), -1.0);
     }
@@ -300,9 +300,9 @@ private slots:
     }
 
     void leastSquares() {
-        Polygon2 to = square;
+        Polygon2 to = unitSquare;
         to[2] = {2, 2};
-        const AffineMap<2> fit = affineFit<2>(square, to);
+        const AffineMap<2> fit = affineFit<2>(unitSquare, to);
         QVERIFY((fit.linear - affineMap(1.5, .5, .5, 1.5, 0, 0).linear).norm() <= 1e-12);
         QVERIFY((fit.translation - Vector<2>(-.25, -.25)).norm() <= 1e-12);
         // The normal equations, and three points are reached exactly.
