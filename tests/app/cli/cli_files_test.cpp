@@ -440,7 +440,7 @@ void CliFilesTest::standardOutputLeavesNothingAnywhere() {
     process.setProcessEnvironment(environment);
     start(process, "render systems.ifs -o - --to png --size 300x300 --points 1e15 --progress always");
     process.setReadChannel(QProcess::StandardError);
-    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 60'000);
     QVERIFY(temporary.isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
     process.kill();
     QVERIFY(process.waitForFinished(30'000));

@@ -245,7 +245,7 @@ void CliMannersTest::signalsHaveTheirStatus() {
     QProcess process;
     start(process, arguments);
     process.setReadChannel(QProcess::StandardError);
-    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 60'000);
     QVERIFY(process.state() == QProcess::Running && process.processId() > 0);
     QCOMPARE(::kill(pid_t(process.processId()), signal), 0);
     QVERIFY(process.waitForFinished(30'000));

@@ -359,7 +359,7 @@ void CliTest::interruptLeavesNothing() {
     start(process, "render systems.ifs -o never.png --points 1000000000000 --progress always");
     QVERIFY(process.waitForStarted());
     process.setReadChannel(QProcess::StandardError);
-    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 60'000);
     process.terminate();
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(process.exitCode(), 143);
@@ -381,7 +381,7 @@ void CliTest::interruptEndsWaiting() {
     QProcess process;
     start(process, arguments);
     QVERIFY(process.waitForStarted());
-    QTRY_VERIFY_WITH_TIMEOUT(mindsSignals(process), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(mindsSignals(process), 60'000);
     process.terminate();
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
@@ -404,7 +404,7 @@ void CliTest::whateverEndsItLeavesNothing() {
     QProcess process;
     start(process, "render systems.ifs -o never.png --points 1000000000000 --progress always");
     process.setReadChannel(QProcess::StandardError);
-    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 60'000);
     QCOMPARE(::kill(pid_t(process.processId()), signal), 0);
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(files(), before);

@@ -483,7 +483,7 @@ void CliVideoTest::anInterruptLeavesNothing() {
     QProcess process;
     start(process, "animate wind.ifs -o a/v.webm --size 640x480 --points 1e12 --progress always");
     process.setReadChannel(QProcess::StandardError);
-    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(process.waitForReadyRead(100) || process.bytesAvailable() > 0, 60'000);
     QVERIFY(process.state() == QProcess::Running && process.processId() > 0);
     QCOMPARE(::kill(pid_t(process.processId()), SIGINT), 0);
     QVERIFY(process.waitForFinished(30'000));

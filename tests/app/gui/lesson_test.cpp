@@ -238,7 +238,7 @@ void LessonTest::theTextCoversNothing() {
     };
     QTRY_VERIFY(canvas()->width() + card()->width() <= m_window->width());
     QVERIFY(!global(card()).intersects(global(canvas())));
-    QTRY_COMPARE_WITH_TIMEOUT(card()->height() > m_window->height() * 9 / 10, true, 5000);
+    QTRY_COMPARE_WITH_TIMEOUT(card()->height() > m_window->height() * 9 / 10, true, 60'000);
     QVERIFY(canvas()->width() > m_window->width() / 2);
     // A step may show panels; the next one need not.
     document::LessonState state = notebook()->lesson().steps[0].state;
@@ -344,7 +344,7 @@ void LessonTest::unsavedStepsAreRecovered() {
     QVERIFY(m_window->openPath(path));
     action(u"Add Step"_s)->trigger();
     notebook()->setText(u"Keep me."_s);
-    QTRY_VERIFY_WITH_TIMEOUT(kept().lesson.contains("Keep me."), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(kept().lesson.contains("Keep me."), 60'000);
     const document::Snapshot snapshot = kept();
     QCOMPARE(snapshot.path, path);
     notebook()->history()->setClean();

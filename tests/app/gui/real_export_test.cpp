@@ -70,7 +70,7 @@ void RealExportTest::exportsPng() {
     const QString name = fractal().name;
     exportAs(*dialog, folder() + u'/' + name + QStringLiteral(".png"));
     const QString path = folder() + u'/' + name + QStringLiteral(".png");
-    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 60'000);
     const QImage image(path);
     QCOMPARE(image.size(), canvas().viewport()->size());
     const io::Collection read = io::readCollection(io::loadFile(path).bytes);
@@ -97,7 +97,7 @@ void RealExportTest::exportsShapes() {
     const QString path =
         folder() + u'/' + fractal().name + u'.' + QString::fromLatin1(QTest::currentDataTag());
     exportAs(*dialog, path);
-    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isWritten(*dialog, path), 60'000);
     const QByteArray bytes = io::loadFile(path).bytes;
     if (path.endsWith(QLatin1String("svg"))) {
         const io::Collection read = io::readCollection(bytes);

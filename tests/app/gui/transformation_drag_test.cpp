@@ -31,15 +31,15 @@ void TransformationDragTest::draggingAMapIsLiveAndOneStep() {
     trigger(QStringLiteral("Triangle Family"));
     const auto* transformation = m_window->findChild<view::TransformationView*>();
     view::CanvasView* canvas = m_window->findChild<Stage*>()->plane();
-    QTRY_VERIFY_WITH_TIMEOUT(transformation->isPainted(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(transformation->isPainted(), 60'000);
     canvas->setTool(view::CanvasView::Tool::Maps);
     document::Document& document = m_window->document();
     const document::Fractal before = document.fractal();
     const int steps = document.undoStack()->count();
     QWidget* target = canvas->viewport();
-    QTRY_VERIFY_WITH_TIMEOUT(!canvas->canvas().frames().empty(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(!canvas->canvas().frames().empty(), 60'000);
     const QPoint from = canvas->canvas().positionOf({Kind::Vertex, 0, 0}).toPoint(); // of the first map
-    QTRY_VERIFY_WITH_TIMEOUT(!canvas->picture().isNull(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(!canvas->picture().isNull(), 60'000);
     const QImage still = canvas->picture();
     QTest::mousePress(target, Qt::LeftButton, {}, from);
     for (int k = 1; k <= 12; ++k) {
@@ -48,7 +48,7 @@ void TransformationDragTest::draggingAMapIsLiveAndOneStep() {
         QCoreApplication::sendEvent(target, &move);
         QCoreApplication::processEvents();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(canvas->picture() != still, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(canvas->picture() != still, 60'000);
     QVERIFY(document.fractal() != before);
     QCOMPARE(document.undoStack()->count(), steps);
     QTest::mouseRelease(target, Qt::LeftButton, {}, from + QPoint(48, -36));

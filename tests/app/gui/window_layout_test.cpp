@@ -575,7 +575,7 @@ void WindowLayoutTest::theTimelineIsRemembered() {
         timeline->setVisible(shows);
         isWanted = shows;
         window->close();
-        QTRY_VERIFY_WITH_TIMEOUT(windows().isEmpty(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(windows().isEmpty(), 60'000);
     }
 }
 

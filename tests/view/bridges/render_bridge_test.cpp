@@ -38,7 +38,7 @@ private slots:
         QTest::qWait(50);
         QVERIFY(!bridge.frame());
         bridge.setCamera(camera());
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QCOMPARE(bridge.frame()->camera, camera());
     }
 
@@ -46,7 +46,7 @@ private slots:
         Document document;
         RenderBridge bridge(&document);
         bridge.setCamera(camera());
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QSignalSpy frames(&bridge, &RenderBridge::frameChanged);
         document::EditGesture gesture = document.beginGesture(QStringLiteral("Move"));
         const document::Fractal before = gesture.before();
@@ -58,7 +58,7 @@ private slots:
         }
         QVERIFY(frames.count() >= 5);
         gesture.commit();
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QVERIFY(bridge.liveSamples() >= 1'000'000);
         QVERIFY(bridge.liveSamples() <= 10'000'000);
     }
@@ -67,16 +67,16 @@ private slots:
         Document document;
         RenderBridge bridge(&document);
         bridge.setCamera(camera());
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         const attractor::Exposure first = bridge.frame()->exposure;
         document.edit(QStringLiteral("Move"), placed(document.fractal(), {0.3, 0.2}));
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QCOMPARE(bridge.frame()->exposure.whitePoint, first.whitePoint);
         QCOMPARE(bridge.frame()->exposure.gain, first.gain);
         document::Fractal other = document.fractal();
         document::system2(other)->maps[0].map.linear *= 0.3;
         document.edit(QStringLiteral("Shrink"), other);
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QVERIFY(bridge.frame()->exposure.whitePoint != first.whitePoint);
     }
 
@@ -85,7 +85,7 @@ private slots:
         RenderBridge bridge(&document);
         bridge.setQuality(25'000'000);
         bridge.setCamera(camera());
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent() && bridge.frame()->samples >= 25'000'000, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent() && bridge.frame()->samples >= 25'000'000, 60'000);
         QVERIFY(bridge.frame()->passes > 1);
     }
 
@@ -93,13 +93,13 @@ private slots:
         Document document;
         RenderBridge bridge(&document);
         bridge.setCamera(camera());
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         document::Fractal space = document.fractal();
         space.shape = document::Shape<3>();
         document.edit(QStringLiteral("Go to space"), space);
         QVERIFY(!bridge.frame());
         document.undoStack()->undo();
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.frame() && bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.frame() && bridge.isCurrent(), 60'000);
     }
 };
 

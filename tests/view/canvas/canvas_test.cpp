@@ -210,7 +210,7 @@ private slots:
             return m_bridge->isCurrent() && m_bridge->frame()->samples >= 1'000'000 &&
                    m_bridge->frame()->shown == m_bridge->frame()->exposure;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 60'000);
         const document::Fractal before = m_document->fractal();
         const auto wanted = m_bridge->frame()->pixels;
         const QPointF start = m_canvas->canvas().positionOf({Kind::Vertex, 2});
@@ -222,7 +222,7 @@ private slots:
         move(start);
         release(start);
         QVERIFY(m_document->fractal() == before);
-        QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 60'000);
         QVERIFY(m_bridge->frame()->pixels == wanted);
     }
 
@@ -484,19 +484,19 @@ private slots:
         document::Fractal fractal = m_document->fractal();
         document::system2(fractal)->maps[1].map.linear *= 3;
         m_document->edit(QStringLiteral("Enlarge"), fractal);
-        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("map 2")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("map 2")), 60'000);
         QVERIFY(m_canvas->note().contains(QStringLiteral("1.5")));
         m_document->undoStack()->undo();
-        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().isEmpty(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().isEmpty(), 60'000);
         fractal = m_document->fractal();
         for (auto& map : document::system2(fractal)->maps)
             map.weight = 0;
         m_document->edit(QStringLiteral("Weigh nothing"), fractal);
-        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("positive weight")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("positive weight")), 60'000);
         for (auto& map : document::system2(fractal)->maps)
             map.enabled = false;
         m_document->edit(QStringLiteral("Switch off"), fractal);
-        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("switch one on")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("switch one on")), 60'000);
     }
 
     void actionsKeepThePicture() {

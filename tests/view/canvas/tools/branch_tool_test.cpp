@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
         const auto images = view::addressWalk(m_document->fractal(), {1, 2});
         QCOMPARE(images.size(), std::size_t{2});
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         // No event comes between the two: the picture is the same.
         const QImage with = m_canvas->viewport()->grab().toImage();
         walk->setVisible(false);

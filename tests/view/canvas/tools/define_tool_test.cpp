@@ -16,7 +16,7 @@ private slots:
 
     void threeClicksDefineTheTriangle() {
         drag(vertex(2), {40, 10});
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         const ifs::AffineMap<2> display = ifs::displayMap<2>(*document::plane(m_document->fractal())->cage);
         QSignalSpy changed(m_canvas.get(), &CanvasView::toolChanged);
         m_canvas->setTool(CanvasView::Tool::DefineTriangle);

@@ -67,7 +67,7 @@ private slots:
         const QPointF start(3, 3);
         const ifs::MapId first = system().maps[0].id;
         click(middle(0));
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         const QImage before = m_canvas->grab().toImage();
         press(start, Qt::ShiftModifier);
         move({60, 50}, Qt::ShiftModifier);
@@ -89,7 +89,7 @@ private slots:
     // The first map of the triangle has a corner in common with the cage.
     void theHintDoesNotHideTheVertex() {
         m_canvas->setTool(CanvasView::Tool::Cage);
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         const auto grabbed = [this] { return m_canvas->viewport()->grab().toImage(); };
         m_canvas->selectMaps({});
         const QImage without = grabbed();
@@ -147,11 +147,11 @@ private slots:
 
     // The picture in the middle of a drag is as full as any: it is the same renderer's.
     void theAttractorFollows() {
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         const auto before = m_bridge->frame()->pixels;
         press(middle(2));
         move(middle(2) + QPointF(30, 20));
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent() && m_bridge->frame()->samples >= 1'000'000, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent() && m_bridge->frame()->samples >= 1'000'000, 60'000);
         QVERIFY(m_bridge->frame()->pixels != before);
         release(middle(2));
     }
@@ -215,7 +215,7 @@ private slots:
         drag(corner(1, 1), {2000, 0});
         QVERIFY(verdict() == ifs::Verdict::None);
         QVERIFY(stopNote().isEmpty());
-        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("No attractor: map 2")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("No attractor: map 2")), 60'000);
         // From there on nothing stops the way back.
         m_canvas->tools().setAllowsNoAttractor(false);
         m_canvas->fit();

@@ -314,7 +314,7 @@ void AnimationExportDialogTest::theTimeLeftIsSaid() {
 void AnimationExportDialogTest::failuresAreSaid() {
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->exportTo(QStringLiteral("/nowhere/at/all.mp4"));
-    QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 60'000);
 }
 
 void AnimationExportDialogTest::whatAFormatLacksIsSaid() {
@@ -391,7 +391,7 @@ void AnimationExportDialogTest::slurmIsAskedForTheState() {
     const QStringList jobs = QDir(m_folder->path()).entryList({QStringLiteral("*-cluster")}, QDir::Dirs);
     QCOMPARE(jobs.size(), 1);
     sentence.replace(QStringLiteral("%1"), path(jobs.first()));
-    QTRY_COMPARE_WITH_TIMEOUT(m_dialog->message(), sentence, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_dialog->message(), sentence, 60'000);
     qputenv("PATH", before);
     QCOMPARE(over.size(), isOver ? 1 : 0);
 }

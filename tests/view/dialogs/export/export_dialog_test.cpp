@@ -137,8 +137,8 @@ void ExportDialogTest::previewIsWhatIsWritten() {
     dialog.exportTo(path);
     QVERIFY(exported.wait(20'000));
     const QImage written = QImage(path).convertToFormat(QImage::Format_ARGB32_Premultiplied);
-    QTRY_COMPARE_WITH_TIMEOUT(dialog.preview().picture().size(), size, 20'000);
-    QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(dialog.preview().picture().size(), size, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.preview().isBusy(), 60'000);
     QTest::qWait(200);
     const QImage shown = dialog.preview().picture();
     QCOMPARE(shown.size(), written.size());

@@ -55,7 +55,7 @@ private slots:
     void thePreviewIsWhatIsWritten() {
         m_dialog->resize(1000, 600);
         QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("preview.png")));
-        QTRY_COMPARE_WITH_TIMEOUT(m_dialog->preview().picture().size(), QSize(160, 120), 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(m_dialog->preview().picture().size(), QSize(160, 120), 60'000);
         const QImage written = QImage(path(QStringLiteral("preview.png")));
         const QImage seen = m_dialog->preview().picture().convertToFormat(QImage::Format_RGB32);
         const QImage file = written.convertToFormat(QImage::Format_RGB32);
@@ -114,7 +114,7 @@ private slots:
     void whatCannotBeWrittenSaysSo() {
         m_dialog->setFormat(SpaceExportDialog::Format::Png);
         m_dialog->exportTo(QStringLiteral("/nowhere/at/all.png"));
-        QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 60'000);
     }
 
 private:

@@ -509,7 +509,7 @@ private slots:
                     names << label->accessibleName();
             return names;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         const QStringList inThePlane = shownNames();
         QVERIFY(inThePlane.contains(QStringLiteral("Hull area")));
         document.setFile(document::fileOf(fernInSpace()));
@@ -521,7 +521,7 @@ private slots:
         panel.copyAll();
         QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("Hull volume\t24.9")));
         document.setFile(document::fileOf(maple()));
-        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QCOMPARE(shownNames(), inThePlane);
     }
 

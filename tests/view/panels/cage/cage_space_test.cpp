@@ -214,7 +214,7 @@ private slots:
         const auto maps = ifs::mapsOf(*ifs::conjugate(ifs::displayMap(cage()), solidOf(*m_document)));
         const auto simplex = ifs::minimalCanonicalSimplex(*ifs::SupportFunction<3>::of(maps), 1e-7);
         const QString leg = QStringLiteral("leg ") + view::shortNumber(simplex.leg);
-        QTRY_VERIFY2_WITH_TIMEOUT(shownText().contains(leg), qPrintable(leg + u' ' + shownText()), 20000);
+        QTRY_VERIFY2_WITH_TIMEOUT(shownText().contains(leg), qPrintable(leg + u' ' + shownText()), 60'000);
 
         for (int axis = 0; axis < 3; ++axis) {
             QVERIFY(m_panel->pointField(axis)->isVisible());

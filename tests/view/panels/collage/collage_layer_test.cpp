@@ -130,7 +130,7 @@ private slots:
     void agreementLiesInItsPlace() {
         take({ifs::affineMap(0.5, 0, 0, 0.5, 0, 0), ifs::affineMap(0.25, 0, 0, 0.25, 0.36, 0)});
         setOpacity(0);
-        QTRY_VERIFY_WITH_TIMEOUT(paintedAt({0, 0}).alpha() > 0, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(paintedAt({0, 0}).alpha() > 0, 60'000);
         const QColor both = paintedAt({0, 0}), missing = paintedAt({0, 0.3}), excess = paintedAt({0.36, 0});
         QVERIFY(std::abs(both.red() - both.blue()) < 10);
         QVERIFY(missing.alpha() > 0 && missing.blue() > missing.red() + 50);

@@ -162,11 +162,11 @@ private slots:
         const QPointF corner = at({Kind::Vertex, 1, 0});
         press(corner);
         move(corner + QPointF(-12, 18));
-        QTRY_VERIFY_WITH_TIMEOUT(number("Coverage") != before, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(number("Coverage") != before, 60'000);
         key(Qt::Key_Escape);
         release(corner);
         settle();
-        QTRY_COMPARE_WITH_TIMEOUT(number("Coverage"), before, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(number("Coverage"), before, 60'000);
     }
 
     // On cells twice as large: about the same, and the guarantee still is one.
@@ -195,7 +195,7 @@ private slots:
         takeRoughMaps();
         named<QComboBox>(QStringLiteral("Agreement"))->setCurrentIndex(2); // not shown
         settle();
-        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         const QPointF there = view::pixelOf(m_canvas->camera(), {0.0, 0.24});
         const QImage without = m_canvas->grab().toImage();
         m_canvas->setTool(CanvasView::Tool::Maps);
@@ -289,7 +289,7 @@ private slots:
             return false;
         };
         for (int row = 0; row < list->count(); ++row)
-            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(row), 30000);
+            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(row), 60'000);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
         settle();
         QCOMPARE(steps(), 1);

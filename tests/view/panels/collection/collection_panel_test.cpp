@@ -207,7 +207,7 @@ void CollectionPanelTest::asksOnlyForWhatIsSeen() {
     auto* thumbnails = panel.findChild<view::Thumbnails*>();
     QTRY_VERIFY(grid->model()->rowCount() > 100);
     QTRY_VERIFY(thumbnails->drawn() > 0);
-    QTRY_COMPARE_WITH_TIMEOUT(thumbnails->pending(), 0, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(thumbnails->pending(), 0, 60'000);
     QVERIFY2(thumbnails->drawn() < 60, qPrintable(QString::number(thumbnails->drawn())));
 }
 

@@ -296,7 +296,7 @@ private slots:
         QVERIFY(time.elapsed() < 4000);
         auto* thumbnails = m_panel->findChild<view::MapThumbnails*>();
         QTRY_VERIFY_WITH_TIMEOUT(!thumbnails->picture(19'999, m_panel->model()->idAt(19'999)).isNull(),
-                                 20000);
+                                 60'000);
     }
 
 private:
