@@ -486,7 +486,7 @@ void CliAnimateTest::wrongUsageIsRefused_data() {
     row("wind.ifs -o a/f.#.png --entry still", 1);
     row("systems.ifs -o a/f.#.png", 1);
     row("missing.ifs -o a/f.#.png", 3);
-    row("wind.ifs -o missing/f.#.png --size 8x8 --points 100", 3);
+    row("wind.ifs -o wind.ifs/f.#.png --size 8x8 --points 100", 3); // no folder can be made there
 }
 
 void CliAnimateTest::wrongUsageIsRefused() {
