@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>&amp;User Guide</source>
-        <translation>&amp;Handbuch</translation>
+        <translation>&amp;Handbuch (englisch)</translation>
     </message>
     <message>
         <source>Read the user guide</source>

@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>&amp;User Guide</source>
-        <translation>&amp;Guía del usuario</translation>
+        <translation>&amp;Guía del usuario (en inglés)</translation>
     </message>
     <message>
         <source>Read the user guide</source>

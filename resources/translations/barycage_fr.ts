@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>&amp;User Guide</source>
-        <translation>&amp;Guide d’utilisation</translation>
+        <translation>&amp;Guide d’utilisation (en anglais)</translation>
     </message>
     <message>
         <source>Read the user guide</source>

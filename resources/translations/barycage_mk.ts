@@ -1515,7 +1515,7 @@
     </message>
     <message>
         <source>&amp;User Guide</source>
-        <translation>&amp;Упатство за корисници</translation>
+        <translation>&amp;Упатство за корисници (на англиски)</translation>
     </message>
     <message>
         <source>Read the user guide</source>

@@ -165,7 +165,8 @@ void TourTest::theCardCoversNothingTheCanvasSays() {
     const auto notes = [canvas] {
         QList<QRect> boxes;
         for (const QGraphicsItem* item : canvas->scene()->items())
-            if (const auto* note = dynamic_cast<const view::NoteItem*>(item); note && !note->text().isEmpty())
+            if (const auto* note = dynamic_cast<const view::NoteItem*>(item);
+                note && note->text() == canvas->note())
                 boxes << canvas->mapFromScene(note->sceneBoundingRect()).boundingRect();
         return boxes;
     };

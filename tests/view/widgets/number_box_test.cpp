@@ -138,7 +138,11 @@ void NumberBoxTest::whatHasNoValueBringsBackTheOneBefore() {
     QCOMPARE(box.value(), 2.0);
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 2.0);
-    QCOMPARE(changed.size(), 3);
+    QList<double> values;
+    for (const QVariantList& arguments : changed)
+        if (values.isEmpty() || values.last() != arguments.first().toDouble())
+            values << arguments.first().toDouble();
+    QCOMPARE(values, (QList<double>{1, 5, 2}));
     type(box, QStringLiteral("3/0"));
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 2.0);
