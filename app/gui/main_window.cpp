@@ -502,7 +502,7 @@ void MainWindow::restoreLayout() {
     if (const QWidget* other = QApplication::activeWindow();
         other && other->geometry().topLeft() == geometry().topLeft())
         setGeometry(geometry().translated(cascade, cascade));
-    restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
+    m_isAsItWasLeft = restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 
@@ -546,7 +546,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 
 void MainWindow::showEvent(QShowEvent* event) {
     SessionWindow::showEvent(event);
-    m_room->windowShown();
+    m_room->windowShown(m_isAsItWasLeft);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

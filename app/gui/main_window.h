@@ -91,6 +91,7 @@ private:
     view::Construction* m_construction;
     Stage* m_stage;
     RoomForPicture* m_room;
+    bool m_isAsItWasLeft = false; // the layout of the panels
     view::CanvasView* m_canvas; // of the plane
     view::TimelinePanel* m_timeline;
     view::CollagePanel* m_collage;

@@ -5,12 +5,26 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QMainWindow>
+#include <QTabBar>
 
 #include <algorithm>
 
 namespace {
 
 constexpr char gaveWay[] = "gaveWay"; // a property of panels that were hidden for the picture
+constexpr double least = 0.4;         // of the window, that a layout the user made leaves to the picture
+
+// Of a panel with the names of those that share its place: the window divides its room among both.
+int widthOf(const QDockWidget* panel) {
+    int width = panel->width();
+    for (const auto* names : panel->parentWidget()->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        const QRect bar = names->geometry(), box = panel->geometry();
+        const bool isBeside = bar.left() == box.right() + 1 || bar.right() == box.left() - 1;
+        if (names->isVisible() && isBeside && bar.top() <= box.bottom() && box.top() <= bar.bottom())
+            width += bar.width();
+    }
+    return width;
+}
 
 } // namespace
 
@@ -61,7 +75,7 @@ bool RoomForPicture::showHiddenPanels() {
 
 void RoomForPicture::rememberWidths() {
     for (QDockWidget* column : columns())
-        m_widths[m_window->dockWidgetArea(column)] = column->width();
+        m_widths[m_window->dockWidgetArea(column)] = widthOf(column);
 }
 
 // While the window keeps its size, the user makes panels wider and narrower.
@@ -74,12 +88,12 @@ bool RoomForPicture::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-void RoomForPicture::windowShown() {
+void RoomForPicture::windowShown(bool isAsItWasLeft) {
     for (QDockWidget* panel : panels())
         panel->installEventFilter(this);
     if (!m_hasYielded) rememberWidths(); // it may be shown again
     if (isSmall()) hideLeftPanels();
-    divide();
+    if (!isAsItWasLeft || m_picture->width() < least * m_window->width()) divide();
     m_size = m_window->size();
 }
 
@@ -110,8 +124,8 @@ void RoomForPicture::divide() {
     double wanted = 0;
     QList<int> widths;
     for (QDockWidget* column : columns) {
-        together += column->width();
-        widths << m_widths.value(m_window->dockWidgetArea(column), column->width());
+        together += widthOf(column);
+        widths << m_widths.value(m_window->dockWidgetArea(column), widthOf(column));
         wanted += widths.last();
     }
     const double share = std::clamp((together + spare) / wanted, 0.0, 1.0);

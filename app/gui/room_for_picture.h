@@ -18,7 +18,7 @@ class RoomForPicture : public QObject {
 public:
     RoomForPicture(QMainWindow* window, const QWidget* picture);
 
-    void windowShown();
+    void windowShown(bool isAsItWasLeft); // with the layout that the user left
     void windowResized(const QSize& before);
     // However small the window is, before its layout is stored; false: none was hidden.
     bool showHiddenPanels();

@@ -19,10 +19,11 @@ QByteArray streamed(const QString& name) {
 
 } // namespace
 
-void restoreStoredLayout(QMainWindow* window, const QByteArray& state) {
+bool restoreStoredLayout(QMainWindow* window, const QByteArray& state) {
     const QString now = QStringLiteral("construction"), before = QStringLiteral("arising");
     auto* bar = window->findChild<QToolBar*>(now);
     if (bar && state.contains(streamed(before))) bar->setObjectName(before);
-    window->restoreState(state);
+    const bool isRestored = window->restoreState(state);
     if (bar) bar->setObjectName(now);
+    return isRestored;
 }

@@ -4,5 +4,6 @@
 class QByteArray;
 class QMainWindow;
 
-// Restores the panels and bars as QMainWindow::saveState() stored them, also under names of earlier versions.
-void restoreStoredLayout(QMainWindow* window, const QByteArray& state);
+// Restores the panels and bars as QMainWindow::saveState() stored them, also under names of earlier versions;
+// false: nothing is stored, or not by this program.
+bool restoreStoredLayout(QMainWindow* window, const QByteArray& state);

@@ -512,7 +512,6 @@ void WindowLayoutTest::aCageOfManyCornersIsScrolled() {
     window->document().undoStack()->setClean();
 }
 
-// At the height that it has at first.
 // A row that appears gets its height, beside its label where there is room and below it where there is not.
 void WindowLayoutTest::rowsOfASliceAppear_data() {
     QTest::addColumn<int>("width");
@@ -546,6 +545,7 @@ void WindowLayoutTest::rowsOfASliceAppear() {
     }
 }
 
+// At the height that it has at first.
 void WindowLayoutTest::theTimelineIsSeenWhole() {
     QFETCH(QString, language);
     QTranslator translator;
