@@ -47,7 +47,8 @@ QString rangesText(const std::vector<int>& numbers) {
     return ranges.join(QStringLiteral(", "));
 }
 
-FrameNotes::FrameNotes(const Input& input, const document::Fractal& entry, const std::vector<int>& frames) {
+FrameNotes::FrameNotes(const Input& input, const document::Fractal& entry, const std::vector<int>& frames)
+    : m_isInSpace(document::space(entry) != nullptr) {
     const auto lost = document::firstWithoutAttractor(entry);
     if (!lost) return;
     std::map<bool, std::vector<int>> found; // by whether it is not known
@@ -71,7 +72,7 @@ void FrameNotes::add(int frame, attractor::RenderNote note) {
 
 void FrameNotes::report(const QString& fileName) const {
     for (const auto& [note, frames] : m_frames) {
-        const QString sentence = sentenceOf(note);
+        const QString sentence = sentenceOf(note, m_isInSpace);
         if (sentence.isEmpty()) continue;
         const QString text = frames.size() > 1 ? tr("Frames %1: %2") : tr("Frame %1: %2");
         reportWarning(fileName, text.arg(rangesText(frames), sentence));

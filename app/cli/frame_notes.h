@@ -22,6 +22,7 @@ public:
     void report(const QString& fileName) const; // what has not been said yet
 
 private:
+    bool m_isInSpace;
     std::set<int> m_lost; // frames of which it has been said that they have no attractor
     std::map<attractor::RenderNote, std::vector<int>> m_frames;
 };

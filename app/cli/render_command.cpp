@@ -237,7 +237,7 @@ private:
             reportError(task.output, *outcome.failure);
             return ExitStatus::CannotReadOrWrite;
         }
-        reportNote(outcome.note, task.input->name);
+        reportNote(outcome.note, document::space(*task.entry->fractal) != nullptr, task.input->name);
         if (outcome.isCoarse)
             reportWarning(task.input->name, tr("So many pieces overlap that parts of the solid are "
                                                "missing. --look cloud shows all of it."));

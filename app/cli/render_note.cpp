@@ -15,14 +15,16 @@ QString tr(const char* text) {
 
 } // namespace
 
-QString sentenceOf(attractor::RenderNote note) {
+QString sentenceOf(attractor::RenderNote note, bool isInSpace) {
     switch (note) {
     case attractor::RenderNote::None:
     case attractor::RenderNote::NoMaps:
         return {};
     case attractor::RenderNote::NoAttractor:
-        return tr("The system has no attractor: some word of maps does not contract. "
-                  "The picture shows where points go before they escape.");
+        return isInSpace ? tr("The system has no attractor: some word of maps does not contract. No solid is "
+                              "drawn.")
+                         : tr("The system has no attractor: some word of maps does not contract. "
+                              "The picture shows where points go before they escape.");
     case attractor::RenderNote::Undecided:
         return tr("Whether the system has an attractor could not be decided.");
     case attractor::RenderNote::TooDeep:
@@ -36,8 +38,9 @@ QString sentenceOf(attractor::RenderNote note) {
     return {};
 }
 
-void reportNote(attractor::RenderNote note, const QString& fileName) {
-    if (const QString sentence = sentenceOf(note); !sentence.isEmpty()) reportWarning(fileName, sentence);
+void reportNote(attractor::RenderNote note, bool isInSpace, const QString& fileName) {
+    if (const QString sentence = sentenceOf(note, isInSpace); !sentence.isEmpty())
+        reportWarning(fileName, sentence);
 }
 
 bool hasMaps(const document::Fractal& fractal, const QString& fileName) {

@@ -9,8 +9,8 @@
 // What is said about a picture.
 namespace cli {
 
-QString sentenceOf(attractor::RenderNote note); // empty where nothing is to be said
-void reportNote(attractor::RenderNote note, const QString& fileName);
+QString sentenceOf(attractor::RenderNote note, bool isInSpace); // empty where nothing is to be said
+void reportNote(attractor::RenderNote note, bool isInSpace, const QString& fileName);
 
 // Says so when not.
 bool hasMaps(const document::Fractal& fractal, const QString& fileName);

@@ -365,7 +365,7 @@ ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArgu
         reportError(output, *outcome.failure);
         return ExitStatus::CannotReadOrWrite;
     }
-    reportNote(outcome.note, fileName);
+    reportNote(outcome.note, false, fileName);
     return ExitStatus::Done;
 }
 

@@ -33,6 +33,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     new view::Tooltips(this);
     const view::Preferences preferences = view::Preferences::stored();
     view::applyTheme(preferences.theme);
+    view::Preferences::setSpokenLanguage(preferences.language);
     speak(preferences.language);
 }
 

@@ -287,8 +287,10 @@ void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*
 bool LessonCommands::maybeSave() {
     m_player->stop();
     if (!m_notebook->isModified() || m_notebook->isEmpty()) return true;
+    const QString& title = m_notebook->lesson().title;
     switch (askToSave(m_parts.window, tr("Unsaved lesson"),
-                      tr("The lesson “%1” has unsaved changes.").arg(m_notebook->lesson().title))) {
+                      title.isEmpty() ? tr("The lesson has unsaved changes.")
+                                      : tr("The lesson “%1” has unsaved changes.").arg(title))) {
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:

@@ -2517,6 +2517,10 @@
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
     </message>
+    <message>
+        <source>The lesson has unsaved changes.</source>
+        <translation>Die Lektion hat ungespeicherte Änderungen.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6447,16 +6451,16 @@
         <translation>Keine eingeschaltete Abbildung hat ein Gewicht über 0; es gibt nichts zu zeichnen. Geben Sie einer ein Gewicht.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points fall most often.</source>
-        <translation>Dieses System hat keinen Attraktor. Das Bild zeigt, wo sich seine Punkte aufhalten.</translation>
-    </message>
-    <message>
         <source>Whether this system has an attractor is undecided.</source>
         <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor, so no solid is drawn.</source>
+        <translation>Dieses System hat keinen Attraktor, deshalb wird kein Körper gezeichnet.</translation>
     </message>
 </context>
 <context>

@@ -2517,6 +2517,10 @@
         <source>&amp;Cancel</source>
         <translation>&amp;Cancelar</translation>
     </message>
+    <message>
+        <source>The lesson has unsaved changes.</source>
+        <translation>La lección tiene cambios sin guardar.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6447,16 +6451,16 @@
         <translation>Ninguna aplicación activa tiene un peso mayor que 0, así que no hay nada que dibujar. Dé un peso a alguna.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points fall most often.</source>
-        <translation>Este sistema no tiene atractor. La imagen muestra dónde permanecen sus puntos.</translation>
-    </message>
-    <message>
         <source>Whether this system has an attractor is undecided.</source>
         <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor, so no solid is drawn.</source>
+        <translation>Este sistema no tiene atractor; por eso no se dibuja ningún sólido.</translation>
     </message>
 </context>
 <context>

@@ -2495,7 +2495,7 @@
     </message>
     <message>
         <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
-        <translation>Les instantanés ne sont pas enregistrés avec le fichier et seront perdus : %1. Pour en garder un, annulez et choisissez « Ajouter comme entrée » dans le panneau Instantanés.</translation>
+        <translation>Les instantanés ne sont pas enregistrés avec le fichier et seront perdus&#x202f;: %1. Pour en garder un, annulez et choisissez «&#x202f;Ajouter comme entrée&#x202f;» dans le panneau Instantanés.</translation>
     </message>
     <message>
         <source>The target in the Collage panel is not saved with the file.</source>
@@ -2507,7 +2507,7 @@
     </message>
     <message>
         <source>Save Lesson in the Folder of “%1”</source>
-        <translation>Enregistrer la leçon dans le dossier de « %1 »</translation>
+        <translation>Enregistrer la leçon dans le dossier de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -2516,6 +2516,10 @@
     <message>
         <source>&amp;Cancel</source>
         <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>The lesson has unsaved changes.</source>
+        <translation>La leçon a des modifications non enregistrées.</translation>
     </message>
 </context>
 <context>
@@ -2550,7 +2554,7 @@
     </message>
     <message>
         <source>“%1” has no finite value.</source>
-        <translation>« %1 » n’a pas de valeur finie.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas de valeur finie.</translation>
     </message>
 </context>
 <context>
@@ -4560,15 +4564,15 @@
     </message>
     <message>
         <source>Proved continuous: the pieces do not touch</source>
-        <translation>Continuité démontrée : les parties ne se touchent pas</translation>
+        <translation>Continuité démontrée&#x202f;: les parties ne se touchent pas</translation>
     </message>
     <message>
         <source>Proved so far: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
-        <translation>Démontré jusqu’ici : aucun saut entre parties ne dépasse %1 (%2 % du partenaire), au pire près de %3</translation>
+        <translation>Démontré jusqu’ici&#x202f;: aucun saut entre parties ne dépasse %1 (%2 % du partenaire), au pire près de %3</translation>
     </message>
     <message>
         <source>Proved: no jump between pieces exceeds %1 (%2 % of the partner), worst near %3</source>
-        <translation>Démontré : aucun saut entre parties ne dépasse %1 (%2 % du partenaire), au pire près de %3</translation>
+        <translation>Démontré&#x202f;: aucun saut entre parties ne dépasse %1 (%2 % du partenaire), au pire près de %3</translation>
     </message>
     <message>
         <source>Proved to be a homeomorphism</source>
@@ -4584,11 +4588,11 @@
     </message>
     <message>
         <source>Proved not to be a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
-        <translation>Ce n’est pas un homéomorphisme, c’est démontré ; au retour, aucun saut ne dépasse %1 (%2 % de cette fractale), au pire près de %3</translation>
+        <translation>Ce n’est pas un homéomorphisme, c’est démontré&#x202f;; au retour, aucun saut ne dépasse %1 (%2 % de cette fractale), au pire près de %3</translation>
     </message>
     <message>
         <source>Not known whether it is a homeomorphism; no jump back exceeds %1 (%2 % of this fractal), worst near %3</source>
-        <translation>On ne sait pas si c’est un homéomorphisme ; au retour, aucun saut ne dépasse %1 (%2 % de cette fractale), au pire près de %3</translation>
+        <translation>On ne sait pas si c’est un homéomorphisme&#x202f;; au retour, aucun saut ne dépasse %1 (%2 % de cette fractale), au pire près de %3</translation>
     </message>
     <message>
         <source>the words %1 and %2 are the same map within rounding error</source>
@@ -6447,16 +6451,16 @@
         <translation>Aucune application activée n’a un poids supérieur à 0&#x202f;: il n’y a rien à dessiner. Donnez un poids à l’une d’elles.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points fall most often.</source>
-        <translation>Ce système n’a pas d’attracteur. L’image montre où ses points séjournent.</translation>
-    </message>
-    <message>
         <source>Whether this system has an attractor is undecided.</source>
         <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor, so no solid is drawn.</source>
+        <translation>Ce système n’a pas d’attracteur ; aucun solide n’est donc dessiné.</translation>
     </message>
 </context>
 <context>
@@ -8395,7 +8399,7 @@
     </message>
     <message>
         <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
-        <translation>Précision garantie : %2 px. Les programmes qui ouvrent le fichier dessinent %1 copies (la limite est %3).</translation>
+        <translation>Précision garantie&#x202f;: %2 px. Les programmes qui ouvrent le fichier dessinent %1 copies (la limite est %3).</translation>
     </message>
     <message>
         <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
@@ -8403,7 +8407,7 @@
     </message>
     <message>
         <source>Memory needed: about %1.</source>
-        <translation>Mémoire nécessaire : environ %1.</translation>
+        <translation>Mémoire nécessaire&#x202f;: environ %1.</translation>
     </message>
     <message>
         <source>Very large picture</source>
@@ -9693,11 +9697,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Reset Order: puts the maps back in the order of their numbers</source>
-        <translation>Réinitialiser l’ordre : remet les applications dans l’ordre de leurs numéros</translation>
+        <translation>Réinitialiser l’ordre&#x202f;: remet les applications dans l’ordre de leurs numéros</translation>
     </message>
     <message>
         <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
-        <translation>Remet les applications dans l’ordre de leurs numéros, celui du panneau Applications : l’application 1 est au-dessus. C’est une seule étape, que vous pouvez annuler.</translation>
+        <translation>Remet les applications dans l’ordre de leurs numéros, celui du panneau Applications&#x202f;: l’application 1 est au-dessus. C’est une seule étape, que vous pouvez annuler.</translation>
     </message>
 </context>
 <context>
@@ -11960,7 +11964,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>%1 of “%2”</source>
         <comment>snapshot, entry</comment>
-        <translation>%1 de « %2 »</translation>
+        <translation>%1 de «&#x202f;%2&#x202f;»</translation>
     </message>
 </context>
 <context>

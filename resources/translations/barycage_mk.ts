@@ -2525,6 +2525,10 @@
         <source>&amp;Cancel</source>
         <translation>О&amp;ткажи</translation>
     </message>
+    <message>
+        <source>The lesson has unsaved changes.</source>
+        <translation>Лекцијата има незачувани промени.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6461,16 +6465,16 @@
         <translation>Ниедно вклучено пресликување нема тежина поголема од 0, па нема што да се црта. Дајте му тежина на некое.</translation>
     </message>
     <message>
-        <source>This system has no attractor. The picture shows where its points fall most often.</source>
-        <translation>Овој систем нема атрактор. Сликата покажува каде се задржуваат неговите точки.</translation>
-    </message>
-    <message>
         <source>Whether this system has an attractor is undecided.</source>
         <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
     <message>
         <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
         <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor, so no solid is drawn.</source>
+        <translation>Овој систем нема атрактор, па не се црта тело.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,8 @@
 #include "widgets/tooltip_text.h"
 
 #include <QAbstractItemView>
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QToolTip>
 
@@ -43,6 +45,7 @@ ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_can
         addItem(textOf(factor), factor);
     m_factors = count();
     setMinimumContentsLength(11);
+    lineEdit()->installEventFilter(this);
     setFrame(false);
     setViews({});
     connect(this, &QComboBox::activated, this, &ZoomBox::choose);
@@ -90,6 +93,22 @@ void ZoomBox::takeText() {
     m_canvas->navigation().setZoom(*typedNumber(text) / 100);
     m_canvas->setFocus();
     showZoom();
+}
+
+// Esc takes back what was typed, and so does whatever takes the focus.
+bool ZoomBox::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    const bool isEscape = isKey && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (isEscape && event->type() == QEvent::ShortcutOverride) event->accept();
+    const bool isLeft = event->type() == QEvent::FocusOut &&
+                        static_cast<const QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason;
+    if (isLeft || (isEscape && event->type() == QEvent::KeyPress)) {
+        lineEdit()->setModified(false);
+        showZoom();
+    }
+    if (!isEscape || event->type() != QEvent::KeyPress) return QComboBox::eventFilter(watched, event);
+    m_canvas->setFocus();
+    return true;
 }
 
 void ZoomBox::showProblem(const QString& reason) {

@@ -23,6 +23,9 @@ public:
 signals:
     void viewChosen(const QString& name);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void choose(int index);
     void takeText();

@@ -3,6 +3,9 @@
 
 #include "desktop/settings.h"
 
+#include <QCoreApplication>
+#include <QVariant>
+
 #include <algorithm>
 
 namespace view {
@@ -15,7 +18,18 @@ const QString qualityKey = QStringLiteral("preferences/quality");
 const QString trackballKey = QStringLiteral("preferences/trackball");
 const QString reopenKey = QStringLiteral("preferences/reopen");
 
+constexpr char spoken[] = "spokenLanguage"; // a property of the application
+
 } // namespace
+
+QString Preferences::spokenLanguage() {
+    const QVariant language = qApp->property(spoken);
+    return language.isValid() ? language.toString() : stored().language;
+}
+
+void Preferences::setSpokenLanguage(const QString& language) {
+    qApp->setProperty(spoken, language);
+}
 
 Preferences Preferences::stored() {
     Preferences found;

@@ -20,6 +20,10 @@ struct Preferences {
     static Preferences stored();
     void store() const;
 
+    // The language that the program was started in; the stored one unless it was said.
+    static QString spokenLanguage();
+    static void setSpokenLanguage(const QString& language);
+
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

@@ -45,7 +45,7 @@ void offerTurning(QComboBox* box) {
 
 PreferencesDialog::PreferencesDialog(QWidget* parent)
     : QDialog(parent),
-      m_spoken(Preferences::stored().language),
+      m_spoken(Preferences::spokenLanguage()),
       m_language(new QComboBox(this)),
       m_restart(new QLabel(tr("Restart to change the language."), this)),
       m_restartNow(new QPushButton(tr("Restart &Now"), this)),

@@ -4,7 +4,6 @@
 #include "widgets/elided_label.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/menu_button.h"
-#include "widgets/tooltip_text.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -200,7 +199,6 @@ void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
 void TransformationBar::showStatus() {
     const QString& sentence = m_problem.isEmpty() ? m_continuity : m_problem;
     m_status->setText(sentence);
-    m_status->setToolTip(tooltipText(sentence));
 }
 
 void TransformationBar::setExportable(bool exportable) {

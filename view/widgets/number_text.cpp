@@ -39,8 +39,9 @@ bool isTooLarge(const QString& text) {
     const bool isSigned = digits.startsWith('+') && !digits.startsWith("+-");
     const char* end = digits.constData() + digits.size();
     const auto result = io::fromChars(digits.constData() + (isSigned ? 1 : 0), end, value);
-    return result.ptr == end && (result.ec == std::errc::result_out_of_range ||
-                                 (result.ec == std::errc() && !io::isCoefficient(value)));
+    return result.ptr == end && !std::isnan(value) &&
+           (result.ec == std::errc::result_out_of_range ||
+            (result.ec == std::errc() && !io::isCoefficient(value)));
 }
 
 QString rangeProblem(double value, const NumberRange& range) {

@@ -21,6 +21,7 @@ private slots:
     void aCageOfMoreCornersBendsThePicture();
     void aFlatCageIsDrawn();
     void aSliceKeepsWhatIsBetweenItsPlanes();
+    void aSystemWithoutAnAttractorIsNoSolid();
     void stereoShowsBothEyes();
     void aPictureShowsWhatItsEntrySays();
     void theFirstEntryMayLieInSpace();
@@ -185,6 +186,21 @@ void CliSpaceTest::aSliceKeepsWhatIsBetweenItsPlanes() {
     QVERIFY(!warnings("0,0,1,1.5,0.25 --rest-cage \"0,0,0 1,0,0 0,1,0 0,0,1\" "
                       "--cage \"0,0,1 1,0,1 0,1,1 0,0,2\"")
                  .contains(missed));
+}
+
+// What is said of a solid that cannot be drawn is true of it.
+void CliSpaceTest::aSystemWithoutAnAttractorIsNoSolid() {
+    write("stretched.ifs",
+          "stretched (3D) {\n1.02 0 0 0 .5 0 0 0 .5 0 0 0 .5\n.5 0 0 0 .5 0 0 0 .5 1 0 0 .5\n}\n");
+    const Result result = run("render stretched.ifs -o stretched.png --size 40x30 --background black");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("No solid is drawn"), result.err);
+    QVERIFY(!result.err.contains("The picture shows"));
+    const QImage image(path("stretched.png"));
+    QCOMPARE(image.size(), QSize(40, 30));
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)
+            QCOMPARE(qGray(image.pixel(x, y)), 0);
 }
 
 void CliSpaceTest::stereoShowsBothEyes() {

@@ -8,6 +8,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QMenu>
 #include <QTableView>
@@ -25,6 +26,7 @@ private slots:
 
     void aCoefficientIsTyped();
     void aDigitBeginsToTypeAndEscapeTakesItBack();
+    void aLetterBeginsAnExpression();
     void aMapIsTurnedByNumbers();
     void ctrlZInAFieldUndoesTheDocumentOnce();
     void ctrlZInTheMiddleOfTypingTakesTheTypingBack();
@@ -78,6 +80,20 @@ void RealTableTest::aDigitBeginsToTypeAndEscapeTakesItBack() {
     hand().key("Return");
     QTRY_COMPARE(steps(), 2);
     QCOMPARE(code().maps[2].map.translation, ifs::Vector<2>(2.5, -1));
+}
+
+// S takes a snapshot elsewhere, and C chooses a tool.
+void RealTableTest::aLetterBeginsAnExpression() {
+    hand().clickAt(placeOf(1, MapsModel::D));
+    hand().type(QStringLiteral("sqrt(0.25)"));
+    hand().key("Return");
+    QTRY_COMPARE(code().maps[1].map.linear(1, 1), 0.5);
+    hand().clickAt(placeOf(1, MapsModel::A));
+    hand().type(QStringLiteral("cos(0)/2"));
+    hand().key("Return");
+    QTRY_COMPARE(code().maps[1].map.linear(0, 0), 0.5);
+    QCOMPARE(steps(), 2);
+    QVERIFY(!window().findChild<QDockWidget*>(QStringLiteral("snapshots"))->isVisible());
 }
 
 void RealTableTest::aMapIsTurnedByNumbers() {

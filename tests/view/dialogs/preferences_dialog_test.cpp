@@ -28,6 +28,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -43,6 +44,7 @@ private slots:
     void init() { support::forgetSettings(); }
     void cleanup() { view::applyTheme(Preferences::Theme::Desktop); }
     void choicesAreStoredAndTold();
+    void aLanguageThatIsNotSpokenYetIsSaid();
     void unsavedWorkIsNamedWithTheLanguage();
     void defaultsComeBack();
     void spoiltSettingsAreTakenAsDefaults();
@@ -92,6 +94,27 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     const PreferencesDialog again;
     QCOMPARE(box(again, QStringLiteral("Language"))->currentText(), QStringLiteral("Македонски"));
     QVERIFY(again.findChild<QCheckBox*>()->isChecked());
+}
+
+// Also once the dialog has been closed in between.
+void PreferencesDialogTest::aLanguageThatIsNotSpokenYetIsSaid() {
+    const auto isOffered = [] {
+        PreferencesDialog dialog;
+        dialog.show();
+        const auto buttons = dialog.findChildren<QPushButton*>();
+        return std::ranges::any_of(buttons, [](const QPushButton* button) {
+            return button->isVisible() && button->text().remove(u'&') == QStringLiteral("Restart Now");
+        });
+    };
+    const view::Preferences before = view::Preferences::stored();
+    view::Preferences::setSpokenLanguage(before.language);
+    QVERIFY(!isOffered());
+    view::Preferences chosen = before;
+    chosen.language = QStringLiteral("mk");
+    chosen.store();
+    QVERIFY(isOffered());
+    before.store();
+    QVERIFY(!isOffered());
 }
 
 void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {

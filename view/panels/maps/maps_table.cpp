@@ -62,13 +62,16 @@ bool MapsTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* even
     return QTableView::edit(index, trigger, event);
 }
 
-// A digit typed on a cell starts its edit, whatever the window does with that key.
+// What a number or an expression may begin with starts the edit of a cell, whatever the window does with that
+// key: digits, and the letters of cos, exp, ln, pi, sqrt and tan.
 bool MapsTable::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
-        if (plain && key->text().size() == 1 && QStringLiteral("0123456789+-.,").contains(key->text()))
-            event->accept();
+        const bool isNumber = currentIndex().flags() & Qt::ItemIsEditable;
+        const QString beginnings =
+            QStringLiteral("0123456789+-.,(") + (isNumber ? QStringLiteral("celpst") : QString());
+        if (plain && key->text().size() == 1 && beginnings.contains(key->text())) event->accept();
     }
     return QTableView::event(event);
 }
