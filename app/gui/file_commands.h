@@ -41,7 +41,7 @@ private:
     Answer askAboutDisk(OpenFile::OnDisk found);
     void reportOpened();
     void reportSaved();
-    QString targetRemark() const; // about the target of a collage, if there is one
+    QString targetRemark() const;  // about the target of a collage, if there is one
     QString lostSnapshots() const; // a sentence; empty: none
 
     MenuContext m_context;

@@ -92,7 +92,7 @@ private:
     Stage* m_stage;
     RoomForPicture* m_room;
     bool m_isAsItWasLeft = false; // the layout of the panels
-    view::CanvasView* m_canvas; // of the plane
+    view::CanvasView* m_canvas;   // of the plane
     view::TimelinePanel* m_timeline;
     view::CollagePanel* m_collage;
     StatusLine* m_status;
