@@ -6459,8 +6459,8 @@
         <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
     </message>
     <message>
-        <source>This system has no attractor, so no solid is drawn.</source>
-        <translation>Dieses System hat keinen Attraktor, deshalb wird kein Körper gezeichnet.</translation>
+        <source>This system has no attractor, so the picture may be incomplete or empty.</source>
+        <translation>Dieses System hat keinen Attraktor, deshalb kann das Bild unvollständig oder leer sein.</translation>
     </message>
 </context>
 <context>

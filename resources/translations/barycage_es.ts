@@ -6459,8 +6459,8 @@
         <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
     </message>
     <message>
-        <source>This system has no attractor, so no solid is drawn.</source>
-        <translation>Este sistema no tiene atractor; por eso no se dibuja ningún sólido.</translation>
+        <source>This system has no attractor, so the picture may be incomplete or empty.</source>
+        <translation>Este sistema no tiene atractor, por lo que la imagen puede estar incompleta o vacía.</translation>
     </message>
 </context>
 <context>

@@ -6459,8 +6459,8 @@
         <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
     </message>
     <message>
-        <source>This system has no attractor, so no solid is drawn.</source>
-        <translation>Ce système n’a pas d’attracteur ; aucun solide n’est donc dessiné.</translation>
+        <source>This system has no attractor, so the picture may be incomplete or empty.</source>
+        <translation>Ce système n’a pas d’attracteur ; l’image peut être incomplète ou vide.</translation>
     </message>
 </context>
 <context>

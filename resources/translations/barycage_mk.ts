@@ -6473,8 +6473,8 @@
         <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
     </message>
     <message>
-        <source>This system has no attractor, so no solid is drawn.</source>
-        <translation>Овој систем нема атрактор, па не се црта тело.</translation>
+        <source>This system has no attractor, so the picture may be incomplete or empty.</source>
+        <translation>Овој систем нема атрактор, па сликата може да биде нецелосна или празна.</translation>
     </message>
 </context>
 <context>

@@ -151,7 +151,7 @@ QString noteInSpace(attractor::RenderNote note, bool isCoarse) {
     case attractor::RenderNote::NoMaps:
         return Notes::tr("No map is active, so there is nothing to draw. Add a map or switch one on.");
     case attractor::RenderNote::NoAttractor:
-        return Notes::tr("This system has no attractor, so no solid is drawn.");
+        return Notes::tr("This system has no attractor, so the picture may be incomplete or empty.");
     case attractor::RenderNote::Undecided:
         return Notes::tr("Whether this system has an attractor is undecided.");
     case attractor::RenderNote::TooDeep:
