@@ -21,8 +21,8 @@ QString sentenceOf(attractor::RenderNote note, bool isInSpace) {
     case attractor::RenderNote::NoMaps:
         return {};
     case attractor::RenderNote::NoAttractor:
-        return isInSpace ? tr("The system has no attractor: some word of maps does not contract. No solid is "
-                              "drawn.")
+        return isInSpace ? tr("The system has no attractor: some word of maps does not contract. "
+                              "The picture may be incomplete or empty.")
                          : tr("The system has no attractor: some word of maps does not contract. "
                               "The picture shows where points go before they escape.");
     case attractor::RenderNote::Undecided:
