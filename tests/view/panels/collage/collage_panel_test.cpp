@@ -392,25 +392,6 @@ private slots:
         area.takeWidget();
     }
 
-    void progressScrollsIntoView() {
-        QScrollArea area;
-        area.setWidgetResizable(true);
-        area.resize(600, 300);
-        area.setWidget(m_panel.get());
-        area.show();
-        traceLeaf();
-        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
-        push("Suggest");
-        auto* bar = m_panel->findChild<QProgressBar*>();
-        auto* cancel = named<QPushButton>(QStringLiteral("Cancel"));
-        const auto isWhole = [](const QWidget* widget) {
-            return widget->visibleRegion().boundingRect() == widget->rect();
-        };
-        QTRY_VERIFY(isWhole(bar) && isWhole(cancel));
-        push("Cancel");
-        area.takeWidget();
-    }
-
     // Their attractors are not those of the listed maps alone, and a guarantee would be false.
     void symmetricAndLinkedMapsAreNotMeasured() {
         traceLeaf();
