@@ -32,6 +32,7 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
         return context.stage->camera();
     });
     connect(panel, &view::TimelinePanel::message, context.messages, &WindowMessages::say);
+    connect(panel, &view::TimelinePanel::motionAdded, this, &AnimationMenu::showDock);
 }
 
 void AnimationMenu::setDock(QDockWidget* dock) {

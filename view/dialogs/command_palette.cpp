@@ -104,19 +104,30 @@ QList<NamedAction> actionsIn(QWidget* panel) {
     return found;
 }
 
+QStringList wordsOf(const QString& text) {
+    static const QRegularExpression separators(QStringLiteral("[^\\w]+"),
+                                               QRegularExpression::UseUnicodePropertiesOption);
+    return text.split(separators, Qt::SkipEmptyParts);
+}
+
+template <typename Fits> bool hasEach(const QStringList& words, const QStringList& wanted, Fits fits) {
+    return std::all_of(wanted.begin(), wanted.end(), [&](const QString& want) {
+        return std::any_of(words.begin(), words.end(), [&](const QString& word) { return fits(word, want); });
+    });
+}
+
 } // namespace
 
 bool matchesCommand(const QString& title, const QString& text) {
-    static const QRegularExpression separators(QStringLiteral("[^\\w]+"),
-                                               QRegularExpression::UseUnicodePropertiesOption);
-    const QStringList words = title.split(separators, Qt::SkipEmptyParts);
-    for (const QString& wanted : text.split(separators, Qt::SkipEmptyParts)) {
-        const bool found = std::any_of(words.begin(), words.end(), [&wanted](const QString& word) {
-            return word.startsWith(wanted, Qt::CaseInsensitive);
-        });
-        if (!found) return false;
-    }
-    return true;
+    return hasEach(wordsOf(title), wordsOf(text), [](const QString& word, const QString& wanted) {
+        return word.startsWith(wanted, Qt::CaseInsensitive);
+    });
+}
+
+bool namesCommand(const QString& title, const QString& text) {
+    return hasEach(wordsOf(title), wordsOf(text), [](const QString& word, const QString& wanted) {
+        return word.compare(wanted, Qt::CaseInsensitive) == 0;
+    });
 }
 
 QList<NamedAction> actionsOf(const QWidget* menuBar) {
@@ -190,9 +201,11 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
 
 void CommandPalette::filter(const QString& text) {
     m_model->clear();
-    for (const SearchIn in : {SearchIn::Names, SearchIn::Descriptions})
-        for (const bool enabled : {true, false})
-            if ((enabled && in == SearchIn::Names) || !text.isEmpty()) add(text, in, enabled);
+    for (const bool enabled : {true, false})
+        for (const SearchIn in : {SearchIn::Words, SearchIn::Names})
+            if (enabled || !text.isEmpty()) add(text, in, enabled);
+    for (const bool enabled : {true, false})
+        if (!text.isEmpty()) add(text, SearchIn::Descriptions, enabled);
     if (m_model->rowCount() == 0) {
         auto* none = new QStandardItem(m_noIcon, tr("No matching commands"));
         none->setEnabled(false);
@@ -206,9 +219,11 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
         if (action->isEnabled() != enabled) continue;
-        const bool isNamed = matchesCommand(title, text);
-        if (in == SearchIn::Names ? !isNamed
-                                  : isNamed || !matchesCommand(title + u' ' + action->statusTip(), text))
+        const SearchIn found = namesCommand(title, text)     ? SearchIn::Words
+                               : matchesCommand(title, text) ? SearchIn::Names
+                                                             : SearchIn::Descriptions;
+        if (found != in) continue;
+        if (in == SearchIn::Descriptions && !matchesCommand(title + u' ' + action->statusTip(), text))
             continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),

@@ -35,7 +35,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class SearchIn { Names, Descriptions }; // the latter beside the names
+    enum class SearchIn { Words, Names, Descriptions }; // each beside those before it
 
     void filter(const QString& text);
     void add(const QString& text, SearchIn in, bool enabled);
@@ -50,5 +50,8 @@ private:
 
 // Whether every word of `text` begins a word of `title`; case does not matter.
 bool matchesCommand(const QString& title, const QString& text);
+
+// Whether every word of `text` is a word of `title`.
+bool namesCommand(const QString& title, const QString& text);
 
 } // namespace view

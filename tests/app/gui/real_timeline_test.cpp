@@ -23,6 +23,7 @@ private slots:
 
     void aKeyIsMadeAndPlayed();
     void windInOneClick();
+    void aMotionOfTheMenuShowsTheTimeline();
     void diamondsAreDragged();
     void altTakesLaterKeysAlong();
     void aRightClickChangesTheEase();
@@ -99,6 +100,14 @@ void RealTimelineTest::windInOneClick() {
     hand().key("Control+z");
     hand().key("Control+z");
     QTRY_VERIFY(document::frameAt(document().entryFractal(), {}).fractal == still);
+}
+
+void RealTimelineTest::aMotionOfTheMenuShowsTheTimeline() {
+    QVERIFY(!panel().isVisible());
+    panel().motions().front()->menu()->actions().front()->trigger();
+    QTRY_VERIFY(panel().timeline().playback().isPlaying());
+    QTRY_VERIFY(panel().isVisible());
+    QVERIFY(panel().showsTracks());
 }
 
 std::vector<int> RealTimelineTest::framesOf(std::size_t row) const {

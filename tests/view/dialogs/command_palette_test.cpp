@@ -91,6 +91,22 @@ private slots:
                  QStringList({QStringLiteral("Vary Colours"), QStringLiteral("Mutate")}));
     }
 
+    void wholeWordsComeFirst() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&File"));
+        menu->addAction(QStringLiteral("New Window"));
+        menu->addAction(QStringLiteral("Wind"))->setEnabled(false);
+        menu->addAction(QStringLiteral("Gentle Wind"));
+        view::CommandPalette palette(view::actionsOf(&bar));
+        palette.findChild<QLineEdit*>()->setText(QStringLiteral("wind"));
+        const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
+        QStringList titles;
+        for (int row = 0; row < model->rowCount(); ++row)
+            titles << model->index(row, 0).data().toString();
+        QCOMPARE(titles, (QStringList{QStringLiteral("File › Gentle Wind"),
+                                      QStringLiteral("File › New Window"), QStringLiteral("File › Wind")}));
+    }
+
     void panelsAreSearchedToo() {
         QMainWindow window;
         window.menuBar()->addMenu(QStringLiteral("&Edit"))->addAction(QStringLiteral("&Undo"));

@@ -267,6 +267,7 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
         m_tracks->reveal();
     }
     m_timeline.playback().setPlaying(true);
+    emit motionAdded();
 }
 
 // For the moving picture. To find the copy may take long: until it is found, there is no picture.
@@ -360,6 +361,7 @@ void TimelinePanel::addMorph(document::Fractal morph, const QString& name) {
     document::Inserted added = document::inserted(m_document->file(), {entry}, m_document->currentId());
     m_document->editFile(tr("Morph to %1").arg(name), std::move(added.file), added.ids.front());
     m_timeline.playback().setPlaying(true);
+    emit motionAdded();
 }
 
 } // namespace view

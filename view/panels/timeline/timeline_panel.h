@@ -37,6 +37,7 @@ public:
     void showTracks(); // even while nothing moves
 
 signals:
+    void motionAdded();
     void message(const QString& sentence);
 
 private:
