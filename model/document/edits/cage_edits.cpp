@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/cage_edits.h"
 
+#include "document/edits/rounding.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/fractal_geometry.h"
 
@@ -9,7 +10,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <cmath>
 
 namespace document {
 
@@ -40,22 +40,6 @@ std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector
     Fractal after = fractal;
     auto& cage = plane(after)->cage = ifs::redefine<2>(effectiveCage(fractal), vertices);
     return cage ? std::optional(after) : std::nullopt;
-}
-
-// Numbers that rounding has left where there should be none would stand in the table, and in the file.
-void dropRounding(System2& system) {
-    constexpr double rounding = 1e-15;
-    const auto clean = [](auto& numbers, double size) {
-        numbers =
-            numbers.unaryExpr([size](double x) { return std::abs(x) <= rounding * size ? 0 : x; }).eval();
-    };
-    double reach = 0;
-    for (const auto& map : system.maps)
-        reach = std::max(reach, map.map.translation.cwiseAbs().maxCoeff());
-    for (auto& map : system.maps) {
-        clean(map.map.linear, map.map.linear.cwiseAbs().maxCoeff());
-        clean(map.map.translation, reach);
-    }
 }
 
 // The code takes up its cage (ifs::bake); nullopt where that cannot be.

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/space_cage_edits.h"
 
+#include "document/edits/rounding.h"
 #include "document/space_geometry.h"
 #include "ifs/cage/space_hull_cage.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
-#include <cmath>
 
 namespace document {
 
@@ -25,22 +23,6 @@ QString noCodeBends() {
     return sentence(QT_TRANSLATE_NOOP(
         "SpaceCageEdits", "The cage bends the picture, and no affine code produces a bent picture. Choose "
                           "“Affine fit” to bake the closest affine placement."));
-}
-
-// Numbers that rounding has left where there should be none would stand in the table.
-void dropRounding(System3& system) {
-    constexpr double rounding = 1e-15;
-    const auto clean = [](auto& numbers, double size) {
-        numbers =
-            numbers.unaryExpr([size](double x) { return std::abs(x) <= rounding * size ? 0 : x; }).eval();
-    };
-    double reach = 0;
-    for (const auto& map : system.maps)
-        reach = std::max(reach, map.map.translation.cwiseAbs().maxCoeff());
-    for (auto& map : system.maps) {
-        clean(map.map.linear, map.map.linear.cwiseAbs().maxCoeff());
-        clean(map.map.translation, reach);
-    }
 }
 
 bool rests(const Fractal& fractal) {

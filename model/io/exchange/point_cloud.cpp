@@ -6,6 +6,7 @@
 #include "attractor/samples/prepared_space.h"
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal_geometry.h"
+#include "io/exchange/point_colour.h"
 #include "io/exchange/space_points.h"
 #include "io/text/number.h"
 
@@ -45,7 +46,9 @@ public:
         addNumber(x.x());
         addNumber(x.y());
         addNumber(0);
-        const attractor::Rgba colour = colourOf(point, index);
+        const attractor::Rgba colour =
+            pointColour(m_cloud.fractal.appearance, document::system2(m_cloud.fractal)->maps[index].id, index,
+                        point.colourCoordinate);
         for (const std::uint8_t channel : {colour.red, colour.green, colour.blue})
             m_bytes += char(channel);
     }
@@ -64,23 +67,6 @@ private:
         std::array<char, sizeof value> bytes{};
         qToLittleEndian(value, bytes.data());
         m_bytes.append(bytes.data(), sizeof value);
-    }
-
-    attractor::Rgba colourOf(const attractor::Orbit::Point& point, std::size_t index) const {
-        const attractor::Appearance& appearance = m_cloud.fractal.appearance;
-        switch (appearance.colourBy) {
-        case attractor::ColourBy::Map:
-            return attractor::mapColour(appearance, document::system2(m_cloud.fractal)->maps[index].id,
-                                        index);
-        case attractor::ColourBy::Address:
-        case attractor::ColourBy::Blend:
-            return attractor::colourAt(appearance.palette, point.colourCoordinate);
-        case attractor::ColourBy::Plain:
-            return appearance.plain;
-        case attractor::ColourBy::Density: // the bright part, as in the pictures made of shapes
-            break;
-        }
-        return attractor::colourAt(appearance.palette, 0.75);
     }
 
     const PointCloud& m_cloud;

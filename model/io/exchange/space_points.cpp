@@ -6,6 +6,7 @@
 #include "attractor/voxels/voxel_cover.h"
 #include "document/space_geometry.h"
 #include "ifs/cage/cage_surface.h"
+#include "io/exchange/point_colour.h"
 #include "io/text/number.h"
 
 #include <QtEndian>
@@ -92,22 +93,6 @@ struct SpacePoints::State {
         if (wanted.format == PointFormat::Ply) surroundings = Surroundings(system, placement, stop);
     }
 
-    attractor::Rgba colourOf(const attractor::SpaceOrbit::Point& point, std::size_t map) const {
-        const attractor::Appearance& appearance = cloud.fractal.appearance;
-        switch (appearance.colourBy) {
-        case attractor::ColourBy::Map:
-            return attractor::mapColour(appearance, shape.system.maps[map].id, map);
-        case attractor::ColourBy::Address:
-        case attractor::ColourBy::Blend:
-            return attractor::colourAt(appearance.palette, point.colourCoordinate);
-        case attractor::ColourBy::Plain:
-            return appearance.plain;
-        case attractor::ColourBy::Density: // the bright part, as in the pictures made of shapes
-            break;
-        }
-        return attractor::colourAt(appearance.palette, 0.75);
-    }
-
     const PointCloud& cloud;
     const document::Shape<3>& shape;
     attractor::PreparedSpace system;
@@ -139,7 +124,8 @@ void SpacePoints::add() {
         append(state.bytes, x[k]);
     for (int k = 0; k < 3; ++k)
         append(state.bytes, float(normal[k]));
-    const attractor::Rgba colour = state.colourOf(point, map);
+    const attractor::Rgba colour = pointColour(state.cloud.fractal.appearance,
+                                               state.shape.system.maps[map].id, map, point.colourCoordinate);
     for (const std::uint8_t channel : {colour.red, colour.green, colour.blue})
         state.bytes += char(channel);
     append(state.bytes, qint32(map) + 1);
