@@ -41,7 +41,7 @@ public:
     double measure() const override { return m_cut ? m_cut->probability : 1; }
 
 private:
-    // A run of words, or a part of a single word with very many samples.
+    // A run of m_order, or a part of a single word with very many samples.
     struct Job {
         std::uint32_t firstWord = 0;
         std::uint32_t endWord = 0;
@@ -53,6 +53,7 @@ private:
     void drawSampleSet();
     const SampleSet& samplesOf(std::size_t word) const { return m_samples[m_cut->sampleSet(word)]; }
     void planSampleSet();
+    void orderWords();
     void planJobs();
     void runJob(const Job& job, std::size_t thread);
     void plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread);
@@ -64,6 +65,7 @@ private:
     std::vector<SampleSet> m_samples;    // one, or as many as AddressCut::sampleSets tells apart
     std::uint64_t m_sampleSets = 0;      // drawn so far
     std::vector<std::uint64_t> m_counts; // samples of every word
+    std::vector<std::uint32_t> m_order;  // of the words, as they are counted
     std::vector<Job> m_jobs;
     JobShares m_shares;
     double m_overAttractor = 0;
