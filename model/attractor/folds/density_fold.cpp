@@ -52,7 +52,7 @@ void DensityFold::rewind(const CellWindow& window) {
 }
 
 bool DensityFold::complete(const std::stop_token& stop) {
-    if (!m_cut && !makeCut(stop)) return false;
+    if (!m_cut && !makeFirstCut(stop)) return false;
     while (true) {
         m_shares.run(workers(), stop,
                      [this](std::size_t job, std::size_t thread) { runJob(m_jobs[job], thread); });
@@ -101,15 +101,38 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
     return true;
 }
 
+// While one thread walks the address tree, another draws the samples.
+bool DensityFold::makeFirstCut(const std::stop_token& stop) {
+    const PreparedSystem& system = prepared().system();
+    if (workers().size() < 2 || system.isLinked() || system.note != RenderNote::None || holdsSampleSet())
+        return makeCut(stop);
+    bool made = false;
+    workers().run([&](std::size_t thread) {
+        if (thread == 0) made = makeCut(stop);
+        if (thread == 1) drawSampleSet();
+    });
+    return made;
+}
+
+// Whether the samples are those of an earlier picture: only the cage or the view has moved.
+bool DensityFold::holdsSampleSet() {
+    if (m_strata.follow(prepared().system())) m_drawn.reset();
+    return m_drawn == SampleSetKey{prepared().request().seed, m_sampleSets};
+}
+
 void DensityFold::drawSampleSet() {
     const PreparedSystem& system = prepared().system();
-    const std::uint64_t seed = prepared().request().seed;
+    const SampleSetKey key{prepared().request().seed, m_sampleSets};
     if (system.isLinked()) {
-        drawLinkedSamples(system, seed, m_sampleSets, m_samples);
-    } else {
-        m_strata.follow(system);
-        drawSamples(system, seed, m_sampleSets, m_samples.front(), &m_strata);
+        m_samples.resize(1 + std::ranges::max(system.sampleSetOf));
+        drawLinkedSamples(system, key.seed, key.number, m_samples);
+        m_drawn.reset();
+        return;
     }
+    if (holdsSampleSet()) return;
+    m_samples.resize(1);
+    drawSamples(system, key.seed, key.number, m_samples.front(), &m_strata);
+    m_drawn = key;
 }
 
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
@@ -121,7 +144,6 @@ void DensityFold::planSampleSet() {
     makeRoomFor(number);
     const std::uint64_t firstUnit = m_sampleSets * PicturePart::unitsPerSet;
     const bool isInPart = m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
-    m_samples.resize(system.isLinked() ? 1 + std::ranges::max(system.sampleSetOf) : 1);
     if (isInPart) drawSampleSet();
     const double perMeasure = static_cast<double>(number) / m_cut->probability;
     double sum = unitInterval(mixed(mixed(seed) ^ m_sampleSets));

@@ -48,8 +48,16 @@ private:
         std::uint64_t part = 0; // > 0: that many samples of the first word
     };
 
+    struct SampleSetKey {
+        std::uint64_t seed = 0;
+        std::uint64_t number = 0;
+        friend bool operator==(const SampleSetKey&, const SampleSetKey&) = default;
+    };
+
     CutSettings cutSettings() const;
+    bool makeFirstCut(const std::stop_token& stop);
     bool makeCut(const std::stop_token& stop);
+    bool holdsSampleSet();
     void drawSampleSet();
     const SampleSet& samplesOf(std::size_t word) const { return m_samples[m_cut->sampleSet(word)]; }
     void planSampleSet();
@@ -63,6 +71,7 @@ private:
     CutMemory m_cutMemory;
     AddressStrata m_strata;
     std::vector<SampleSet> m_samples;    // one, or as many as AddressCut::sampleSets tells apart
+    std::optional<SampleSetKey> m_drawn; // what m_samples.front() holds, of maps that are not linked
     std::uint64_t m_sampleSets = 0;      // drawn so far
     std::vector<std::uint64_t> m_counts; // samples of every word
     std::vector<std::uint32_t> m_order;  // of the words, as they are counted
