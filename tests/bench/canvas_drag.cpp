@@ -54,10 +54,10 @@ void send(view::CanvasView& canvas, QEvent::Type type, const QPointF& at) {
 
 // The canvas with a document whose first picture has been painted.
 struct Shown {
-    Shown(const document::Fractal& fractal, std::uint64_t samples) {
+    Shown(const document::Fractal& fractal, std::uint64_t samples, const QSize& size = {1920, 1080}) {
         document.setFile(document::fileOf(fractal));
         bridge.fixLiveSamples(samples);
-        canvas.setFixedSize(1920, 1080);
+        canvas.setFixedSize(size);
         canvas.show();
         watch.await();
     }
@@ -124,11 +124,11 @@ double lateInCanvas(document::Fractal animated, std::uint64_t samples, int frame
 }
 
 std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
-                                 int events) {
+                                 int events, const QSize& size) {
     document::Fractal fractal = document::Document().fractal();
     *document::system2(fractal) = system;
     document::plane(fractal)->cage.reset();
-    Shown shown(fractal, samples);
+    Shown shown(fractal, samples, size);
     return dragged(shown.canvas, shown.watch, 0, events);
 }
 

@@ -4,13 +4,15 @@
 #include "document/fractal.h"
 #include "ifs/system/iterated_function_system.h"
 
+#include <QSize>
+
 #include <cstdint>
 #include <vector>
 
-// A vertex of the cage dragged in the real canvas of 1920 × 1080 pixels: milliseconds from handing the mouse
-// event to the window until the pixels of its picture are painted, event by event. Needs a QApplication.
+// A vertex of the cage dragged in the real canvas: milliseconds from handing the mouse event to the window
+// until the pixels of its picture are painted, event by event. Needs a QApplication.
 std::vector<double> dragInCanvas(const ifs::IteratedFunctionSystem<2>& system, std::uint64_t samples,
-                                 int events);
+                                 int events, const QSize& size = {1920, 1080});
 
 // The playhead of an animation set here and there: milliseconds until the pixels of its picture are painted.
 std::vector<double> scrubInCanvas(const document::Fractal& animated, std::uint64_t samples, int events);

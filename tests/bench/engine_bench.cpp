@@ -203,6 +203,13 @@ void addBenchmarks(Case& c) {
     addRivals(c);
     addFrames("redraw", c, dragged);
     if (c.name == "maple") addFrames("cage8", c, bent);
+    if (c.name == "maple")
+        for (const auto& [what, colourBy] :
+             {std::pair{"by_map", ColourBy::Map}, std::pair{"by_address", ColourBy::Address}})
+            addFrames(what, c, [colourBy](RenderRequest request, int frame) {
+                request.appearance.colourBy = colourBy;
+                return dragged(std::move(request), frame);
+            });
     addFrames("edit", c, edited);
     addSplat("splat", c, 1);
     addSplat("splat_zoom_out", c, 12.0 / 1080);
@@ -229,6 +236,18 @@ void addRoofline() {
         for (auto _ : state) {
             std::memcpy(to.data(), from.data(), cells * sizeof(std::uint32_t));
             benchmark::DoNotOptimize(to.data());
+        }
+    });
+    // The same bytes, which come from memory and go there.
+    add("memcpy_cold", [](benchmark::State& state) {
+        constexpr std::size_t pictures = 24;
+        const std::vector<std::uint32_t> from(pictures * cells, 5);
+        std::vector<std::uint32_t> to(pictures * cells);
+        std::size_t next = 0;
+        for (auto _ : state) {
+            std::memcpy(to.data() + next * cells, from.data() + next * cells, cells * sizeof(std::uint32_t));
+            benchmark::DoNotOptimize(to.data());
+            next = (next + 1) % pictures;
         }
     });
 }

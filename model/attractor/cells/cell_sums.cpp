@@ -17,7 +17,7 @@ template <class Cell> void CellSums::reset(std::vector<Counters<Cell>>& all, std
     for (Counters<Cell>& counters : all) {
         if (counters.size < size || counters.size > 4 * size) {
             counters.cells.reset(); // before there is more
-            counters.cells = std::make_unique_for_overwrite<Cell[]>(size);
+            counters.cells.reset(static_cast<Cell*>(::operator new(size * sizeof(Cell))));
             counters.size = size;
         }
         std::fill_n(counters.cells.get() + m_window.cells(), overflowCells, Cell{});

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -80,9 +81,13 @@ private:
     static constexpr int tileColumns = 256;
     static constexpr int tileRows = 16;
 
-    // One thread's cells, which are meaningless in tiles that have not been touched.
+    struct Release {
+        void operator()(void* memory) const { ::operator delete(memory); }
+    };
+    // One thread's cells, which are meaningless in tiles that have not been touched. Nothing is written to
+    // these, so that they take no memory either.
     template <class Cell> struct Counters {
-        std::unique_ptr<Cell[]> cells;
+        std::unique_ptr<Cell[], Release> cells;
         std::size_t size = 0;
         std::vector<std::uint8_t> touched; // by tile
         bool whole = false;                // all of them

@@ -7,7 +7,9 @@
 #include "attractor/samples/linked_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <numeric>
 
 namespace attractor {
 
@@ -50,7 +52,7 @@ void DensityFold::rewind(const CellWindow& window) {
 }
 
 bool DensityFold::complete(const std::stop_token& stop) {
-    if (!m_cut && !makeCut(stop)) return false;
+    if (!m_cut && !makeFirstCut(stop)) return false;
     while (true) {
         m_shares.run(workers(), stop,
                      [this](std::size_t job, std::size_t thread) { runJob(m_jobs[job], thread); });
@@ -99,15 +101,38 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
     return true;
 }
 
+// While one thread walks the address tree, another draws the samples.
+bool DensityFold::makeFirstCut(const std::stop_token& stop) {
+    const PreparedSystem& system = prepared().system();
+    if (workers().size() < 2 || system.isLinked() || system.note != RenderNote::None || holdsSampleSet())
+        return makeCut(stop);
+    bool made = false;
+    workers().run([&](std::size_t thread) {
+        if (thread == 0) made = makeCut(stop);
+        if (thread == 1) drawSampleSet();
+    });
+    return made;
+}
+
+// Whether the samples are those of an earlier picture: only the cage or the view has moved.
+bool DensityFold::holdsSampleSet() {
+    if (m_strata.follow(prepared().system())) m_drawn.reset();
+    return m_drawn == SampleSetKey{prepared().request().seed, m_sampleSets};
+}
+
 void DensityFold::drawSampleSet() {
     const PreparedSystem& system = prepared().system();
-    const std::uint64_t seed = prepared().request().seed;
+    const SampleSetKey key{prepared().request().seed, m_sampleSets};
     if (system.isLinked()) {
-        drawLinkedSamples(system, seed, m_sampleSets, m_samples);
-    } else {
-        m_strata.follow(system);
-        drawSamples(system, seed, m_sampleSets, m_samples.front(), &m_strata);
+        m_samples.resize(1 + std::ranges::max(system.sampleSetOf));
+        drawLinkedSamples(system, key.seed, key.number, m_samples);
+        m_drawn.reset();
+        return;
     }
+    if (holdsSampleSet()) return;
+    m_samples.resize(1);
+    drawSamples(system, key.seed, key.number, m_samples.front(), &m_strata);
+    m_drawn = key;
 }
 
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
@@ -119,7 +144,6 @@ void DensityFold::planSampleSet() {
     makeRoomFor(number);
     const std::uint64_t firstUnit = m_sampleSets * PicturePart::unitsPerSet;
     const bool isInPart = m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
-    m_samples.resize(system.isLinked() ? 1 + std::ranges::max(system.sampleSetOf) : 1);
     if (isInPart) drawSampleSet();
     const double perMeasure = static_cast<double>(number) / m_cut->probability;
     double sum = unitInterval(mixed(mixed(seed) ^ m_sampleSets));
@@ -145,7 +169,29 @@ void DensityFold::planSampleSet() {
     ++m_sampleSets;
 }
 
+// From the top of the picture to its bottom, so that every thread meets few tiles that others meet as well:
+// each of them has to be cleared and added up once per thread. Who counts a word changes nothing.
+void DensityFold::orderWords() {
+    constexpr std::size_t bands = 256;
+    const CellWindow& window = sums().window();
+    const float perRow = bands / static_cast<float>(std::max(1, window.endRow - window.firstRow));
+    const auto bandOf = [&](const Word& word) {
+        const float band = (word.y - static_cast<float>(window.firstRow)) * perRow;
+        if (!(band > 0)) return std::size_t{0};
+        return band < bands ? static_cast<std::size_t>(band) : bands - 1;
+    };
+    const auto words = static_cast<std::uint32_t>(m_cut->words.size());
+    std::array<std::uint32_t, bands + 1> next{};
+    for (const Word& word : m_cut->words)
+        ++next[bandOf(word) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    m_order.resize(words);
+    for (std::uint32_t k = 0; k < words; ++k)
+        m_order[next[bandOf(m_cut->words[k])]++] = k;
+}
+
 void DensityFold::planJobs() {
+    orderWords();
     m_jobs.clear();
     Job job;
     std::uint64_t planned = 0;
@@ -155,24 +201,26 @@ void DensityFold::planJobs() {
         job.firstWord = job.endWord;
         planned = 0;
     };
-    for (std::size_t k = 0; k < m_counts.size(); ++k) {
-        if (m_counts[k] > samplesPerJob) {
-            close(k);
-            for (std::uint64_t rest = m_counts[k]; rest > 0; rest -= std::min(rest, samplesPerJob))
+    for (std::size_t at = 0; at < m_order.size(); ++at) {
+        const std::uint64_t count = m_counts[m_order[at]];
+        if (count > samplesPerJob) {
+            close(at);
+            for (std::uint64_t rest = count; rest > 0; rest -= std::min(rest, samplesPerJob))
                 m_jobs.push_back({job.firstWord, job.firstWord + 1, std::min(rest, samplesPerJob)});
             ++job.firstWord;
             continue;
         }
-        planned += m_counts[k];
-        if (planned >= samplesPerJob) close(k + 1);
+        planned += count;
+        if (planned >= samplesPerJob) close(at + 1);
     }
-    close(m_counts.size());
+    close(m_order.size());
     m_shares.reset(m_jobs.size(), workers());
 }
 
 void DensityFold::runJob(const Job& job, std::size_t thread) {
     const CellWindow& window = sums().window();
-    for (std::uint32_t k = job.firstWord; k < job.endWord; ++k) {
+    for (std::uint32_t at = job.firstWord; at < job.endWord; ++at) {
+        const std::uint32_t k = m_order[at];
         const std::uint64_t count = job.part > 0 ? job.part : m_counts[k];
         if (k >= m_cut->firstExact) {
             plotExactly(k, count, thread);

@@ -41,18 +41,27 @@ public:
     double measure() const override { return m_cut ? m_cut->probability : 1; }
 
 private:
-    // A run of words, or a part of a single word with very many samples.
+    // A run of m_order, or a part of a single word with very many samples.
     struct Job {
         std::uint32_t firstWord = 0;
         std::uint32_t endWord = 0;
         std::uint64_t part = 0; // > 0: that many samples of the first word
     };
 
+    struct SampleSetKey {
+        std::uint64_t seed = 0;
+        std::uint64_t number = 0;
+        friend bool operator==(const SampleSetKey&, const SampleSetKey&) = default;
+    };
+
     CutSettings cutSettings() const;
+    bool makeFirstCut(const std::stop_token& stop);
     bool makeCut(const std::stop_token& stop);
+    bool holdsSampleSet();
     void drawSampleSet();
     const SampleSet& samplesOf(std::size_t word) const { return m_samples[m_cut->sampleSet(word)]; }
     void planSampleSet();
+    void orderWords();
     void planJobs();
     void runJob(const Job& job, std::size_t thread);
     void plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread);
@@ -62,8 +71,10 @@ private:
     CutMemory m_cutMemory;
     AddressStrata m_strata;
     std::vector<SampleSet> m_samples;    // one, or as many as AddressCut::sampleSets tells apart
+    std::optional<SampleSetKey> m_drawn; // what m_samples.front() holds, of maps that are not linked
     std::uint64_t m_sampleSets = 0;      // drawn so far
     std::vector<std::uint64_t> m_counts; // samples of every word
+    std::vector<std::uint32_t> m_order;  // of the words, as they are counted
     std::vector<Job> m_jobs;
     JobShares m_shares;
     double m_overAttractor = 0;

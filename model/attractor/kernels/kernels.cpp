@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 // SSSE3 alone would only make the program larger; vectors of unknown length cannot be members.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
@@ -89,122 +90,125 @@ struct Numbering {
     }
 };
 
-// The cells of at most 128 points that all lie in the grid.
-template <class AnyPlacement>
-HWY_ATTR static HWY_INLINE void cellsInside(const AnyPlacement& placement, const Numbering& grid,
-                                            const Run& points, std::uint32_t* HWY_RESTRICT cells) {
-    const Float d;
-    for (std::size_t k = 0; k < points.count; k += hn::Lanes(d)) {
-        const FloatVector x = hn::LoadU(d, points.x + k);
-        const FloatVector y = hn::LoadU(d, points.y + k);
-        hn::Store(grid.cell(placement.column(x, y), placement.row(x, y)), Int(),
-                  reinterpret_cast<std::int32_t*>(cells) + k);
+// The cells of points that all lie in the grid.
+template <class AnyPlacement> struct CellsInside {
+    AnyPlacement placement;
+    Numbering grid;
+
+    HWY_ATTR HWY_INLINE IntVector operator()(FloatVector x, FloatVector y, std::size_t) const {
+        return grid.cell(placement.column(x, y), placement.row(x, y));
     }
-}
+};
 
 // The same wherever they lie: overflow cells for those outside the window.
-template <class AnyPlacement>
-HWY_ATTR static HWY_INLINE void cellsOf(const AnyPlacement& placement, const Numbering& grid,
-                                        const CellWindow& window, const Run& points,
-                                        std::uint32_t* HWY_RESTRICT cells) {
-    const Float d;
-    const Int di;
-    const FloatVector zero = hn::Zero(d);
-    const FloatVector width = hn::Set(d, static_cast<float>(window.width));
-    const FloatVector first = hn::Set(d, static_cast<float>(window.firstRow));
-    const FloatVector end = hn::Set(d, static_cast<float>(window.endRow));
-    const IntVector overflow = hn::Iota(di, static_cast<std::int32_t>(window.cells()));
-    for (std::size_t k = 0; k < points.count; k += hn::Lanes(d)) {
-        const FloatVector x = hn::LoadU(d, points.x + k);
-        const FloatVector y = hn::LoadU(d, points.y + k);
+template <class AnyPlacement> struct CellsAnywhere {
+    AnyPlacement placement;
+    Numbering grid;
+    FloatVector width, first, end;
+    IntVector overflow;
+
+    HWY_ATTR CellsAnywhere(const AnyPlacement& p, const CellWindow& window)
+        : placement(p),
+          grid(window.width, 0, window.firstRow),
+          width(hn::Set(Float(), static_cast<float>(window.width))),
+          first(hn::Set(Float(), static_cast<float>(window.firstRow))),
+          end(hn::Set(Float(), static_cast<float>(window.endRow))),
+          overflow(hn::Iota(Int(), static_cast<std::int32_t>(window.cells()))) {}
+
+    HWY_ATTR HWY_INLINE IntVector operator()(FloatVector x, FloatVector y, std::size_t k) const {
         const FloatVector column = placement.column(x, y);
         const FloatVector row = placement.row(x, y);
-        const auto inside = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
+        const auto inside = hn::And(hn::And(hn::Ge(column, hn::Zero(Float())), hn::Lt(column, width)),
                                     hn::And(hn::Ge(row, first), hn::Lt(row, end)));
         const IntVector cell =
             grid.cell(hn::IfThenElseZero(inside, column), hn::IfThenElse(inside, row, first));
         const IntVector outside =
-            hn::Add(overflow, hn::Set(di, static_cast<std::int32_t>(k % overflowCells)));
-        hn::Store(hn::IfThenElse(hn::RebindMask(di, inside), cell, outside), di,
-                  reinterpret_cast<std::int32_t*>(cells) + k);
+            hn::Add(overflow, hn::Set(Int(), static_cast<std::int32_t>(k % overflowCells)));
+        return hn::IfThenElse(hn::RebindMask(Int(), inside), cell, outside);
     }
-}
+};
 
-template <class CellsOfPoints>
-HWY_ATTR static HWY_INLINE void addChunks(const Run& run, CellsOfPoints cellsOfPoints,
-                                          std::uint32_t* HWY_RESTRICT counts) {
-    alignas(64) std::uint32_t cells[chunk];
+// Calls add(cell, k) for every point of the run, k counted within its chunk. While the cells of one chunk are
+// added to, those of the next are computed: an addition waits for memory, which leaves the arithmetic idle.
+template <class CellsAt, class Add>
+HWY_ATTR static HWY_INLINE void forCells(const CellsAt& cellsAt, const Run& run, const Add& add) {
+    const Float d;
+    constexpr std::size_t lanes = hn::MaxLanes(Float());
+    constexpr std::size_t together = lanes < 8 ? 8 : lanes;
+    alignas(64) std::uint32_t cells[2 * chunk];
+    const auto compute = [&](std::size_t point, std::size_t k, std::uint32_t* out) HWY_ATTR {
+        hn::Store(cellsAt(hn::LoadU(d, run.x + point), hn::LoadU(d, run.y + point), k), Int(),
+                  reinterpret_cast<std::int32_t*>(out));
+    };
+    const auto computeChunk = [&](std::size_t first, std::uint32_t* out) HWY_ATTR {
+        const std::size_t count = run.count - first < chunk ? run.count - first : chunk;
+        for (std::size_t k = 0; k < count; k += lanes)
+            compute(first + k, k, out + k);
+    };
+    const auto addAll = [&](const std::uint32_t* HWY_RESTRICT from, std::size_t count) HWY_ATTR {
+        for (std::size_t k = 0; k < count; ++k)
+            add(from[k], k);
+    };
+    std::uint32_t* present = cells;
+    std::uint32_t* next = cells + chunk;
     std::size_t done = 0;
-    for (; done + chunk <= run.count; done += chunk) {
-        cellsOfPoints(Run{run.x + done, run.y + done, chunk}, cells);
-#pragma GCC unroll 8
-        for (std::size_t k = 0; k < chunk; ++k)
-            ++counts[cells[k]];
+    computeChunk(0, present);
+    for (; run.count - done >= 2 * chunk; done += chunk) {
+        for (std::size_t k = 0; k < chunk; k += together) {
+            std::uint64_t pairs[together / 2]; // half as many loads
+            for (std::size_t p = 0; p < together / 2; ++p)
+                std::memcpy(&pairs[p], present + k + 2 * p, sizeof pairs[p]);
+            for (std::size_t lane = 0; lane < together; lane += lanes)
+                compute(done + chunk + k + lane, k + lane, next + k + lane);
+            for (std::size_t p = 0; p < together / 2; ++p) {
+                add(static_cast<std::uint32_t>(pairs[p]), 2 * p);
+                add(pairs[p] >> 32, 2 * p + 1);
+            }
+        }
+        std::swap(present, next);
     }
-    const std::size_t rest = run.count - done;
-    cellsOfPoints(Run{run.x + done, run.y + done, rest}, cells);
-    for (std::size_t k = 0; k < rest; ++k)
-        ++counts[cells[k]];
+    if (run.count - done > chunk) {
+        computeChunk(done + chunk, next);
+        addAll(present, chunk);
+        std::swap(present, next);
+        done += chunk;
+    }
+    addAll(present, run.count - done);
 }
 
-template <class AnyPlacement>
-HWY_ATTR static HWY_INLINE void addToCountsAt(const AnyPlacement& placement, const Run& run,
-                                              const CellWindow& window, std::uint32_t* HWY_RESTRICT counts) {
-    const Numbering grid(window.width, 0, window.firstRow);
-    addChunks(
-        run,
-        [&](const Run& points, std::uint32_t* cells)
-            HWY_ATTR { cellsOf(placement, grid, window, points, cells); },
-        counts);
+template <class CellsAt>
+HWY_ATTR static HWY_INLINE void addToCountsAt(const CellsAt& cellsAt, const Run& run,
+                                              std::uint32_t* HWY_RESTRICT counts) {
+    forCells(cellsAt, run, [counts](std::size_t cell, std::size_t) HWY_ATTR { ++counts[cell]; });
 }
 
 HWY_ATTR void addToCounts(const ShownWord& shown, const Run& run, const CellWindow& window,
                           std::uint32_t* HWY_RESTRICT counts) {
     if (shown.curve == nullptr)
-        addToCountsAt(Placement(shown.word), run, window, counts);
+        addToCountsAt(CellsAnywhere(Placement(shown.word), window), run, counts);
     else
-        addToCountsAt(CurvedPlacement(shown.word, *shown.curve), run, window, counts);
-}
-
-template <class AnyPlacement>
-HWY_ATTR static HWY_INLINE void addInsideAt(const AnyPlacement& placement, const Run& run,
-                                            const CellWindow& window, std::uint32_t* HWY_RESTRICT counts) {
-    const Numbering grid(window.width, 0, window.firstRow);
-    addChunks(
-        run,
-        [&](const Run& points, std::uint32_t* cells)
-            HWY_ATTR { cellsInside(placement, grid, points, cells); },
-        counts);
+        addToCountsAt(CellsAnywhere(CurvedPlacement(shown.word, *shown.curve), window), run, counts);
 }
 
 HWY_ATTR void addInside(const ShownWord& shown, const Run& run, const CellWindow& window,
                         std::uint32_t* HWY_RESTRICT counts) {
+    const Numbering grid(window.width, 0, window.firstRow);
     if (shown.curve == nullptr)
-        addInsideAt(Placement(shown.word), run, window, counts);
+        addToCountsAt(CellsInside<Placement>{Placement(shown.word), grid}, run, counts);
     else
-        addInsideAt(CurvedPlacement(shown.word, *shown.curve), run, window, counts);
+        addToCountsAt(CellsInside<CurvedPlacement>{CurvedPlacement(shown.word, *shown.curve), grid}, run,
+                      counts);
 }
 
 HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, const CellWindow& window,
                          std::uint32_t* HWY_RESTRICT counts) {
     constexpr std::size_t copies = 8;
-    alignas(64) std::uint32_t cells[chunk];
     alignas(64) std::uint32_t small[copies][kernels::patchCells];
     const auto size = static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height);
     for (auto& copy : small)
         std::memset(copy, 0, size * sizeof(std::uint32_t));
-    const Placement placement(word);
-    const Numbering grid(patch.width, patch.column, patch.row);
-    for (std::size_t done = 0; done < run.count; done += chunk) {
-        const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
-        cellsInside(placement, grid, {run.x + done, run.y + done, count}, cells);
-        std::size_t k = 0;
-        for (; k + copies <= count; k += copies)
-            for (std::size_t copy = 0; copy < copies; ++copy)
-                ++small[copy][cells[k + copy]];
-        for (; k < count; ++k)
-            ++small[k % copies][cells[k]];
-    }
+    const CellsInside<Placement> cellsAt{Placement(word), {patch.width, patch.column, patch.row}};
+    forCells(cellsAt, run, [&small](std::size_t cell, std::size_t k) HWY_ATTR { ++small[k % copies][cell]; });
     for (int row = 0; row < patch.height; ++row) {
         std::uint32_t* out = counts +
                              static_cast<std::size_t>(patch.row + row - window.firstRow) *
@@ -258,15 +262,9 @@ template <class AnyPlacement>
 HWY_ATTR static HWY_INLINE std::uint32_t addToColoursAt(const AnyPlacement& placement, const Run& run,
                                                         const CellWindow& window, const ColourCell& colour,
                                                         ColourCell* HWY_RESTRICT sums) {
-    alignas(64) std::uint32_t cells[chunk];
     ColourSum sum(colour);
-    const Numbering grid(window.width, 0, window.firstRow);
-    for (std::size_t done = 0; done < run.count; done += chunk) {
-        const std::size_t count = run.count - done < chunk ? run.count - done : chunk;
-        cellsOf(placement, grid, window, {run.x + done, run.y + done, count}, cells);
-        for (std::size_t k = 0; k < count; ++k)
-            sum.addTo(sums[cells[k]]);
-    }
+    forCells(CellsAnywhere(placement, window), run,
+             [&sum, sums](std::size_t cell, std::size_t) HWY_ATTR { sum.addTo(sums[cell]); });
     return sum.bits();
 }
 

@@ -196,6 +196,10 @@ const std::vector<float>& alphas() { // the same as a fraction
     return table;
 }
 
+std::uint32_t channel(double value) {
+    return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, 255.0));
+}
+
 std::size_t twelveBits(double light) {
     return static_cast<std::size_t>(std::clamp(light, 0.0, 1.0) * fullColour + 0.5);
 }
@@ -265,6 +269,9 @@ ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t maxSamples)
         m_entries[i] = i == 0 ? Entry{} : entry(v);
         m_pixels[i] = pixel(m_entries[i]);
     }
+    if (m_ownColours && m_settings.cellsPerPixel == 1 && !m_vibrantCodes.changesColours())
+        for (std::size_t i = 0; i < m_entries.size(); ++i)
+            m_fronts.push_back(front(i));
 }
 
 double ToneMap::toneOf(double samples) const {
@@ -287,9 +294,6 @@ ToneMap::Entry ToneMap::entry(double v) const {
 std::uint32_t ToneMap::pixel(double alpha, double red, double green, double blue) const {
     const Rgba& ground = m_settings.appearance.background;
     const double behind = (1 - alpha) * (ground.alpha / 255.0);
-    const auto channel = [](double value) {
-        return static_cast<std::uint32_t>(std::clamp(value + 0.5, 0.0, 255.0));
-    };
     const std::uint32_t a = channel(255 * (alpha + behind));
     const auto composed = [&](double front, double back) {
         return std::min(a, channel(alpha * front + behind * back));
@@ -316,6 +320,51 @@ std::uint32_t ToneMap::pixel(const Entry& entry) const {
                                                : static_cast<double>(codes()[twelveBits(light)]);
     };
     return pixel(entry.alpha, code(entry.red), code(entry.green), code(entry.blue));
+}
+
+// The same arithmetic as for light that adds up over the cells of a pixel, so that it gives the same bytes.
+ToneMap::Front ToneMap::front(std::size_t index) const {
+    const Entry& e = m_entries[index];
+    const Rgba& ground = m_settings.appearance.background;
+    Front result;
+    result.light = e.light;
+    result.inverseLight = 1 / result.light;
+    if (index < kernels::exactCounts) result.share = e.light / (static_cast<double>(index) * fullColour);
+    result.alpha = e.alpha;
+    const double behind = (1 - result.alpha) * (ground.alpha / 255.0);
+    result.red = behind * ground.red;
+    result.green = behind * ground.green;
+    result.blue = behind * ground.blue;
+    result.opacity = channel(255 * (result.alpha + behind));
+    return result;
+}
+
+std::uint32_t ToneMap::pixel(const CellSums::Sum& sum, const std::uint8_t* codes) const {
+    const Front& f = m_fronts[kernels::toneIndex(sum.samples)];
+    if (!(f.light > 0)) return m_pixels[0];
+    const double share = sum.samples < kernels::exactCounts
+                             ? f.share
+                             : f.light / (static_cast<double>(sum.samples) * fullColour);
+    const auto composed = [&](std::uint64_t colour, double behind) {
+        const double light = share * static_cast<double>(static_cast<std::int64_t>(colour));
+        const double code = codes[twelveBits(light * f.inverseLight)];
+        return std::min(f.opacity, channel(f.alpha * code + behind));
+    };
+    return f.opacity << 24 | composed(sum.red, f.red) << 16 | composed(sum.green, f.green) << 8 |
+           composed(sum.blue, f.blue);
+}
+
+void ToneMap::applyFronts(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const {
+    const auto width = static_cast<std::size_t>(sums.window().width);
+    const std::uint8_t* const table = codes().data();
+    std::vector<CellSums::Sum> cells;
+    for (int row = firstRow; row < endRow; ++row) {
+        std::uint32_t* const out = pixels + static_cast<std::size_t>(row) * width;
+        std::fill_n(out, width, m_pixels[0]);
+        if (!sums.sumsOfRow(row, cells)) continue;
+        for (std::size_t x = 0; x < width; ++x)
+            if (cells[x].samples > 0) out[x] = pixel(cells[x], table);
+    }
 }
 
 bool ToneMap::addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const {
@@ -374,6 +423,10 @@ void ToneMap::apply(const CellSums& sums, int firstRow, int endRow, std::span<st
     const bool small = m_maxSamples < std::uint64_t{1} << 31;
     if (side == 1 && !m_ownColours && !sums.carried() && small) {
         applyTable(sums, firstRow, endRow, pixels.data());
+        return;
+    }
+    if (!m_fronts.empty()) {
+        applyFronts(sums, firstRow, endRow, pixels.data());
         return;
     }
     std::vector<Light> lights(width);

@@ -64,12 +64,23 @@ private:
         double blue = 0;
         float alpha = 0; // of the last cell
     };
+    struct Front { // a cell of colours that fills its pixel, by its samples
+        double light = 0;
+        double inverseLight = 0;
+        double share = 0; // of the light, what one unit of colour has; for exact counts
+        double alpha = 0;
+        double red = 0, green = 0, blue = 0; // that the background adds
+        std::uint32_t opacity = 0;
+    };
     double toneOf(double samples) const;
     Entry entry(double v) const;
     std::uint32_t pixel(double alpha, double red, double green, double blue) const;
     std::uint32_t pixel(const Light& light) const;
     std::uint32_t pixel(const Entry& entry) const; // of a cell that fills it
+    Front front(std::size_t index) const;
+    std::uint32_t pixel(const CellSums::Sum& sum, const std::uint8_t* codes) const; // of such a cell
     void applyTable(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
+    void applyFronts(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
     // False where the row is empty.
     bool addCounts(const CellSums& sums, int row, std::vector<Light>& lights) const;
     bool addColours(const CellSums& sums, int row, std::vector<Light>& lights) const;
@@ -81,6 +92,7 @@ private:
     std::vector<Rgba> m_ramp; // the palette, or the plain colour
     std::vector<Entry> m_entries;
     std::vector<std::uint32_t> m_pixels; // of a cell without colours that fills its pixel
+    std::vector<Front> m_fronts;         // none where pixels are made otherwise
 };
 
 } // namespace attractor

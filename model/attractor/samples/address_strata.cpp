@@ -75,8 +75,8 @@ void AddressStrata::makeGuide() {
     }
 }
 
-void AddressStrata::follow(const PreparedSystem& system) {
-    if (!m_strata.empty() && isSame(system, m_system)) return;
+bool AddressStrata::follow(const PreparedSystem& system) {
+    if (!m_strata.empty() && isSame(system, m_system)) return false;
     m_system = system;
     m_strata.clear();
     m_maps = system;
@@ -91,6 +91,7 @@ void AddressStrata::follow(const PreparedSystem& system) {
     double before = 0;
     add({}, threshold, before);
     makeGuide();
+    return true;
 }
 
 void AddressStrata::spread(std::uint64_t random, SampleSet& samples) const {

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <fstream>
 #include <random>
 
 using namespace attractor;
@@ -21,6 +22,14 @@ std::vector<std::uint64_t> rowByPieces(const CellSums& sums, int row) {
             result.push_back(sum);
         }
     return result;
+}
+
+// Pages of memory that the process occupies, 0 where the system does not tell.
+std::uint64_t residentPages() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t size = 0;
+    std::uint64_t resident = 0;
+    return file >> size >> resident ? resident : 0;
 }
 
 } // namespace
@@ -68,6 +77,17 @@ private slots:
             sums.counts(0)[0] = 99; // makes all of the memory dirty
             std::fill_n(sums.counts(1), window.cells(), 99U);
         }
+    }
+
+    // Two threads' colours at this size would be half a gigabyte.
+    void cellsThatNobodyAsksForTakeNoMemory() {
+        if (residentPages() == 0) QSKIP("The system does not tell.");
+        CellSums sums;
+        const std::uint64_t before = residentPages();
+        sums.reset(CellKind::Colour, {8192, 0, 2048}, 2);
+        ColourCell* const cells = sums.colours(1, {300, 400, 1000, 1100});
+        QCOMPARE(cells[1000 * 8192 + 300].samples, 0U);
+        QVERIFY2(residentPages() < before + 16'000, qPrintable(QString::number(residentPages() - before)));
     }
 };
 

@@ -87,7 +87,7 @@ Curve randomCurve(std::mt19937& random, float size) {
     return {entry(random), entry(random), entry(random), entry(random), entry(random), entry(random)};
 }
 
-constexpr std::size_t runLengths[] = {0, 1, 127, 128, 129, 1000};
+constexpr std::size_t runLengths[] = {0, 1, 127, 128, 129, 255, 256, 257, 1000};
 
 } // namespace
 

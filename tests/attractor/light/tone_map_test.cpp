@@ -171,7 +171,7 @@ private slots:
         std::mt19937 random(22);
         std::vector<CellSums::Sum> cells(width);
         for (CellSums::Sum& cell : cells) {
-            cell.samples = 1 + random() % 60;
+            cell.samples = 1 + random() % (random() % 2 == 0 ? 60 : 1000);
             for (std::uint64_t* channel : {&cell.red, &cell.green, &cell.blue})
                 *channel = cell.samples * (random() % 4096);
         }
@@ -184,7 +184,7 @@ private slots:
                 s.appearance.vibrancy = vibrancy;
                 std::vector<std::uint32_t> pixels(width);
                 std::vector<Rgba16> deep(width);
-                ToneMap(s, 60).apply(sums, 0, 1, pixels);
+                ToneMap(s, 1000).apply(sums, 0, 1, pixels);
                 ToneMap16(s).apply(sums, 0, 1, deep);
                 for (std::size_t x = 0; x < width; ++x) {
                     const CellSums::Sum& cell = cells[x];

@@ -181,9 +181,24 @@ private slots:
         RenderRequest first = systems::request(systems::maple(), 100'000);
         RenderRequest second = systems::request(systems::fern(), 100'000, 111, 77);
         second.appearance.colourBy = ColourBy::Map;
+        RenderRequest seeded = first;
+        seeded.seed = 7;
+        seeded.threads = 2;
+        seeded.samples = 20'000'000; // two sets of samples, the first of which is no longer there
+        RenderRequest moved = seeded;
+        moved.camera.pixelsPerUnit *= 1.1;
+        RenderRequest edited = moved;
+        edited.system.maps[0].map.translation.x() += 0.1;
+        edited.samples = 100'000;
+        RenderRequest shown = edited; // by the same samples
+        shown.camera.pixelsPerUnit *= 1.1;
+        RenderRequest linked = shown;
+        const ifs::MapId map = linked.system.maps[0].id;
+        linked.system.links.push_back({map, map, 0});
         Rendering rendering(first);
         rendering.refine();
-        for (const RenderRequest& request : {second, first}) {
+        for (const RenderRequest& request :
+             {second, first, seeded, moved, edited, shown, linked, shown, second, first}) {
             rendering.restart(request);
             rendering.refine();
             QVERIFY(rendering.frame().pixels == render(request).pixels);

@@ -2,10 +2,12 @@
 #include "canvas/items/attractor_item.h"
 
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/items/grid_item.h"
 
 #include <QImage>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -57,6 +59,17 @@ void AttractorItem::paintBackdrop(QPainter& painter) const {
             painter.fillRect(QRectF(column * square, row * square, square, square), m_style.checker);
 }
 
+// Two passes over the memory of the screen would be as slow as two pictures.
+void AttractorItem::paintWithGrid(QPainter& painter, const QImage& picture) const {
+    const QImage lines = m_grid->uprightLines(m_ratio);
+    for (int top = 0; top < picture.height(); top += GridItem::band) {
+        const int rows = std::min(GridItem::band, picture.height() - top);
+        painter.drawImage(0, top, picture, 0, top, picture.width(), rows);
+        painter.drawImage(0, top, lines);
+    }
+    m_grid->leaveOutUprightLines();
+}
+
 void AttractorItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing, false);
@@ -71,8 +84,12 @@ void AttractorItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
         const double zoom = std::hypot(shift.m11(), shift.m12());
         if (zoom < maxZoom && zoom > 1 / maxZoom) {
             painter->setTransform(shift, true);
-            painter->setRenderHint(QPainter::SmoothPixmapTransform, !isAligned(painter->deviceTransform()));
-            painter->drawImage(QPointF(0, 0), imageOf(*m_frame));
+            const bool aligned = isAligned(painter->deviceTransform());
+            painter->setRenderHint(QPainter::SmoothPixmapTransform, !aligned);
+            if (covers && aligned && m_grid != nullptr && m_grid->isVisible() && m_camera.rotation == 0)
+                paintWithGrid(*painter, imageOf(*m_frame));
+            else
+                painter->drawImage(QPointF(0, 0), imageOf(*m_frame));
         }
     }
     painter->restore();

@@ -8,21 +8,26 @@
 
 namespace view {
 
+class GridItem;
+
 // The newest picture, where the view sees it now: until the next one arrives it is shown moved and scaled.
 class AttractorItem : public OverlayItem {
 public:
     void setFrame(std::shared_ptr<const attractor::Frame> frame);
     void setView(const attractor::Camera& camera, double devicePixelRatio);
+    void setGrid(GridItem* grid) { m_grid = grid; } // painted just after this item, of the same view
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
     void paintBackdrop(QPainter& painter) const;
+    void paintWithGrid(QPainter& painter, const QImage& picture) const;
 
     std::shared_ptr<const attractor::Frame> m_frame;
     attractor::Camera m_camera; // of the view, device independent
     double m_ratio = 1;
+    GridItem* m_grid = nullptr;
 };
 
 // The pixels of a frame, not copied: valid as long as the frame.

@@ -5,12 +5,12 @@
 #include "canvas/geometry/coordinate_text.h"
 #include "canvas/geometry/grid_spacing.h"
 
-#include <QImage>
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace view {
 
@@ -104,22 +104,26 @@ std::vector<GridItem::Line> GridItem::linesAlong(int axis, double ratio) const {
 
 // Upright lines are put into one strip that is laid over the view band by band: filled one by one, they would
 // take milliseconds, since each touches every row of the screen.
-void GridItem::paintLines(QPainter& painter) const {
-    const double ratio = painter.device()->devicePixelRatioF();
-    const QSize size(int(std::ceil(m_camera.width * ratio)), int(std::ceil(m_camera.height * ratio)));
-    painter.scale(1 / ratio, 1 / ratio);
-    constexpr int band = 16;
-    QImage strip(size.width(), band, QImage::Format_ARGB32_Premultiplied);
+QImage GridItem::uprightLines(double ratio) const {
+    QImage strip(int(std::ceil(m_camera.width * ratio)), band, QImage::Format_ARGB32_Premultiplied);
     strip.fill(Qt::transparent);
-    {
-        QPainter upright(&strip);
-        for (const Line& line : linesAlong(0, ratio))
-            upright.fillRect(line.at, 0, line.thickness, band, line.colour);
+    QPainter upright(&strip);
+    for (const Line& line : linesAlong(0, ratio))
+        upright.fillRect(line.at, 0, line.thickness, band, line.colour);
+    return strip;
+}
+
+void GridItem::paintLines(QPainter& painter) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    painter.scale(1 / ratio, 1 / ratio);
+    if (!std::exchange(m_areUprightPainted, false)) {
+        const QImage strip = uprightLines(ratio);
+        for (int top = 0; top < m_camera.height * ratio; top += band)
+            painter.drawImage(0, top, strip);
     }
-    for (int top = 0; top < size.height(); top += band)
-        painter.drawImage(0, top, strip);
+    const int width = int(std::ceil(m_camera.width * ratio));
     for (const Line& line : linesAlong(1, ratio))
-        painter.fillRect(0, line.at, size.width(), line.thickness, line.colour);
+        painter.fillRect(0, line.at, width, line.thickness, line.colour);
 }
 
 // The numbers stand by the axes, or at the edge where an axis is out of sight.

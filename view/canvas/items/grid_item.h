@@ -4,6 +4,7 @@
 #include "attractor/request/camera.h"
 #include "canvas/items/overlay_item.h"
 
+#include <QImage>
 #include <QLineF>
 
 #include <vector>
@@ -19,6 +20,12 @@ public:
     bool isGridVisible() const { return m_grid; }
     bool areAxesVisible() const { return m_axes; }
 
+    // For the item below, which paints a picture that fills the view band by band: the upright lines are laid
+    // over each band while it is in the cache, which paint() then leaves out once. In device pixels.
+    static constexpr int band = 16; // rows
+    QImage uprightLines(double ratio) const;
+    void leaveOutUprightLines() { m_areUprightPainted = true; }
+
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
@@ -33,7 +40,7 @@ private:
         QLineF line;  // the part in view
     };
     std::vector<Line> linesAlong(int axis, double ratio) const;
-    void paintLines(QPainter& painter) const;
+    void paintLines(QPainter& painter);
     void paintLabels(QPainter& painter) const;
     void paintTurnedLines(QPainter& painter) const;
     void paintTurnedLabels(QPainter& painter) const;
@@ -43,6 +50,7 @@ private:
     attractor::Camera m_camera;
     bool m_grid = true;
     bool m_axes = true;
+    bool m_areUprightPainted = false;
 };
 
 } // namespace view

@@ -42,6 +42,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_gizmo(std::make_unique<GizmoItem>()) {
     setItemIndexMethod(QGraphicsScene::NoIndex);
     addItem(m_attractor.get());
+    m_attractor->setGrid(m_grid.get());
     double level = 1;
     for (OverlayItem* item : overlays()) {
         item->setZValue(level++);

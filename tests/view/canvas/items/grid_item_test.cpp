@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/items/grid_item.h"
 
+#include "canvas/geometry/canvas_geometry.h"
+#include "canvas/items/attractor_item.h"
+
 #include <QImage>
 #include <QPainter>
 #include <QTest>
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -104,6 +109,46 @@ private slots:
         QVERIFY(isLit(grid, {0.4, 0.37}));
         QVERIFY(isLit(grid, {0.5, -0.2}));
         QVERIFY(!isLit(grid, {0.5, -0.3}));
+    }
+
+    // A picture that fills the view takes the upright lines along, with the same pixels.
+    void linesOverAPicture_data() { linesAreOneDevicePixelWide_data(); }
+    void linesOverAPicture() {
+        QFETCH(double, ratio);
+        const attractor::Camera camera{{2.7 / 103, 1.63 / 103}, 103, width, height, attractor::YAxis::Up};
+        auto frame = std::make_shared<attractor::Frame>();
+        frame->camera = view::deviceCamera(camera, ratio);
+        frame->opaque = true;
+        for (int k = 0; k < frame->camera.width * frame->camera.height; ++k)
+            frame->pixels.push_back(0xff000000U | 2654435761U * unsigned(k) >> 8);
+        view::AttractorItem picture;
+        picture.setFrame(frame);
+        picture.setView(camera, ratio);
+        view::OverlayStyle style;
+        style.gridMinor = QColor(0, 0, 255, 70);
+        style.gridMajor = QColor(255, 0, 0, 90);
+        style.axis = QColor(255, 255, 255, 120);
+        m_grid.setStyle(style);
+        m_grid.setAxesVisible(true);
+        const auto paintedTogether = [&](bool withGrid) {
+            picture.setGrid(withGrid ? &m_grid : nullptr);
+            QImage image(frame->camera.width, frame->camera.height, QImage::Format_RGB32);
+            image.setDevicePixelRatio(ratio);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            picture.paint(&painter, nullptr, nullptr);
+            const QImage between = image.copy();
+            m_grid.paint(&painter, nullptr, nullptr);
+            return std::pair(between, image);
+        };
+        const auto [picturesAlone, expected] = paintedTogether(false);
+        const auto [withLines, found] = paintedTogether(true);
+        QCOMPARE(found, expected);
+        QVERIFY(picturesAlone != withLines);
+        QVERIFY(!marked(painted(m_grid, ratio), true, 0).empty()); // left out only once
+        m_grid.setVisible(false);
+        QCOMPARE(paintedTogether(true).first, picturesAlone);
+        m_grid.setVisible(true);
     }
 
     // Far from the origin doubles have no room for lines between their neighbours.
