@@ -239,7 +239,7 @@ private:
         }
         reportNote(outcome.note, document::space(*task.entry->fractal) != nullptr, task.input->name);
         if (outcome.isCoarse)
-            reportWarning(task.input->name, tr("So many pieces overlap that parts of the solid are "
+            reportWarning(task.input->name, tr("So many pieces overlap that parts of the solid may be "
                                                "missing. --look cloud shows all of it."));
         return ExitStatus::Done;
     }

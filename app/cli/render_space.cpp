@@ -12,6 +12,7 @@
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
 #include "io/fractint/space_comments.h"
+#include "io/overlay/map_legend.h"
 #include "io/overlay/space_overlay.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
@@ -98,7 +99,8 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     refuseIf(options.iterations.has_value(), "--iterations", plane);
     refuseIf(options.svg.has_value(), "--svg", plane);
     refuseIf(options.depth.has_value(), "--depth", plane);
-    refuseIf(options.legend, "--legend", plane);
+    refuseIf(options.legend && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--legend",
+             tr("--look depth and normals show data, which has no letters beside it."));
     refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
              tr("--look depth and normals show data, which cannot be seen in stereo."));
     refuseIf(options.overlay && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--overlay",
@@ -353,6 +355,7 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
     picture.dotsPerInch = dotsPerInch(options);
     picture.request = requestOf(shown, fractal, options, fileName);
     if (options.slice) warnOfEmptySlice(picture, fileName);
+    if (options.legend) picture.legend = io::mapLegend(fractal, picture.request.camera.size.height);
     if (options.overlay) picture.marks = marksOf(picture, options);
     if (options.frame) fractal = shown.entry;
     if (io::memoryFor(picture) > maxBytes)

@@ -88,7 +88,7 @@ inline QImage solidTile(const document::System3& system) {
     request.camera = attractor::fitted(request.camera, *support, {}, 0.05);
     attractor::SolidRendering rendering(request);
     rendering.draw();
-    if (rendering.note() != attractor::RenderNote::None || rendering.work().isCutShort) return {};
+    if (rendering.note() != attractor::RenderNote::None || rendering.work().isCoarse) return {};
     attractor::Frame frame;
     frame.camera.width = frame.camera.height = tileSize;
     attractor::Workers workers(1);

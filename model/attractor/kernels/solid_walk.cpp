@@ -334,7 +334,10 @@ HWY_ATTR bool drawSolid(const SolidWord& word, SolidJob& job, const std::stop_to
         if (t.lastColumn - t.firstColumn < smallBox && isBehindPixels(t, *job.band)) continue;
         const bool spent = job.budget <= work || job.open.size() + job.maps.count > maxOpen;
         const Cover* cover = coverFor(open, job);
-        if (cover == nullptr && spent) cover = &job.covers.back();
+        if (cover == nullptr && spent) {
+            cover = &job.covers.back();
+            ++job.coarse;
+        }
         if (cover != nullptr && (open.word.colour != SolidWord::uncoloured || spent)) {
             splat(open, t, *cover, job);
             work += cover->size / kernels::solidLanes;

@@ -97,6 +97,7 @@ struct SolidJob {
     // Counted:
     std::size_t words = 0;  // looked at
     std::size_t points = 0; // drawn
+    std::size_t coarse = 0; // words that are seen, of which the finest cover may leave holes
     // Memory kept from word to word:
     std::vector<OpenWord> open;
     std::vector<float> children;

@@ -66,16 +66,12 @@ bool SolidRendering::State::draw(const std::stop_token& stop) {
         const int first = static_cast<int>(job) * rows;
         bands[thread].draw(scene, first, std::min(rows, size.height - first), raster, stop);
     });
-    std::size_t shown = 0, cutShort = 0; // bands
     for (SolidBand& band : bands) {
         const SolidBand::Work done = band.takeWork();
         work.words += done.words;
         work.points += done.points;
-        shown += done.shown;
-        cutShort += done.cutShort;
+        work.isCoarse = work.isCoarse || done.isCoarse;
     }
-    work.isCutShort = cutShort > 0;
-    work.isCoarse = 2 * cutShort > shown;
     return !stop.stop_requested();
 }
 

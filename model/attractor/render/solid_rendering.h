@@ -33,10 +33,9 @@ public:
     RenderNote note() const;
 
     struct Work {
-        std::size_t words = 0;   // looked at
-        std::size_t points = 0;  // drawn
-        bool isCutShort = false; // there were more words than are looked at: holes are possible
-        bool isCoarse = false;   // there were in most of what is seen: pieces lie on each other too often
+        std::size_t words = 0;  // looked at
+        std::size_t points = 0; // drawn
+        bool isCoarse = false;  // pieces lie on each other so often that parts may be missing
     };
     Work work() const; // of the last draw()
 

@@ -24,7 +24,7 @@ struct SolidFrame {
     // 0xAARRGGBB, premultiplied: as many as the raster has, side by side twice as many
     std::vector<std::uint32_t> pixels;
     RenderNote note = RenderNote::None;
-    bool isCoarse = false;   // too many pieces lie on each other to draw all of it in its own pixels
+    bool isCoarse = false;   // so many pieces lie on each other that parts may be missing
     double milliseconds = 0; // time it took
 };
 

@@ -87,7 +87,6 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
     constexpr std::size_t wideBudget = 1U << 18;
     constexpr std::size_t widePerPixel = 16;
     const auto pixels = static_cast<std::size_t>(raster.width * rows);
-    const std::size_t pointsBefore = m_job.points;
     std::size_t budget = (1U << 24) + wordsPerPixel * pixels;
     m_job.maps.count = scene.system.maps.size();
     for (std::size_t k = 0; k < 9; ++k)
@@ -103,13 +102,13 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
         m_job.covers = m_covers;
         m_job.budget = scene.system.contracts ? budget : 0;
         m_wideBudget = wideBudget + widePerPixel * pixels;
+        m_job.coarse = 0;
         m_keys.reset(raster.width, rows);
         if (!walk(scene, firstRow, stop)) return;
         if (m_job.budget > 0 || m_wideBudget == 0) break;
         budget = 1U << 24; // more would not help any more
     }
-    if (m_job.points > pointsBefore) ++m_shown;
-    if (m_job.budget == 0 || m_wideBudget == 0) ++m_cutShort;
+    m_isCoarse = m_isCoarse || m_job.coarse > 0;
     const auto width = static_cast<std::size_t>(raster.width);
     for (int y = 0; y < rows; ++y)
         std::copy_n(m_keys.row(y), width,
@@ -118,8 +117,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
 }
 
 SolidBand::Work SolidBand::takeWork() {
-    return {std::exchange(m_job.words, 0), std::exchange(m_job.points, 0), std::exchange(m_shown, 0),
-            std::exchange(m_cutShort, 0)};
+    return {std::exchange(m_job.words, 0), std::exchange(m_job.points, 0), std::exchange(m_isCoarse, false)};
 }
 
 void SolidBand::expand(const SolidScene& scene, const Open& open, int firstRow) {
@@ -208,7 +206,11 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
     const bool spent =
         m_job.budget == 0 || m_wideBudget == 0 || m_open.size() + scene.boxMaps.size() > maxOpen;
     if (word.reachesEye) {
-        if (!spent && word.half.z() > minEyeShare * scene.view.eyeDistance) expand(scene, open, firstRow);
+        if (!(word.half.z() > minEyeShare * scene.view.eyeDistance)) return true;
+        if (spent)
+            ++m_job.coarse;
+        else
+            expand(scene, open, firstRow);
         return true;
     }
     const kernels::SolidWord shown = screenWord(word, open.colour, firstRow, scene.range);
@@ -217,9 +219,13 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
     const bool isSingle = word.miss <= maxBentPixels &&
                           (word.isCut ? cover != nullptr && open.colour != kernels::SolidWord::uncoloured
                                       : word.size() <= maxSinglePixels);
-    if (!isSingle && !spent) {
-        if (!isHidden(scene, word, firstRow)) expand(scene, open, firstRow);
-        return true;
+    if (!isSingle) {
+        if (isHidden(scene, word, firstRow)) return true;
+        if (!spent) {
+            expand(scene, open, firstRow);
+            return true;
+        }
+        ++m_job.coarse;
     }
     if (!word.isCut) return kernels::drawSolid(shown, m_job, stop);
     if (cover == nullptr) cover = &m_covers.back();

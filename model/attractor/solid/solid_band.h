@@ -59,8 +59,7 @@ public:
     struct Work {
         std::size_t words = 0;
         std::size_t points = 0;
-        std::size_t shown = 0;    // bands in which something is drawn
-        std::size_t cutShort = 0; // bands in which there were more words than are looked at
+        bool isCoarse = false; // there were more words than are looked at, and it may show
     };
     Work takeWork(); // since the last call
 
@@ -84,7 +83,7 @@ private:
     std::vector<Open> m_open;
     std::vector<Open> m_children;
     std::vector<std::pair<double, std::size_t>> m_order;
-    std::size_t m_shown = 0, m_cutShort = 0; // bands
+    bool m_isCoarse = false; // in a band
 };
 
 } // namespace attractor

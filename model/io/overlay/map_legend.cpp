@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/overlay/map_legend.h"
 
+#include "document/space_geometry.h"
+
 #include <QCoreApplication>
 #include <QFont>
 #include <QFontMetrics>
@@ -39,20 +41,41 @@ struct Row {
     QStringList cells;
 };
 
-std::vector<Row> rowsOf(const document::Fractal& fractal, std::size_t limit) {
-    const document::System2& system = *document::system2(fractal);
+template <int Dim>
+std::vector<Row> rowsOf(const ifs::IteratedFunctionSystem<Dim>& system, const document::Fractal& fractal,
+                        std::size_t limit) {
     const std::vector<double> probabilities = ifs::probabilities(system);
     std::vector<Row> rows;
     for (std::size_t i = 0; i < std::min(limit, system.maps.size()); ++i) {
         const auto& [linear, translation] = system.maps[i].map;
         const attractor::Rgba colour = mapColour(fractal.appearance, system.maps[i].id, i);
         Row row{QColor(colour.red, colour.green, colour.blue), {QString::number(i + 1)}};
-        for (const double number : {linear(0, 0), linear(0, 1), linear(1, 0), linear(1, 1), translation.x(),
-                                    translation.y(), probabilities[i]})
-            row.cells << shown(number);
+        for (int k = 0; k < Dim * Dim; ++k)
+            row.cells << shown(linear(k / Dim, k % Dim));
+        for (int k = 0; k < Dim; ++k)
+            row.cells << shown(translation[k]);
+        row.cells << shown(probabilities[i]);
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+std::vector<Row> rowsOf(const document::Fractal& fractal, std::size_t limit) {
+    if (const document::System3* system = document::system3(fractal)) return rowsOf(*system, fractal, limit);
+    return rowsOf(*document::system2(fractal), fractal, limit);
+}
+
+std::size_t mapCount(const document::Fractal& fractal) {
+    if (const document::System3* system = document::system3(fractal)) return system->maps.size();
+    return document::system2(fractal)->maps.size();
+}
+
+// The letters of the formats of code for the numbers of a map.
+QStringList titlesOf(const document::Fractal& fractal) {
+    QStringList titles{QString()};
+    for (char letter = 'a'; letter <= (dimension(fractal) == 3 ? 'l' : 'f'); ++letter)
+        titles << QChar::fromLatin1(letter);
+    return titles << QStringLiteral("p");
 }
 
 // Every measure follows from the size of the letters.
@@ -63,14 +86,16 @@ public:
           m_pixels(std::clamp(height / 42, 7, 64)),
           m_usual(font(m_pixels)),
           m_bold(font(m_pixels, QFont::DemiBold)),
-          m_name(fractal.name) {
-        const attractor::Rgba& background = fractal.appearance.background;
+          m_name(fractal.name),
+          m_titles(titlesOf(fractal)) {
+        const attractor::Rgba background =
+            dimension(fractal) == 3 ? document::backgroundInSpace(fractal) : fractal.appearance.background;
         m_paper = background.alpha == 255 ? QColor(background.red, background.green, background.blue)
                                           : QColor(Qt::white);
         const bool onDark = qGray(m_paper.rgb()) < 128;
         m_ink = onDark ? QColor(232, 234, 237) : QColor(31, 35, 40);
         m_quiet = onDark ? QColor(154, 163, 175) : QColor(98, 106, 115);
-        const std::size_t all = document::system2(fractal)->maps.size();
+        const std::size_t all = mapCount(fractal);
         const int room = std::max(0, (height - 2 * margin() - heading()) / line() - 1);
         const bool isCut = all > std::size_t(room);
         m_rows = rowsOf(fractal, isCut ? std::size_t(std::max(0, room - 1)) : all);
@@ -137,9 +162,7 @@ private:
     QFont m_usual, m_bold;
     QString m_name, m_more;
     QColor m_paper, m_ink, m_quiet;
-    const QStringList m_titles{QString(),           QStringLiteral("a"), QStringLiteral("b"),
-                               QStringLiteral("c"), QStringLiteral("d"), QStringLiteral("e"),
-                               QStringLiteral("f"), QStringLiteral("p")};
+    const QStringList m_titles;
     std::vector<Row> m_rows;
     QList<int> m_widths;
 };

@@ -3,6 +3,7 @@
 
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/map_legend.h"
+#include "io/picture/legend_rows.h"
 #include "io/picture/picture_writers.h"
 
 #include <algorithm>
@@ -79,25 +80,6 @@ PictureFormat formatOf(const PngExport& picture, const QImage& legend = {}) {
 QImage legendOf(const PngExport& picture, QImage::Format format) {
     if (!picture.withLegend) return {};
     return mapLegend(explained(picture), picture.request.camera.height).convertToFormat(format);
-}
-
-template <class Pixel>
-constexpr QImage::Format imageFormat = sizeof(Pixel) == sizeof(Rgba16) ? QImage::Format_RGBA64
-                                                                       : QImage::Format_ARGB32_Premultiplied;
-
-// Rows of the picture, the first of which is `row`, with those of the legend.
-template <class Pixel>
-std::span<const Pixel> withLegend(std::span<const Pixel> pixels, std::size_t width, const QImage& legend,
-                                  int row, std::vector<Pixel>& memory) {
-    if (legend.isNull()) return pixels;
-    memory.clear();
-    for (std::size_t at = 0; at < pixels.size(); at += width, ++row) {
-        const std::span<const Pixel> left = pixels.subspan(at, width);
-        const auto* right = reinterpret_cast<const Pixel*>(legend.constScanLine(row));
-        memory.insert(memory.end(), left.begin(), left.end());
-        memory.insert(memory.end(), right, right + legend.width());
-    }
-    return memory;
 }
 
 template <class Pixel>

@@ -43,7 +43,7 @@ struct ExportOutcome {
     Failure failure;
     bool stopped = false; // on request; nothing was written
     attractor::RenderNote note = attractor::RenderNote::None;
-    bool isCoarse = false; // of a solid: pieces lie on each other too often to draw all in its own pixels
+    bool isCoarse = false; // of a solid: so many pieces lie on each other that parts may be missing
 };
 
 // Draws and writes the picture, of whatever kind of file, some rows at a time; `path` appears whole or not at

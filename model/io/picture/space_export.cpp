@@ -6,6 +6,7 @@
 #include "attractor/render/solid_rendering.h"
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/picture_overlay.h"
+#include "io/picture/legend_rows.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/solid_picture.h"
 #include "io/text/number.h"
@@ -45,7 +46,7 @@ PictureFormat formatOf(const SpaceExport& picture) {
 }
 
 template <class Writer, class Pixel>
-void write(Writer& writer, const std::vector<Pixel>& pixels, int width, ExportOutcome& outcome,
+void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutcome& outcome,
            const Progress& progress, const std::stop_token& stop) {
     const std::size_t together = rowsTogether * std::size_t(width);
     for (std::size_t at = 0; at < pixels.size() && !outcome.failure; at += together) {
@@ -54,8 +55,7 @@ void write(Writer& writer, const std::vector<Pixel>& pixels, int width, ExportOu
             return;
         }
         if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * double(at) / double(pixels.size()));
-        outcome.failure =
-            writer.writeRows(std::span(pixels).subspan(at, std::min(together, pixels.size() - at)));
+        outcome.failure = writer.writeRows(pixels.subspan(at, std::min(together, pixels.size() - at)));
     }
     if (!outcome.failure) outcome.failure = writer.finish();
 }
@@ -80,7 +80,7 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     format.texts.emplace_back("barycage:near", formatNumber(raster.near));
     format.texts.emplace_back("barycage:far", formatNumber(raster.far));
     PngWriter writer(device, format);
-    write(writer, values, format.width, outcome, progress, stop);
+    write(writer, std::span<const std::uint16_t>(values), format.width, outcome, progress, stop);
     return outcome;
 }
 
@@ -196,15 +196,19 @@ ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, cons
 template <class Pixel>
 ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Progress& progress,
                          const std::stop_token& stop) {
-    const PictureFormat format = formatOf(picture);
+    PictureFormat format = formatOf(picture);
     std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
     const auto drawing = [&](double fraction) {
         if (progress) progress(shareOfDrawing * fraction);
     };
     ExportOutcome outcome = pixelsOf(picture, std::span<Pixel>(pixels), drawing, stop);
     if (outcome.failure || outcome.stopped) return outcome;
+    const QImage legend = picture.legend.convertToFormat(imageFormat<Pixel>);
+    std::vector<Pixel> memory;
+    const auto rows = withLegend<Pixel>(pixels, std::size_t(format.width), legend, 0, memory);
+    format.width += legend.width();
     const std::unique_ptr<PictureWriter> writer = pictureWriter(picture.file, device, format);
-    write(*writer, pixels, format.width, outcome, progress, stop);
+    write(*writer, rows, format.width, outcome, progress, stop);
     return outcome;
 }
 
@@ -223,7 +227,8 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
     if (picture.look == LookInSpace::Depth)
         return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
     const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
-    const std::uint64_t marked = picture.marks.empty() ? 0 : pixels * sizeof(attractor::Rgba16);
+    const bool isWhole = !picture.marks.empty() || !picture.legend.isNull(); // before it is written
+    const std::uint64_t marked = isWhole ? pixels * sizeof(attractor::Rgba16) : 0;
     if (!attractor::showsCloud(picture.look)) return stereo + marked + memoryFor(solidOf(picture));
     const auto side = std::uint64_t(picture.request.appearance.supersample);
     const std::uint64_t cell =
@@ -237,12 +242,15 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
                            std::stop_token stop) {
     ExportOutcome refused;
-    refused.failure = whyImpossible(picture.file, formatOf(picture));
+    PictureFormat format = formatOf(picture);
+    format.width += picture.legend.width();
+    refused.failure = whyImpossible(picture.file, format);
     if (refused.failure) return refused;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (picture.look == LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
-    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && picture.marks.empty();
+    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && picture.marks.empty() &&
+                         picture.legend.isNull();
     if (!attractor::showsCloud(picture.look) && isPlain)
         return writeSolidRows(picture, buffer, progress, stop);
     return picture.depth == PngFormat::Depth::Bits16

@@ -35,6 +35,7 @@ struct SpaceExport {
     PictureFile file = PictureFile::Png;           // of Depth: PNG
     std::optional<int> quality{};                  // as in PictureFormat
     OverlayMarks marks{};                          // drawn over it, but not over Depth or in stereo
+    QImage legend{}; // as high as the picture, to its right in the file, but not beside Depth
 };
 
 // Memory that drawSpacePng() takes, in bytes, about.

@@ -3,6 +3,7 @@
 
 #include "attractor/samples/prepared_space.h"
 #include "ifs/extent/extent.h"
+#include "io/solid/printable_solid.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
@@ -85,16 +86,9 @@ QByteArray programText(const document::Fractal& fractal, const attractor::Prepar
 
 OpenScad openScad(const document::Fractal& fractal, double detail) {
     OpenScad result;
+    result.failure = obstacleToSolid(fractal);
+    if (result.failure) return result;
     const document::Shape<3>* shape = document::space(fractal);
-    if (!shape) {
-        result.failure = Text::tr("“%1” is not a system in space, so it has no solid.").arg(fractal.name);
-        return result;
-    }
-    if (shape->cage && ifs::bends(*shape->cage)) {
-        result.failure =
-            Text::tr("The cage of “%1” bends the picture, so its solid cannot be written.").arg(fractal.name);
-        return result;
-    }
     const attractor::PreparedSpace system = attractor::preparedSpace(shape->system);
     const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
     if (!support) {

@@ -93,11 +93,8 @@ public:
 
 private:
     Failure prepare() {
+        if (Failure obstacle = obstacleToSolid(m_fractal)) return obstacle;
         const document::Shape<3>* shape = document::space(m_fractal);
-        if (!shape) return Text::tr("“%1” is not a system in space, so it has no solid.").arg(m_fractal.name);
-        if (shape->cage && ifs::bends(*shape->cage))
-            return Text::tr("The cage of “%1” bends the picture, so its solid cannot be written.")
-                .arg(m_fractal.name);
         m_system = attractor::preparedSpace(shape->system);
         const auto support = m_system.isCertified ? ifs::SupportFunction<3>::of(m_system.maps) : std::nullopt;
         if (!support)
@@ -194,6 +191,15 @@ QString summaryOf(const SolidFacts& facts, const SolidOptions& options) {
                      .arg(number(facts.cavityVolume));
     if (facts.islands > 1) lines << Text::tr("Separate bodies: %1.").arg(facts.islands);
     return lines.join(u'\n') + u'\n';
+}
+
+Failure obstacleToSolid(const document::Fractal& fractal) {
+    const document::Shape<3>* shape = document::space(fractal);
+    if (!shape) return Text::tr("“%1” is not a system in space, so it has no solid.").arg(fractal.name);
+    if (shape->cage && ifs::bends(*shape->cage))
+        return Text::tr("The cage of “%1” bends the picture, so its solid cannot be written.")
+            .arg(fractal.name);
+    return std::nullopt;
 }
 
 PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,

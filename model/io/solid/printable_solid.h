@@ -48,6 +48,9 @@ struct PrintableSolid {
     bool stopped = false;
 };
 
+// Why there is no body of it, as far as its cage and its dimension tell; this takes no time.
+Failure obstacleToSolid(const document::Fractal& fractal);
+
 // Its surface is closed and a manifold, or there is a failure.
 PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,
                               const Progress& progress = {}, const std::stop_token& stop = {});

@@ -25,6 +25,8 @@ private slots:
     void overlaysAreOnPages();
     void theViewHoldsTheCage();
     void theLegendStandsBesideThePicture();
+    void theLegendStandsBesideASolid_data();
+    void theLegendStandsBesideASolid();
     void sheetsAreWrittenInEveryFormat();
     void largeTilesTakeLittleMemory();
     void pagesOfASheet();
@@ -127,7 +129,7 @@ void CliPicturesTest::systemsInSpaceTakeTheSameFormats() {
     const Result depth = run("render space.ifs --look depth -o d.tiff");
     QCOMPARE(depth.status, 2);
     QVERIFY2(depth.err.contains("--look depth can be drawn only as .png"), depth.err.constData());
-    QCOMPARE(run("render space.ifs -o o.png --legend").status, 2);
+    QCOMPARE(run("render space.ifs -o o.png --look normals --legend").status, 2);
 }
 
 QImage CliPicturesTest::picture(const QByteArray& options) const {
@@ -260,6 +262,36 @@ void CliPicturesTest::theLegendStandsBesideThePicture() {
     QCOMPARE(QImage(path("many.png")).height(), 80);
     QCOMPARE(run("render many.ifs --size 3x2 --points 1000 --legend --overlay numbers -o tiny.png").status,
              0);
+}
+
+// The table has twelve numbers for each map, so it is wider than that of the plane.
+void CliPicturesTest::theLegendStandsBesideASolid_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::newRow("stone") << QByteArray();
+    QTest::newRow("ink, 16 bits") << QByteArray("--look ink --bits 16");
+    QTest::newRow("cloud") << QByteArray("--look cloud --points 200000");
+    QTest::newRow("maps over it") << QByteArray("--overlay maps");
+}
+
+void CliPicturesTest::theLegendStandsBesideASolid() {
+    QFETCH(const QByteArray, options);
+    const QByteArray render = "render space.ifs --size 300x240 " + options;
+    QCOMPARE(run(render + " -o plain.png").status, 0);
+    const Result result = run(render + " --legend -o wide.png");
+    QVERIFY2(result.status == 0 && result.err.isEmpty(), result.err.constData());
+    const QImage plain(path("plain.png")), wide(path("wide.png"));
+    QCOMPARE(wide.height(), plain.height());
+    QCOMPARE(wide.copy(plain.rect()), plain);
+    write("flat.ifs", "flat {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
+    QCOMPARE(run("render flat.ifs --size 300x240 --points 1000 --legend -o flat.png").status, 0);
+    QVERIFY(wide.width() > QImage(path("flat.png")).width() + 30);
+    const QImage legend = wide.copy(plain.width(), 0, wide.width() - plain.width(), wide.height());
+    int ink = 0;
+    for (int y = 0; y < legend.height(); ++y)
+        for (int x = 0; x < legend.width(); ++x)
+            ink += legend.pixel(x, y) != legend.pixel(0, 0);
+    QVERIFY2(ink > 1000, qPrintable(QString::number(ink)));
+    QCOMPARE(legend.pixel(0, 0), plain.pixel(0, 0)); // the same paper
 }
 
 void CliPicturesTest::sheetsAreWrittenInEveryFormat() {

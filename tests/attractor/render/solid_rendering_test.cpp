@@ -5,10 +5,12 @@
 #include "attractor/samples/chaos_game.h"
 #include "attractor/space_systems.h"
 
+#include <Eigen/Geometry>
 #include <QtTest>
 
 #include <chrono>
 #include <cmath>
+#include <random>
 #include <thread>
 
 using namespace attractor;
@@ -95,6 +97,31 @@ Agreement agreement(const DepthRaster& raster, const std::vector<double>& brute,
     return result;
 }
 
+// Maps that turn and shrink at random, many of which are so large that their pieces lie on each other.
+System3 randomOverlaps(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto from = [&](double low, double high) { return low + (high - low) * random() * 0x1p-32; };
+    const auto turn = [&] {
+        Eigen::Quaterniond q(from(-1, 1), from(-1, 1), from(-1, 1), from(-1, 1));
+        return q.normalized().toRotationMatrix();
+    };
+    System3 system;
+    const double count = std::floor(from(3, 10));
+    const double scale = from(0.45, 0.85);
+    for (int i = 0; i < count; ++i) {
+        ifs::AffineMap<3> map;
+        const ifs::Matrix<3> before = turn(), after = turn();
+        Vector<3> scales;
+        for (double& s : scales)
+            s = std::min(0.95, from(0.5, 1.5) * scale);
+        map.linear = after * scales.asDiagonal() * before;
+        for (double& x : map.translation)
+            x = from(-1, 1);
+        ifs::append<3>(system, map);
+    }
+    return system;
+}
+
 System3 named(const QString& name) {
     return name == u"menger"        ? systems::menger()
            : name == u"tetrahedron" ? systems::tetrahedron()
@@ -151,6 +178,28 @@ private slots:
               found.drawn);
         QVERIFY(found.filled > 500);
         QVERIFY(found.missed <= found.filled / 100);
+    }
+
+    // Whatever overlaps: parts are missing only where the picture says that they may be.
+    void nothingIsMissingUnsaid_data() {
+        QTest::addColumn<unsigned>("seed");
+        QTest::addColumn<bool>("isCoarse");
+        for (const unsigned seed : {1U, 12U, 13U})
+            QTest::addRow("too many words, %u", seed) << seed << true;
+        for (const unsigned seed : {2U, 9U, 10U})
+            QTest::addRow("all of it, %u", seed) << seed << false;
+    }
+    void nothingIsMissingUnsaid() {
+        QFETCH(unsigned, seed);
+        const SpaceRequest request = spaceRequest(randomOverlaps(seed), 240, 180);
+        SolidRendering rendering(request);
+        QVERIFY(rendering.draw());
+        QTEST(rendering.work().isCoarse, "isCoarse");
+        const auto brute = bruteForce(request, 3'000'000);
+        const Agreement found = agreement(rendering.raster(), brute, pixelsPerUnit(request.camera));
+        qInfo("filled %zu missed %zu", found.filled, found.missed);
+        QVERIFY(found.filled > 500);
+        QVERIFY(rendering.work().isCoarse || found.missed <= found.filled / 1000);
     }
 
     // What is drawn are points of the attractor.

@@ -145,7 +145,7 @@ QString noteInSpace(attractor::RenderNote note, bool isCoarse) {
     switch (note) {
     case attractor::RenderNote::None:
     case attractor::RenderNote::FewerIterations:
-        return isCoarse ? Notes::tr("So many pieces overlap that parts of this solid are missing. "
+        return isCoarse ? Notes::tr("So many pieces overlap that parts of this solid may be missing. "
                                     "The look Cloud shows all of it.")
                         : QString();
     case attractor::RenderNote::NoMaps:

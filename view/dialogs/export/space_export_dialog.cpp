@@ -237,7 +237,7 @@ void SpaceExportDialog::update() {
     showPreview();
     const auto file = pictureFile();
     const bool isPicture = file.has_value();
-    m_enqueue->setEnabled(format() != Format::OpenScad); // which is there at once
+    enableButtons();
     using enum io::PngFormat::Depth;
     const bool hasDepths = file && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
@@ -251,11 +251,27 @@ void SpaceExportDialog::update() {
     m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
-    m_message->setText(
-        isDepth && isPicture && file != io::PictureFile::Png ? tr("Depths can be written only as PNG.")
-        : isPicture                                          ? QString()
-        : isBody() ? tr("A closed surface around the attractor, without its slice, for a printer.")
-                   : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+    m_message->setText(obstacle()  ? *obstacle()
+                       : isPicture ? QString()
+                       : isBody()
+                           ? tr("A closed surface around the attractor, without its slice, for a printer.")
+                           : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+}
+
+io::Failure SpaceExportDialog::obstacle() const {
+    if (!pictureFile()) return io::obstacleToSolid(m_fractal);
+    if (m_fractal.inSpace.look == attractor::LookInSpace::Depth && pictureFile() != io::PictureFile::Png)
+        return tr("Depths can be written only as PNG.");
+    return std::nullopt;
+}
+
+bool SpaceExportDialog::canExport() const {
+    return m_start->isEnabled();
+}
+
+void SpaceExportDialog::enableButtons() {
+    m_start->setEnabled(!obstacle() && !m_job);
+    m_enqueue->setEnabled(m_start->isEnabled() && format() != Format::OpenScad); // which is there at once
 }
 
 void SpaceExportDialog::setQueue(ExportQueue* queue) {
@@ -272,7 +288,7 @@ QString SpaceExportDialog::chosenFile() {
 
 void SpaceExportDialog::addToQueue(const QString& path) {
     const std::optional<io::ExportRecipe> wanted = recipe();
-    if (!m_queue || !wanted || path.isEmpty()) return;
+    if (!m_queue || !wanted || path.isEmpty() || obstacle()) return;
     const Enqueued added = enqueue(*m_queue, m_fractal, *wanted, path);
     m_message->setText(added.sentence);
     if (added.isAdded) emit queued();
@@ -296,19 +312,17 @@ void SpaceExportDialog::exportTo(const QString& path) {
     }
     m_progress->setValue(0);
     m_progress->show();
-    m_start->setEnabled(false);
-    m_enqueue->setEnabled(false);
     m_close->setText(tr("&Stop"));
     m_job = startExport(
         toExport(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+    enableButtons();
 }
 
 void SpaceExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
     m_job.reset();
     m_progress->hide();
-    m_start->setEnabled(true);
-    m_enqueue->setEnabled(format() != Format::OpenScad);
+    enableButtons();
     m_close->setText(tr("&Close"));
     if (outcome.stopped)
         m_message->setText(tr("Export stopped; nothing was written."));

@@ -45,6 +45,7 @@ public:
     void addToQueue(const QString& path);
     const ExportPreview& preview() const { return *m_preview; }
     QString message() const; // what came of it
+    bool canExport() const;
 
 signals:
     void exported(const QString& path);
@@ -60,7 +61,9 @@ private:
     attractor::OrbitCamera camera() const;
     std::optional<io::ExportRecipe> recipe() const; // nullopt of a program, which takes no time
     io::Export toExport();
+    io::Failure obstacle() const; // why nothing can be written in this format
     void update();
+    void enableButtons();
     void showPreview();
     QString chosenFile(); // empty: none
     void finish(const io::ExportOutcome& outcome, const QString& path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
+#include "bridges/export_queue.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/space_geometry.h"
@@ -109,6 +110,47 @@ private slots:
         QFile file(path(QStringLiteral("a.scad")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("multmatrix"));
+    }
+
+    // Before a name is chosen, and no such export waits in the queue to fail there.
+    void aBentSolidIsRefusedBeforeItHasAName() {
+        document::Fractal fractal = m_document->fractal();
+        std::vector<ifs::Vector<3>> corners;
+        for (int k = 0; k < 8; ++k)
+            corners.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+        auto& cage = std::get<document::Shape<3>>(fractal.shape).cage;
+        cage = ifs::polygonAtRest<3>(corners);
+        cage->current[7] += ifs::Vector<3>(0.4, 0.3, 0.2);
+        m_document->setFile(document::fileOf(fractal));
+        attractor::OrbitCamera camera;
+        camera.size = {160, 120};
+        view::ExportQueue queue(m_folder.filePath(QStringLiteral("queue")));
+        SpaceExportDialog dialog(m_document.get(), document::fittedTo(fractal, camera, 0.05));
+        dialog.setQueue(&queue);
+        QSignalSpy queued(&dialog, &SpaceExportDialog::queued);
+        using enum SpaceExportDialog::Format;
+        for (const auto format : {Stl, Obj, Glb, Ply, OpenScad}) {
+            dialog.setFormat(Png);
+            QVERIFY(dialog.canExport());
+            dialog.setFormat(format);
+            QVERIFY(!dialog.canExport());
+            QVERIFY2(dialog.message().contains(QStringLiteral("bends")), qPrintable(dialog.message()));
+            dialog.addToQueue(path(QStringLiteral("bent.stl")));
+        }
+        QVERIFY(queued.isEmpty());
+        m_dialog->setFormat(Stl); // the straight one
+        QVERIFY(m_dialog->canExport());
+    }
+
+    void depthsAreRefusedBeforeTheyHaveAName() {
+        document::Fractal fractal = m_document->fractal();
+        fractal.inSpace.look = attractor::LookInSpace::Depth;
+        m_document->setFile(document::fileOf(fractal));
+        SpaceExportDialog dialog(m_document.get(), {});
+        QVERIFY(dialog.canExport());
+        dialog.setFormat(SpaceExportDialog::Format::Jpeg);
+        QVERIFY(!dialog.canExport());
+        QVERIFY2(dialog.message().contains(QStringLiteral("PNG")), qPrintable(dialog.message()));
     }
 
     void whatCannotBeWrittenSaysSo() {
