@@ -51,8 +51,7 @@ QAction* CageMenu::addTool(QActionGroup* group, Tool tool, const ActionSpec& spe
     group->addAction(action);
     connect(canvas, &view::CanvasView::toolChanged, action,
             [action, tool](Tool now) { action->setChecked(now == tool); });
-    if (tool == Tool::Maps || tool == Tool::DefineTriangle) disableWhen(action, &document::cageObstacle);
-    if (tool == Tool::Branch) disableWhen(action, &document::planeObstacle);
+    if (tool != Tool::Cage) disableWhen(action, &document::cageObstacle);
     return action;
 }
 

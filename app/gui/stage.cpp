@@ -27,9 +27,11 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
         using Tool = view::CanvasView::Tool;
         using Target = view::SpaceView::Target;
         m_space->setTarget(tool == Tool::Maps             ? Target::Maps
+                           : tool == Tool::Branch         ? Target::Branch
                            : tool == Tool::DefineTriangle ? Target::Definition
                                                           : Target::Cage);
     });
+    m_space->setBranchChoice(&m_plane->tools().branchTool().choice());
     connect(m_space, &view::FourViews::defined, m_plane,
             [this] { m_plane->setTool(view::CanvasView::Tool::Cage); });
     follow(*document);

@@ -60,7 +60,7 @@ ifs::Word addressInSpace(const Fractal& fractal, const ifs::Vector<3>& displayed
     constexpr double reach = 3;     // pixels
     constexpr int maxNodes = 4'000; // the pointer moves on
     const Shape<3>* shape = space(fractal);
-    if (!shape || !shape->moved.empty() || !isSpaceExtentKnown(fractal)) return {};
+    if (!shape || !isSpaceExtentKnown(fractal)) return {};
     if (shape->cage && ifs::bends(*shape->cage)) return {};
     const auto attractor = spaceSupport(fractal);
     const auto back = ifs::inverse(shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/map_handles.h"
+#include "document/branch_as_map.h"
 #include "document/fractal_geometry.h"
 
-#include "attractor/request/colour_coordinates.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/extent/support_function.h"
 #include "ifs/system/map_interpolation.h"
@@ -189,76 +189,6 @@ Fractal MapHandles::withMapsSwung(std::span<const std::size_t> indices, const Ve
     return fractal;
 }
 
-namespace {
-
-// Of the maps over the cut set of the branch, which come first, and of those that take no part. Where
-// addresses colour, the blends that give the points the colours of their old addresses.
-attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<2>& active,
-                                const ifs::Word& branch, const System2& system) {
-    const attractor::Appearance& appearance = fractal.appearance;
-    attractor::MapBlends blends;
-    const bool isByAddress = appearance.colourBy == attractor::ColourBy::Address;
-    if (!isByAddress && appearance.colourBy != attractor::ColourBy::Blend && appearance.mapBlends.empty())
-        return blends;
-    const System2& before = *system2(fractal);
-    const auto blendAt = [&](std::size_t index) {
-        return attractor::mapBlend(appearance, before.maps[index].id, index, before.maps.size());
-    };
-    const auto blendOf = [&](int letter) {
-        return isByAddress ? attractor::addressBlend(std::size_t(letter), active.maps.size())
-                           : blendAt(active.index[std::size_t(letter)]);
-    };
-    std::size_t made = 0;
-    for (const ifs::Word& word : ifs::cutSet(branch, active.maps.size())) {
-        attractor::MapBlend blend{0, 0};
-        for (const int letter : word)
-            blend = attractor::composed(blend, blendOf(letter));
-        blends[system.maps[made++].id] = blend;
-    }
-    for (std::size_t index = 0; index < before.maps.size(); ++index)
-        if (!std::ranges::binary_search(active.index, index)) blends[system.maps[made++].id] = blendAt(index);
-    return blends;
-}
-
-// The system over the cut set of the branch, whose maps have the colours and the labels of the maps they
-// begin with, and blends that keep colours along the address. Maps that take no part stay, at the end.
-Fractal withBranchAsMap(const Fractal& fractal, const ifs::Word& letters) {
-    const System2& before = *system2(fractal);
-    const ifs::ActiveMaps<2> active = ifs::activeMaps(before);
-    Fractal result = fractal;
-    System2 system = ifs::withBranchChanged<2>(before, letters, {});
-    attractor::MapColours& colours = result.appearance.mapColours = {};
-    colours.reserve(system.maps.size());
-    result.mapLabels = {};
-    std::size_t made = 0;
-    const auto keepColour = [&](std::size_t index) { // for the next map
-        const ifs::MapId id = system.maps[made++].id, of = before.maps[index].id;
-        colours[id] = attractor::mapColour(fractal.appearance, of, index);
-        result.mapLabels.set(id, fractal.mapLabels.of(of));
-    };
-    const auto keepColourOf = [&](int letter) { keepColour(active.index[std::size_t(letter)]); };
-    keepColourOf(letters.front());
-    for (const auto& [kept, symbol] : ifs::departures(letters, active.maps.size()))
-        keepColourOf(kept > 0 ? letters.front() : symbol);
-    for (std::size_t index = 0; index < before.maps.size(); ++index) {
-        if (std::ranges::binary_search(active.index, index)) continue;
-        system.maps.push_back(before.maps[index]);
-        system.maps.back().id = ifs::MapId{std::uint32_t(system.maps.size())};
-        keepColour(index);
-    }
-    result.appearance.mapBlends = blendsOver(fractal, active, letters, system);
-    if (result.appearance.colourBy == attractor::ColourBy::Address)
-        result.appearance.colourBy = attractor::ColourBy::Blend; // addresses are others now
-    std::vector<MovedBranch<2>> moved;
-    for (const auto& [word, change] : ifs::overMaps<2>(movedBranches(fractal), active.index))
-        for (const ifs::Word& over : ifs::overCutSet(word, letters, active.maps.size()))
-            moved.push_back({idsOf(system, over), change});
-    *plane(result) = {std::move(system), plane(fractal)->cage, std::move(moved)};
-    return result;
-}
-
-} // namespace
-
 std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>& fractal,
                                            const ifs::ControlCage<2>& cage, const ifs::Word& branch,
                                            BranchEdit edit) {
@@ -274,7 +204,7 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
         return std::nullopt; // the maps that divide the others would have links of their own
     if (edit == BranchEdit::OwnMap)
         return BranchHandles{
-            {std::make_shared<const Fractal>(withBranchAsMap(*fractal, *letters)), cage, moved}, 0};
+            {std::make_shared<const Fractal>(withBranchAsMap<2>(*fractal, *letters)), cage, moved}, 0};
     letters->pop_back();
     return BranchHandles{{fractal, cage, moved * ifs::composed<2>(active.maps, *letters)},
                          std::size_t(branch.back())};

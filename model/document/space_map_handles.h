@@ -2,7 +2,9 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "document/map_handles.h"
 #include "ifs/cage/control_cage.h"
+#include "ifs/system/branch.h"
 
 #include <array>
 #include <memory>
@@ -18,14 +20,18 @@ public:
     using Corners = std::array<ifs::Vector<3>, 4>;
 
     // nullopt unless the fractal is a system in space. `cage` is the one in force; one of more than four
-    // vertices gives way to the minimal canonical simplex, moved as the cage says.
+    // vertices gives way to the minimal canonical simplex, moved as the cage says. The maps are shown and
+    // moved as they are seen inside the piece that `within` makes of the attractor.
     static std::optional<SpaceMapHandles> of(std::shared_ptr<const Fractal> fractal,
-                                             const ifs::ControlCage<3>& cage);
+                                             const ifs::ControlCage<3>& cage,
+                                             const ifs::AffineMap<3>& within = {});
 
     std::size_t count() const { return system3(*m_fractal)->maps.size(); }
     Corners corners(std::size_t index) const; // images of the tetrahedron's vertices
+    // The same under w_σ, a word of indices; nullopt where one is of no map.
+    std::optional<Corners> corners(const ifs::Word& branch) const;
 
-    // Unless the placement is flat.
+    // Unless the placement, or the piece, is flat.
     bool canBeMoved() const { return m_back.has_value(); }
     // The fractal with the corners of one map moved by these offsets: a change of rank one for each that is
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
@@ -38,8 +44,19 @@ private:
     std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<3> m_cage;
     ifs::Simplex<3> m_rest;
-    ifs::AffineMap<3> m_placed;
+    ifs::AffineMap<3> m_placed;              // what displays a map
     std::optional<ifs::AffineMap<3>> m_back; // of m_placed
 };
+
+// A branch in space, a word of indices in the system, as a map that can be moved.
+struct SpaceBranchHandles {
+    SpaceMapHandles handles;
+    std::size_t index = 0;
+};
+// nullopt when the word is empty or names a map that takes no part; for BranchEdit::Display, since solids are
+// shown where their maps put them; and for BranchEdit::OwnMap of more than one symbol where maps are linked.
+std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<const Fractal>& fractal,
+                                                       const ifs::ControlCage<3>& cage,
+                                                       const ifs::Word& branch, BranchEdit edit);
 
 } // namespace document

@@ -16,8 +16,8 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <QStandardItemModel>
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <numbers>
@@ -42,7 +42,7 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->addWidget(m_rows);
-    connect(&canvas->tools().branchTool(), &BranchTool::changed, this, &BranchBar::follow);
+    connect(&canvas->tools().branchTool().choice(), &BranchChoice::changed, this, &BranchBar::follow);
     connect(canvas, &CanvasView::toolChanged, this, &BranchBar::follow);
     connect(canvas, &CanvasView::selectedMapsChanged, this, &BranchBar::endSwing);
     connect(document, &document::Document::changed, this, [this] {
@@ -55,7 +55,7 @@ QWidget* BranchBar::makeBranch() {
     auto* row = new QWidget(this);
     auto* depthLabel = new QLabel(tr("&Depth"), row);
     m_depth = new WholeNumberBox(row);
-    m_depth->setRange(1, BranchTool::maxDepth);
+    m_depth->setRange(1, BranchChoice::maxDepth);
     m_depth->setAccessibleName(tr("Depth of the branch"));
     m_depth->setToolTip(
         tr("The number of maps in the address of the branch (Shift + wheel over the canvas)"));
@@ -97,11 +97,11 @@ QWidget* BranchBar::makeBranch() {
     layout->addWidget(m_edit);
     layout->addWidget(m_putBack);
     connect(m_putBack, &QPushButton::clicked, this, &BranchBar::putBack);
-    connect(m_depth, &QSpinBox::valueChanged, &m_canvas->tools().branchTool(), &BranchTool::setDepth);
+    connect(m_depth, &QSpinBox::valueChanged, &choice(), &BranchChoice::setDepth);
     connect(m_edit, &QComboBox::currentIndexChanged, this, [this](int index) {
         constexpr std::array edits{document::BranchEdit::OwnMap, document::BranchEdit::LastMap,
                                    document::BranchEdit::Display};
-        m_canvas->tools().branchTool().setEdit(edits.at(std::size_t(index)));
+        choice().setEdit(edits.at(std::size_t(index)));
         m_edit->setWhatsThis(m_edit->itemData(index, Qt::ToolTipRole).toString());
     });
     m_edit->setToolTip(tr("What changes in the code when you drag the branch"));
@@ -136,9 +136,9 @@ QWidget* BranchBar::makeSwing() {
 void BranchBar::follow() {
     showRow(m_canvas->tool() == CanvasView::Tool::Maps ? m_swingRow : m_branchRow);
     const QSignalBlocker quiet(m_depth);
-    m_depth->setValue(m_canvas->tools().branchTool().depth());
-    const ifs::Word& address = m_canvas->tools().branchTool().address();
-    const ifs::Word word = branch();
+    m_depth->setValue(choice().depth());
+    const ifs::Word& address = choice().address();
+    const ifs::Word word = choice().branch();
     const ifs::Word rest(address.begin() + std::ptrdiff_t(word.size()), address.end());
     m_address->setText(
         address.empty() ? tr("no branch selected")
@@ -150,6 +150,9 @@ void BranchBar::follow() {
     m_putBack->setToolTip(isMoved
                               ? tr("Shows the branch in its original position, given by its maps")
                               : tr("Shows all branches in their original positions, given by their maps"));
+    // Solids are shown where their maps put them.
+    if (auto* edits = qobject_cast<QStandardItemModel*>(m_edit->model()))
+        edits->item(m_edit->count() - 1)->setEnabled(!document::space(fractal));
     const document::Shape<2>* shape = document::plane(fractal);
     const bool canPutBack = shape && !shape->moved.empty();
     if (!canPutBack) takeFocusFrom(m_putBack);
@@ -170,14 +173,12 @@ void BranchBar::showRow(QWidget* row) {
     m_rows->setCurrentWidget(row);
 }
 
-ifs::Word BranchBar::branch() const {
-    ifs::Word word = m_canvas->tools().branchTool().address();
-    word.resize(std::min(word.size(), std::size_t(m_canvas->tools().branchTool().depth())));
-    return word;
+BranchChoice& BranchBar::choice() const {
+    return m_canvas->tools().branchTool().choice();
 }
 
 void BranchBar::putBack() {
-    const ifs::Word word = branch();
+    const ifs::Word word = choice().branch();
     document::Fractal fractal = m_document->fractal();
     const bool isMoved = document::isMoved(fractal, word);
     if (isMoved)

@@ -37,8 +37,8 @@ private:
     void follow();
     void takeFocusFrom(const QWidget* part); // that is about to be hidden, for the canvas
     void showRow(QWidget* row);
-    ifs::Word branch() const; // that is selected
-    void putBack();           // it, where it is moved; else all branches
+    BranchChoice& choice() const;
+    void putBack(); // the branch, where it is moved; else all branches
     void swingTo(int degrees);
     void endSwing();
     void centre();

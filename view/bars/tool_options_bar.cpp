@@ -57,7 +57,10 @@ void ToolOptionsBar::follow() {
     const Tool tool = m_canvas->tool();
     QWidget* page = tool == Tool::Cage ? m_cage : tool == Tool::DefineTriangle ? m_define : m_branches;
     if (m_isSpace)
-        page = tool == Tool::DefineTriangle ? m_defineInSpace : tool == Tool::Maps ? m_mapsInSpace : m_space;
+        page = tool == Tool::DefineTriangle ? m_defineInSpace
+               : tool == Tool::Maps         ? m_mapsInSpace
+               : tool == Tool::Branch       ? m_branches
+                                            : m_space;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();
     if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it

@@ -17,7 +17,7 @@ class ToolOptionsBar : public QStackedWidget {
 public:
     ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
-    void setSpace(bool isSpace); // the window into space is shown, whose tools have no options
+    void setSpace(bool isSpace); // the window into space is shown
     QString hint() const;        // what is said of a tool without options; empty for the others
 
 private:

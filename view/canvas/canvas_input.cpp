@@ -134,10 +134,7 @@ void CanvasInput::turnWheel(const QWheelEvent& event) {
         return;
     }
     if (m_tools.tool() == Toolbox::Tool::Branch && event.modifiers().testFlag(Qt::ShiftModifier)) {
-        m_wheelTurned += event.angleDelta().y() + event.angleDelta().x();
-        BranchTool& tool = m_tools.branchTool();
-        tool.setDepth(tool.depth() + m_wheelTurned / notch);
-        m_wheelTurned %= notch;
+        m_tools.branchTool().choice().turnDepth(event.angleDelta().y() + event.angleDelta().x());
         return;
     }
     m_navigation.zoomAt(event.position(), wheelFactor(event));
@@ -146,7 +143,7 @@ void CanvasInput::turnWheel(const QWheelEvent& event) {
 void CanvasInput::reportAt(const QPointF& position) {
     m_reported = position;
     PointerPosition pointer = pointerPosition(m_scene, position);
-    if (!isHolding()) findAddress(pointer, m_scene, m_tools.branchTool().depth());
+    if (!isHolding()) findAddress(pointer, m_scene, m_tools.branchTool().choice().depth());
     emit pointerMoved(pointer);
 }
 

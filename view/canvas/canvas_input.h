@@ -71,8 +71,7 @@ private:
     std::optional<QPointF> m_clicked;  // where a press has not become a drag
     std::optional<QPointF> m_reported; // nullopt when the pointer has left
     bool m_spaceHeld = false;
-    int m_wheelTurned = 0; // of a notch that is not complete
-    double m_twisted = 0;  // degrees, by the fingers on a touchpad, clockwise
+    double m_twisted = 0; // degrees, by the fingers on a touchpad, clockwise
 };
 
 } // namespace view

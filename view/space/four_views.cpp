@@ -40,6 +40,7 @@ void FourViews::makeOthers() {
         view->navigation().setUpAxis(m_up);
         view->fixDirection(from, title);
         view->setOverlaysVisible(m_areOverlaysVisible);
+        view->setBranchChoice(m_branch);
         view->setTarget(m_target);
         view->setAllowsNoAttractor(m_allowsNoAttractor);
         view->showOutlines(m_outlines);
@@ -96,6 +97,12 @@ void FourViews::setTarget(SpaceView::Target target) {
     m_target = target;
     for (SpaceView* view : all())
         view->setTarget(target);
+}
+
+void FourViews::setBranchChoice(BranchChoice* choice) {
+    m_branch = choice;
+    for (SpaceView* view : all())
+        view->setBranchChoice(choice);
 }
 
 void FourViews::setAllowsNoAttractor(bool allows) {

@@ -30,6 +30,7 @@ public:
     void setOverlaysVisible(bool visible);
     void setUpAxis(attractor::UpAxis up);
     void setTarget(SpaceView::Target target);
+    void setBranchChoice(BranchChoice* choice);
     void setAllowsNoAttractor(bool allows);
     void showOutlines(const std::vector<document::SpaceOutline>& shapes);
     bool cancelGesture();
@@ -54,6 +55,7 @@ private:
     bool m_areOverlaysVisible = true;
     attractor::UpAxis m_up = attractor::UpAxis::Y;
     bool m_allowsNoAttractor = false;
+    BranchChoice* m_branch = nullptr;
     SpaceView::Target m_target = SpaceView::Target::Cage;
     std::vector<document::SpaceOutline> m_outlines;
     std::shared_ptr<const document::Fractal> m_instead;

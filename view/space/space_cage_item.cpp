@@ -113,6 +113,11 @@ void SpaceCageItem::setHandlesVisible(bool visible) {
         handle->setVisible(visible);
 }
 
+void SpaceCageItem::setFill(const QColor& fill) {
+    m_fill = fill;
+    update();
+}
+
 void SpaceCageItem::setMarks(std::optional<std::size_t> hovered, std::optional<std::size_t> pressed,
                              std::optional<std::size_t> focused) {
     m_hovered = hovered;
@@ -155,6 +160,20 @@ void SpaceCageItem::setStyle(const OverlayStyle& style) {
         handle->setStyle(style);
 }
 
+// In one stroke, so that nothing is covered twice.
+void SpaceCageItem::paintFaces(QPainter& painter) const {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const Face& face : m_faces) {
+        if (!face.isTowards) continue;
+        QPolygonF corners;
+        for (const int corner : face.corners)
+            corners << m_points[corner];
+        path.addPolygon(corners);
+    }
+    painter.fillPath(path, m_fill);
+}
+
 QRectF SpaceCageItem::boundingRect() const {
     return m_points.boundingRect().adjusted(-6, -6, 6, 6);
 }
@@ -173,6 +192,7 @@ void SpaceCageItem::paintFaceHandles(QPainter& painter) const {
 
 void SpaceCageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
+    if (m_fill.isValid()) paintFaces(*painter);
     for (const bool behind : {true, false}) {
         QPainterPath path;
         for (const Edge& edge : m_edges)

@@ -5,6 +5,7 @@
 #include "canvas/items/vertex_handle.h"
 #include "ifs/cage/control_cage.h"
 
+#include <QColor>
 #include <QPolygonF>
 
 #include <functional>
@@ -41,6 +42,8 @@ public:
     const std::vector<ifs::Vector<3>>& vertices() const { return m_vertices; }
 
     void setHandlesVisible(bool visible); // else the edges alone
+    void setFill(const QColor& fill);     // of its faces towards the eye; invalid: none
+    QColor fill() const { return m_fill; }
 
     void setStyle(const OverlayStyle& style) override;
     QRectF boundingRect() const override;
@@ -57,6 +60,7 @@ private:
         bool isTowards = false;
     };
     void layOutEdges(const Faces& faces);
+    void paintFaces(QPainter& painter) const;
     void paintFaceHandles(QPainter& painter) const;
     std::vector<ifs::Vector<3>> m_vertices;
     QPolygonF m_points;
@@ -66,6 +70,7 @@ private:
     std::vector<std::unique_ptr<VertexHandle>> m_handles;
     std::vector<Face> m_faces;
     std::optional<std::size_t> m_faceMark;
+    QColor m_fill;
     bool m_holdsFaces = false;
     bool m_showsHandles = true;
     std::optional<std::size_t> m_hovered;

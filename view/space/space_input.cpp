@@ -3,7 +3,6 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/addresses.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/map_locks.h"
 #include "document/edits/maps_edits.h"
@@ -47,6 +46,7 @@ SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation
       m_navigation(navigation),
       m_cage(items.cage),
       m_maps(items.maps),
+      m_branch(items.branch),
       m_map(items.map),
       m_definition(items.definition),
       m_slice(items.slice),
@@ -129,16 +129,10 @@ SpaceInput::After SpaceInput::afterCage() const {
 }
 
 SpaceInput::After SpaceInput::afterMap() {
-    const auto map = m_maps.selected();
-    const QString locked = map ? document::lockObstacle(m_document->fractal(), std::vector{*map}) : QString();
-    if (!locked.isEmpty()) {
-        emit message(locked);
-        return nullptr;
-    }
-    const auto drag = map ? SpaceMapDrag::of(*m_document, *map) : std::nullopt;
+    QString obstacle;
+    const auto drag = m_branch.isActive() ? m_branch.drag(obstacle) : m_maps.drag(obstacle);
     if (!drag) {
-        emit message(tr("Maps cannot be dragged while the cage is flat or bends the picture. First open or "
-                        "reset the cage."));
+        emit message(obstacle);
         return nullptr;
     }
     return [this, drag = *drag](const std::vector<ifs::Vector<3>>& vertices) {
@@ -163,8 +157,9 @@ void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::En
 }
 
 void SpaceInput::beginDrag(std::size_t vertex, const QMouseEvent& event) {
-    After after = m_maps.isActive() ? afterMap() : afterCage();
-    if (!after || vertex >= held().vertices().size()) return;
+    if (vertex >= held().vertices().size()) return;
+    After after = holdsMap() ? afterMap() : afterCage();
+    if (!after) return;
     SpatialDrag drag;
     drag.camera = m_navigation.camera();
     drag.vertices = held().vertices();
@@ -226,6 +221,7 @@ void SpaceInput::beginSymmetryDrag() {
 
 QString SpaceInput::stepText(SpatialDrag::Mode mode, std::size_t vertex) const {
     using enum SpatialDrag::Mode;
+    if (m_branch.isActive()) return m_branch.stepText(mode, vertex);
     const auto map = m_maps.selected();
     if (!map)
         return mode == Rotate  ? tr("Rotate Cage")
@@ -322,14 +318,29 @@ void SpaceInput::preview(Dragging& dragging) {
     } else {
         dragging.gesture.preview(dragging.after(vertices));
     }
+    if (m_branch.isActive()) m_branch.choice()->showDragged(vertices != dragging.drag.vertices);
     report(dragging);
+}
+
+// A branch may have become a map of its own, which the handles now hold.
+void SpaceInput::endDrag() {
+    emit stopped({});
+    if (m_branch.isActive() && m_branch.choice()->endDrag())
+        emit message(tr("This branch is now map 1. You can change it further in the table."));
+}
+
+void SpaceInput::chooseBranchAt(const QPointF& position) {
+    const auto point = m_navigation.pointUnder(position);
+    if (!point) return;
+    m_focused.reset();
+    emit message(m_branch.chooseAt(*point, 1 / pixelsPerUnit(m_navigation.camera())));
 }
 
 void SpaceInput::release(const QMouseEvent& event) {
     if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         if (event.button() != Qt::LeftButton) return;
         dragging->gesture.commit();
-        emit stopped({});
+        endDrag();
     } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
         if (event.button() != Qt::LeftButton) return;
         slicing->gesture.commit();
@@ -346,6 +357,8 @@ void SpaceInput::release(const QMouseEvent& event) {
                                   m_navigation.upAxis()));
         } else if (done.button == Qt::RightButton) {
             emit menuRequested(event.globalPosition().toPoint());
+        } else if (m_branch.isActive()) {
+            chooseBranchAt(event.position());
         }
     }
     m_gesture.emplace<std::monostate>();
@@ -374,7 +387,10 @@ void SpaceInput::wheel(const QWheelEvent& event) {
         m_definition.follow(m_navigation.camera(), toVector(event.position()));
         return;
     }
-    if (isIdle()) m_navigation.zoomAt(event.position(), std::pow(1.0015, event.angleDelta().y()));
+    if (isIdle() && m_branch.isActive() && event.modifiers().testFlag(Qt::ShiftModifier))
+        m_branch.choice()->turnDepth(event.angleDelta().x() + event.angleDelta().y());
+    else if (isIdle())
+        m_navigation.zoomAt(event.position(), std::pow(1.0015, event.angleDelta().y()));
 }
 
 void SpaceInput::leave() {
@@ -401,7 +417,7 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
         return true;
     }
     if (isIdle() && !m_isFixed && lookBy(m_navigation, event)) return true;
-    if (lockBy(event) || mapsKeyPress(event)) return true;
+    if (lockBy(event) || mapsKeyPress(event) || (isIdle() && m_branch.keyPress(event))) return true;
     if (event.key() == Qt::Key_Space) {
         m_isSpaceHeld = true;
         emit changed();
@@ -464,14 +480,16 @@ bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
 }
 
 void SpaceInput::nudge(const QPointF& pixels) {
-    const After after = m_maps.isActive() ? afterMap() : afterCage();
-    if (!after || *m_focused >= held().vertices().size()) return;
+    if (*m_focused >= held().vertices().size()) return;
+    const After after = holdsMap() ? afterMap() : afterCage();
+    if (!after) return;
     SpatialDrag drag;
     drag.camera = m_navigation.camera();
     drag.vertices = held().vertices();
     drag.held = *m_focused;
     m_document->edit(stepText(drag.mode, drag.held), after(dragged(drag, {toVector(pixels), 0}, {})));
-    emit stopped({});
+    if (m_branch.isActive()) m_branch.choice()->showDragged(true);
+    endDrag();
 }
 
 bool SpaceInput::cancelGesture() {
@@ -487,6 +505,7 @@ bool SpaceInput::cancelDrag() {
     if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) m_navigation.moveTo(orbiting->before);
     if (auto* panning = std::get_if<Panning>(&m_gesture)) m_navigation.moveTo(panning->before);
     m_gesture.emplace<std::monostate>(); // an edit is cancelled as it goes
+    if (m_branch.isActive()) m_branch.choice()->cancelDrag();
     emit stopped({});
     emit changed();
     return true;
@@ -544,21 +563,7 @@ Qt::CursorShape SpaceInput::cursor() const {
 void SpaceInput::report(const QPointF& position) {
     if (!document::space(m_document->fractal())) return;
     m_isPointRead = true;
-    SpacePosition at;
-    const attractor::OrbitCamera& camera = m_navigation.camera();
-    const auto point = m_navigation.pointUnder(position);
-    at.onAttractor = point.has_value();
-    at.world = point.value_or(toWorld(camera, {toVector(m_navigation.inEye(position)), 0}));
-    at.depth = toScreen(camera, at.world).depth;
-    at.unitsPerPixel = 1 / pixelsPerUnit(camera);
-    if (point) at.address = document::addressInSpace(m_document->fractal(), at.world, at.unitsPerPixel);
-    const auto& vertices = m_cage.vertices();
-    ifs::Simplex<3> simplex;
-    if (vertices.size() == simplex.size()) {
-        std::ranges::copy(vertices, simplex.begin());
-        if (ifs::isAffineBasis<3>(simplex)) at.barycentric = ifs::barycentric<3>(simplex, at.world);
-    }
-    emit pointerMoved(at);
+    emit pointerMoved(positionAt(m_document->fractal(), m_navigation, m_cage.vertices(), position));
 }
 
 void SpaceInput::reportDirection() {

@@ -2,17 +2,16 @@
 #pragma once
 
 #include "canvas/items/symmetry_item.h"
-#include "ifs/system/barycentric.h"
-#include "ifs/system/branch.h"
 #include "space/slice_item.h"
+#include "space/space_branch.h"
 #include "space/space_cage_item.h"
 #include "space/space_definition.h"
 #include "space/space_maps.h"
 #include "space/space_navigation.h"
+#include "space/space_position.h"
 #include "space/spatial_drag.h"
 
 #include <QKeyEvent>
-#include <QMetaType>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -23,29 +22,17 @@
 
 namespace view {
 
-// What is under the pointer in space.
-struct SpacePosition {
-    ifs::Vector<3> world = ifs::Vector<3>::Zero();
-    double depth = 0;         // along the view away from the eye, 0 in the plane of the target
-    double unitsPerPixel = 1; // in the plane of the target
-    bool onAttractor = false; // else in the plane of the target
-    // With respect to the current tetrahedron; nullopt while it is flat.
-    std::optional<ifs::Barycentric<3>> barycentric;
-    ifs::Word address; // of the point of the attractor, outermost map first; empty where it has none
-    AxisLock lock;     // of the corner that is dragged
-    std::optional<attractor::Direction> direction; // of the camera, while it turns about `world`
-};
-
 // What mouse and keyboard do in the window into space: orbit, pan, and drag vertices. One gesture at a time.
 class SpaceInput : public QObject {
     Q_OBJECT
 
 public:
-    // What can be held on the canvas: the cage, or the maps while they are active.
+    // What can be held on the canvas: the cage, or the maps or a branch while they are active.
     struct Items {
         SpaceCageItem& cage;
         SpaceMaps& maps;
-        SpaceCageItem& map; // the one that is held
+        SpaceBranch& branch;
+        SpaceCageItem& map; // the one that is held, or the branch
         SpaceDefinition& definition;
         SliceItem& slice;
         SymmetryItem& symmetry;
@@ -126,10 +113,13 @@ private:
     QString stepText(SpatialDrag::Mode mode, std::size_t vertex) const;
     void beginFaceDrag(std::size_t face, const QMouseEvent& event);
     After afterCage() const; // nullptr while there is no cage
-    After afterMap();        // nullptr while the map cannot be moved
+    After afterMap();        // or branch; nullptr while it cannot be moved
     void selectMap(std::size_t index);
     bool mapsKeyPress(const QKeyEvent& event);
-    SpaceCageItem& held() const { return m_maps.isActive() ? m_map : m_cage; }
+    bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
+    SpaceCageItem& held() const { return holdsMap() ? m_map : m_cage; }
+    void endDrag();
+    void chooseBranchAt(const QPointF& position);
     void follow(Orbiting& orbiting, const QPointF& position);
     void follow(Dragging& dragging, const QMouseEvent& event);
     void follow(Slicing& slicing, const QPointF& position);
@@ -148,6 +138,7 @@ private:
     SpaceNavigation& m_navigation;
     SpaceCageItem& m_cage;
     SpaceMaps& m_maps;
+    SpaceBranch& m_branch;
     SpaceCageItem& m_map;
     SpaceDefinition& m_definition;
     SliceItem& m_slice;
@@ -166,5 +157,3 @@ private:
 };
 
 } // namespace view
-
-Q_DECLARE_METATYPE(view::SpacePosition)

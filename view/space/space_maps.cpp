@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/geometry/canvas_note.h"
+#include "document/edits/map_locks.h"
 #include "document/space_geometry.h"
 
 #include <QLineF>
@@ -24,14 +25,25 @@ ifs::Vector<3> middleOf(const SpaceMapHandles::Corners& corners) {
     return (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
 }
 
-document::SpaceOutline tetrahedron(const SpaceMapHandles::Corners& corners) {
+} // namespace
+
+document::SpaceOutline tetrahedron(const SpaceMapHandles::Corners& corners, const attractor::Rgba& colour) {
     document::SpaceOutline outline;
     outline.points.assign(corners.begin(), corners.end());
     outline.edges = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+    outline.colour = colour;
     return outline;
 }
 
-} // namespace
+std::vector<ifs::Vector<3>> handlesOf(const SpaceMapHandles::Corners& corners) {
+    std::vector<ifs::Vector<3>> handles(corners.begin(), corners.end());
+    handles.push_back(middleOf(corners));
+    return handles;
+}
+
+SpaceCageItem::Faces facesOfTetrahedron() {
+    return {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+}
 
 void SpaceMaps::setActive(bool active) {
     m_isActive = active;
@@ -61,13 +73,11 @@ void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional
         if (i >= maxShown && !isHeld) continue;
         const SpaceMapHandles::Corners corners = handles->corners(i);
         if (isHeld) {
-            held.assign(corners.begin(), corners.end());
-            held.push_back(middleOf(corners));
+            held = handlesOf(corners);
             continue;
         }
-        shapes.push_back(tetrahedron(corners));
-        shapes.back().colour =
-            attractor::mapColour(fractal.appearance, document::system3(fractal)->maps[i].id, i);
+        shapes.push_back(tetrahedron(
+            corners, attractor::mapColour(fractal.appearance, document::system3(fractal)->maps[i].id, i)));
         for (const ifs::Vector<3>& corner : corners) {
             const attractor::ScreenPoint seen = toScreen(camera, corner);
             if (seen.pixel.allFinite()) m_dots.push_back({toPoint(seen.pixel), seen.depth, i});
@@ -75,7 +85,7 @@ void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional
     }
     m_all.setShapes(std::move(shapes));
     m_all.layOut(camera);
-    m_held.layOut(camera, held, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, isHidden);
+    m_held.layOut(camera, held, facesOfTetrahedron(), isHidden);
 }
 
 std::optional<std::size_t> SpaceMaps::mapAt(const QPointF& position) const {
@@ -86,23 +96,26 @@ std::optional<std::size_t> SpaceMaps::mapAt(const QPointF& position) const {
     return nearest ? std::optional(nearest->map) : std::nullopt;
 }
 
-std::vector<ifs::Vector<3>> SpaceMaps::heldVertices() const {
-    return m_held.vertices();
+std::optional<SpaceMapDrag> SpaceMaps::drag(QString& obstacle) const {
+    const auto map = selected();
+    const auto before = m_document->sharedFractal();
+    if (map) obstacle = document::lockObstacle(*before, std::vector{*map});
+    if (!obstacle.isEmpty()) return std::nullopt;
+    const auto cage = map ? document::knownSpaceCage(*before) : std::nullopt;
+    auto handles = cage ? SpaceMapHandles::of(before, *cage) : std::nullopt;
+    auto drag = handles ? SpaceMapDrag::of(*std::move(handles), *map) : std::nullopt;
+    if (!drag)
+        obstacle = tr("Maps cannot be dragged while the cage is flat or bends the picture. First open or "
+                      "reset the cage.");
+    return drag;
 }
 
-SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::shared_ptr<const document::Fractal> before,
-                           std::size_t map)
-    : m_handles(std::move(handles)),
-      m_before(std::move(before)),
-      m_map(map),
-      m_corners(m_handles.corners(map)) {}
+SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::size_t map)
+    : m_handles(std::move(handles)), m_map(map), m_corners(m_handles.corners(map)) {}
 
-std::optional<SpaceMapDrag> SpaceMapDrag::of(const document::Document& document, std::size_t map) {
-    const auto before = document.sharedFractal();
-    const auto cage = document::knownSpaceCage(*before);
-    auto handles = cage ? SpaceMapHandles::of(before, *cage) : std::nullopt;
-    if (!handles || !handles->canBeMoved() || map >= handles->count()) return std::nullopt;
-    return SpaceMapDrag(*std::move(handles), before, map);
+std::optional<SpaceMapDrag> SpaceMapDrag::of(SpaceMapHandles handles, std::size_t map) {
+    if (!handles.canBeMoved() || map >= handles.count()) return std::nullopt;
+    return SpaceMapDrag(std::move(handles), map);
 }
 
 SpaceMapDrag::Moved SpaceMapDrag::at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/analysis.h"
 #include "document/document.h"
 #include "document/space_map_handles.h"
 #include "space/space_cage_item.h"
 #include "space/space_outlines_item.h"
 
+#include <QCoreApplication>
 #include <QPointF>
 
 #include <optional>
@@ -13,9 +15,21 @@
 
 namespace view {
 
+// The edges of a tetrahedron that a map makes of the cage's.
+document::SpaceOutline tetrahedron(const document::SpaceMapHandles::Corners& corners,
+                                   const attractor::Rgba& colour);
+// What it is held by: its corners and its middle, which moves it as a whole.
+std::vector<ifs::Vector<3>> handlesOf(const document::SpaceMapHandles::Corners& corners);
+// Its faces, counter-clockwise seen from outside.
+SpaceCageItem::Faces facesOfTetrahedron();
+
+class SpaceMapDrag;
+
 // The maps of the current entry in space as the images of its tetrahedron. One of them is held: by its four
 // corners and, as the fifth handle, by its middle, which moves it as a whole.
 class SpaceMaps {
+    Q_DECLARE_TR_FUNCTIONS(SpaceMaps)
+
 public:
     static constexpr std::size_t middle = 4;
 
@@ -35,8 +49,8 @@ public:
     void layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                 const SpaceCageItem::Hidden& isHidden);
 
-    // What a drag of the held map begins with: its corners and its middle.
-    std::vector<ifs::Vector<3>> heldVertices() const;
+    // A drag of the held map; nullopt where there can be none, and why.
+    std::optional<SpaceMapDrag> drag(QString& obstacle) const;
 
 private:
     struct Dot {
@@ -57,7 +71,7 @@ private:
 class SpaceMapDrag {
 public:
     // nullopt while the map cannot be moved, because the placement is flat.
-    static std::optional<SpaceMapDrag> of(const document::Document& document, std::size_t map);
+    static std::optional<SpaceMapDrag> of(document::SpaceMapHandles handles, std::size_t map);
 
     // The fractal with the corners of the map there or, where none has moved, with its middle there; or as
     // much of the way as leaves an attractor; then `stop` says why.
@@ -69,11 +83,9 @@ public:
     Moved at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const;
 
 private:
-    SpaceMapDrag(document::SpaceMapHandles handles, std::shared_ptr<const document::Fractal> before,
-                 std::size_t map);
+    SpaceMapDrag(document::SpaceMapHandles handles, std::size_t map);
 
     document::SpaceMapHandles m_handles;
-    std::shared_ptr<const document::Fractal> m_before;
     std::size_t m_map;
     document::SpaceMapHandles::Corners m_corners;
 };

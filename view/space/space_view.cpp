@@ -54,9 +54,10 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_title(new NoteItem(NoteItem::Edge::Bottom)),
       m_navigation(document, bridge, viewport()),
       m_maps(document, *m_mapOutlines, *m_mapItem),
+      m_branch(document, *m_mapOutlines, *m_mapItem),
       m_definition(*m_definitionLines),
       m_input(document, m_navigation,
-              {*m_cageItem, m_maps, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball}),
+              {*m_cageItem, m_maps, m_branch, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
     setScene(new QGraphicsScene(this)); // owns the items
@@ -106,7 +107,10 @@ void SpaceView::showNote() {
     // One of several views says only what happens in it: the others would say the same.
     const bool isSpokenFor = m_isFixed && !m_definition.hasBegun();
     const auto frame = m_isFixed ? nullptr : m_bridge->frame();
-    const QString said = !m_definition.isActive() ? m_stop : isSpokenFor ? QString() : m_definition.prompt();
+    const QString prompt = isSpokenFor               ? QString()
+                           : m_definition.isActive() ? m_definition.prompt()
+                                                     : m_branch.prompt();
+    const QString said = m_definition.isActive() || m_stop.isEmpty() ? prompt : m_stop;
     m_note->setText(!said.isEmpty() ? said : frame ? noteInSpace(frame->note, frame->isCoarse) : QString());
 }
 
@@ -114,10 +118,22 @@ void SpaceView::setTarget(Target target) {
     m_definition.setActive(false); // before what is held is let go: it is not given up by hand
     m_input.forgetFocus();
     m_maps.setActive(target == Target::Maps);
+    m_branch.setActive(target == Target::Branch);
     m_definition.setActive(target == Target::Definition);
     showNote();
     m_cageItem->setHandlesVisible(target == Target::Cage);
     layOut();
+}
+
+void SpaceView::setBranchChoice(BranchChoice* choice) {
+    if (BranchChoice* before = m_branch.choice()) before->disconnect(this);
+    m_branch.setChoice(choice);
+    if (!choice) return;
+    connect(choice, &BranchChoice::changed, this, [this] {
+        if (!m_branch.isActive()) return;
+        showNote();
+        layOut();
+    });
 }
 
 void SpaceView::fixDirection(const attractor::Direction& direction, const QString& title) {
@@ -155,7 +171,7 @@ void SpaceView::setUpWidget() {
 
 void SpaceView::describeFocus() {
     const auto vertex = m_input.focusedVertex();
-    const auto& vertices = (m_maps.isActive() ? m_mapItem : m_cageItem)->vertices();
+    const auto& vertices = (holdsMap() ? m_mapItem : m_cageItem)->vertices();
     if (!vertex || *vertex >= vertices.size()) {
         setAccessibleDescription(tr(
             "The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move "
@@ -167,7 +183,9 @@ void SpaceView::describeFocus() {
         size = std::max(size, corner.norm());
     const ifs::Vector<3> at = io::withoutNoise(vertices[*vertex], 1e-15 * size);
     const auto map = m_maps.selected();
-    const QString pattern = map ? tr("Map %5, corner %1 at %2, %3, %4") : tr("Vertex %1 at %2, %3, %4");
+    const QString pattern = map                   ? tr("Map %5, corner %1 at %2, %3, %4")
+                            : m_branch.isActive() ? tr("Corner %1 of the branch at %2, %3, %4")
+                                                  : tr("Vertex %1 at %2, %3, %4");
     QString text =
         pattern.arg(*vertex + 1).arg(at.x(), 0, 'g', 6).arg(at.y(), 0, 'g', 6).arg(at.z(), 0, 'g', 6);
     if (map) text = text.arg(*map + 1);
@@ -254,8 +272,8 @@ void SpaceView::layOut() {
     m_slice->setVisible(isShown);
     m_symmetry->setVisible(isShown);
     m_ball->setVisible(isShown && !m_isFixed);
-    m_mapOutlines->setVisible(isShown && m_maps.isActive());
-    m_mapItem->setVisible(isShown && m_maps.isActive());
+    m_mapOutlines->setVisible(isShown && holdsMap());
+    m_mapItem->setVisible(isShown && holdsMap());
     if (!isShown) return;
     m_ball->layOut(camera);
     m_outlines->layOut(camera);
@@ -268,6 +286,7 @@ void SpaceView::layOut() {
     };
     m_cageItem->layOut(camera, m_cage->current, m_faces, isHidden);
     m_maps.layOut(camera, m_cage, isHidden);
+    m_branch.layOut(camera, m_cage, isHidden);
     refreshMarks();
 }
 

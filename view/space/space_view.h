@@ -24,14 +24,16 @@ public:
 
     SpaceNavigation& navigation() { return m_navigation; }
     void setOverlaysVisible(bool visible);
-    // What the pointer holds: the cage, the maps, or nothing while clicks define another tetrahedron.
-    enum class Target { Cage, Maps, Definition };
+    // What the pointer holds: the cage, the maps, a branch, or nothing while clicks define another
+    // tetrahedron.
+    enum class Target { Cage, Maps, Branch, Definition };
     void setTarget(Target target);
-    void setStereo(attractor::Stereo stereo); // side by side, nothing is held on the canvas
+    void setBranchChoice(BranchChoice* choice); // which branch; without one, none can be chosen
+    void setStereo(attractor::Stereo stereo);   // side by side, nothing is held on the canvas
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
     // Always looks from there, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
-    const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map that is held
+    const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map, or the branch, that is held
     bool cancelGesture() { return m_input.cancelGesture(); }    // false when none was under way
     QImage picture() const { return m_solid->picture(); }       // in device pixels; null before one
     void showOutlines(std::vector<document::SpaceOutline> shapes);
@@ -75,6 +77,7 @@ private:
     void layOut();
     void layOutSlice();
     bool areOverlaysShown() const;
+    bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
     void showNote();
     void setCage(const std::optional<ifs::ControlCage<3>>& cage);
     void applyStyle();
@@ -97,6 +100,7 @@ private:
     NoteItem* m_title;
     SpaceNavigation m_navigation;
     SpaceMaps m_maps;
+    SpaceBranch m_branch;
     SpaceDefinition m_definition;
     SpaceInput m_input;
     std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space

@@ -231,7 +231,7 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
     window->document().edit(QStringLiteral("space"), fractal);
     QCOMPARE(canvas->tool(), Tool::Cage);
     const QString why = document::planeObstacle(window->document().fractal());
-    for (const Qt::Key key : {Qt::Key_B, Qt::Key_G, Qt::Key_A, Qt::Key_Y}) {
+    for (const Qt::Key key : {Qt::Key_G, Qt::Key_A, Qt::Key_Y}) {
         window->statusBar()->clearMessage();
         QTest::keyClick(window->focusWidget(), key);
         QCOMPARE(window->statusBar()->currentMessage(), why);
@@ -239,6 +239,12 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
     }
     QTest::keyClick(window->focusWidget(), Qt::Key_D); // four clicks define a tetrahedron
     QCOMPARE(canvas->tool(), Tool::DefineTriangle);
+    QTest::keyClick(window->focusWidget(), Qt::Key_B); // a click of its own selects a branch there
+    QCOMPARE(canvas->tool(), Tool::Branch);
+    const auto* branches = window->findChild<view::BranchBar*>();
+    QVERIFY(branches->depth()->isVisible());
+    QCOMPARE(branches->edit()->model()->index(2, 0).flags() & Qt::ItemIsEnabled,
+             Qt::NoItemFlags); // only here
     QTest::keyClick(window->focusWidget(), Qt::Key_M);
     QCOMPARE(canvas->tool(), Tool::Maps);
     // The list of maps is edited in space as well.

@@ -280,10 +280,10 @@ void LargeFilesTest::editABranch(int count) {
     const auto press = [canvas](Qt::Key key) { return [canvas, key] { QTest::keyClick(canvas, key); }; };
     doing("branch tool", [&] { canvas->setTool(view::CanvasView::Tool::Branch); });
     doing("choose a branch", [&] {
-        canvas->findChild<view::CanvasScene*>()->handles().setBranch(
-            {count / 2, 1}); // points under the pointer have many
+        canvas->tools().branchTool().choice().choose({count / 2, 1}); // points under the pointer have many
     });
-    doing("its own map", [&] { canvas->tools().branchTool().setEdit(document::BranchEdit::OwnMap); });
+    doing("its own map",
+          [&] { canvas->tools().branchTool().choice().setEdit(document::BranchEdit::OwnMap); });
     doing("take the branch", press(Qt::Key_Tab));
     const int before = history->index();
     doing("nudge the branch", press(Qt::Key_Right));
@@ -361,10 +361,8 @@ void LargeFilesTest::branchesAreFoundAmongManyMaps() {
     openLarge(text + "}\n");
     auto* canvas = m_window->findChild<view::CanvasView*>();
     doing("branch tool", [&] { canvas->setTool(view::CanvasView::Tool::Branch); });
-    doing("choose a branch", [&] {
-        canvas->findChild<view::CanvasScene*>()->handles().setBranch({5000, 1});
-    });
-    doing("display", [&] { canvas->tools().branchTool().setEdit(document::BranchEdit::Display); });
+    doing("choose a branch", [&] { canvas->tools().branchTool().choice().choose({5000, 1}); });
+    doing("display", [&] { canvas->tools().branchTool().choice().setEdit(document::BranchEdit::Display); });
     doing("take it", [&] { QTest::keyClick(canvas, Qt::Key_Tab); });
     doing("nudge it", [&] { QTest::keyClick(canvas, Qt::Key_Right); });
     QCOMPARE(document::plane(m_window->document().fractal())->moved.size(), std::size_t(1));

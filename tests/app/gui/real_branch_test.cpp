@@ -60,7 +60,7 @@ void RealBranchTest::theDepthOfABranchIsChosen() {
     hand().hold("Shift");
     hand().wheel(-1);
     hand().letUp("Shift");
-    QTRY_COMPARE(canvas().tools().branchTool().depth(), 1);
+    QTRY_COMPARE(canvas().tools().branchTool().choice().depth(), 1);
     QCOMPARE(branch(), Word{1});
     type(bar().depth(), QStringLiteral("3"));
     QTRY_COMPARE(branch(), (Word{1, 2, 0}));

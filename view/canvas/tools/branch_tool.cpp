@@ -3,7 +3,6 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/addresses.h"
-#include "document/edits/map_locks.h"
 
 #include <QKeyEvent>
 
@@ -15,62 +14,29 @@ namespace view {
 using Kind = CanvasPart::Kind;
 using Mode = PolygonDrag::Mode;
 
-namespace {
-
-constexpr std::size_t maxSelected = 200; // a hundred drags
-
-// The sentence of the map that would change, or be divided, if it is locked.
-QString lockObstacle(const document::Fractal& fractal, const ifs::Word& branch, document::BranchEdit edit) {
-    if (branch.empty() || edit == document::BranchEdit::Display) return {};
-    const bool isFirst = edit == document::BranchEdit::OwnMap;
-    return document::lockObstacle(fractal,
-                                  std::vector{std::size_t(isFirst ? branch.front() : branch.back())});
-}
-
-} // namespace
-
-BranchTool::BranchTool(CanvasScene& scene) : MapsTool(scene) {
-    connect(&scene.document(), &document::Document::changed, this, &BranchTool::follow);
+BranchTool::BranchTool(CanvasScene& scene) : MapsTool(scene), m_choice(scene.document()) {
+    connect(&m_choice, &BranchChoice::changed, this, &BranchTool::showChoice);
+    connect(&m_choice, &BranchChoice::announced, this, &BranchTool::say);
 }
 
 void BranchTool::start() {
     handles().setTarget(HandleTarget::Branch);
-    select(m_address);
-}
-
-// Another system has other branches; undo and redo lead back to that of the drag.
-void BranchTool::follow(const document::Change& change) {
-    using document::Change;
-    if (!(change.parts & (Change::System | Change::Current | Change::File)) || isBusy()) return;
-    const bool isAnother = change.parts & (Change::Current | Change::File);
-    if (change.parts & Change::Time && !isAnother) return; // the same maps, elsewhere
-    const auto now = scene().document().sharedFractal();
-    const auto known = std::ranges::find_if(
-        m_selected, [&](const Selected& selected) { return selected.fractal.lock() == now; });
-    if (known == m_selected.end() && m_address.empty()) return;
-    select(known == m_selected.end() ? ifs::Word() : known->address);
-    say();
+    showChoice();
 }
 
 void BranchTool::say() {
-    if (handles().target() != HandleTarget::Branch) return;
-    emit message(m_address.empty()
-                     ? QString()
-                     : tr("Branch %1").arg(document::addressText(handles().branch(), maxDepth)));
+    if (handles().target() == HandleTarget::Branch && !isBusy()) emit message(m_choice.text());
 }
 
-void BranchTool::select(const ifs::Word& address) {
-    m_address = address;
-    const auto length = std::min<std::size_t>(std::size_t(m_depth), address.size());
-    handles().setBranch({address.begin(), address.begin() + std::ptrdiff_t(length)});
+void BranchTool::showChoice() {
+    handles().setBranch(m_choice.branch());
     ask();
-    emit changed();
 }
 
 void BranchTool::ask() {
     if (handles().target() != HandleTarget::Branch || isBusy()) return;
-    scene().notes().setPrompt(m_address.empty() ? tr("Click a point of the attractor to select its branch.")
-                                                : QString());
+    scene().notes().setPrompt(
+        m_choice.address().empty() ? tr("Click a point of the attractor to select its branch.") : QString());
 }
 
 void BranchTool::stop() {
@@ -78,21 +44,12 @@ void BranchTool::stop() {
     scene().notes().setPrompt({});
 }
 
-void BranchTool::setDepth(int depth) {
-    depth = std::clamp(depth, 1, maxDepth);
-    if (depth == m_depth) return;
-    m_depth = depth;
-    if (isBusy()) return;
-    select(m_address);
-    say();
-}
-
 void BranchTool::selectAt(const QPointF& position) {
     const attractor::Camera& camera = scene().camera();
     const ifs::Word address = handles().addressAt(worldAt(camera, position), 1 / camera.pixelsPerUnit);
     if (address.empty()) return;
     selection().setFocused({});
-    select(address);
+    m_choice.choose(address);
     say();
 }
 
@@ -112,61 +69,44 @@ void BranchTool::walk(int step) {
 
 bool BranchTool::keyPress(const QKeyEvent& event) {
     if (event.key() == Qt::Key_PageDown || event.key() == Qt::Key_PageUp) {
-        setDepth(m_depth + (event.key() == Qt::Key_PageDown ? 1 : -1));
+        m_choice.setDepth(m_choice.depth() + (event.key() == Qt::Key_PageDown ? 1 : -1));
         return true;
     }
     return PolygonTool::keyPress(event); // NOLINT(bugprone-parent-virtual-call): MapsTool selects maps
 }
 
 MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
-    const QString locked =
-        m_before ? QString() : lockObstacle(scene().document().fractal(), handles().branch(), m_edit);
+    const QString locked = m_choice.before() ? QString() : m_choice.lockObstacle();
     if (!locked.isEmpty()) {
         emit message(locked);
         return {};
     }
-    if (m_before) {
-        select(m_addressAtPress); // begun anew
-    } else {
-        m_before = scene().document().sharedFractal();
-        m_addressAtPress = m_address;
-    }
-    auto branch = document::branchHandles(m_before, *handles().cage(), handles().branch(), m_edit);
+    m_choice.beginDrag();
+    auto branch =
+        document::branchHandles(m_choice.before(), *handles().cage(), m_choice.branch(), m_choice.edit());
     if (!branch) return {};
     return {std::move(branch->handles), {branch->index}};
 }
 
 QString BranchTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
-    const QString name = document::addressText(handles().branch(), maxDepth);
+    const QString name = document::addressText(m_choice.branch(), BranchChoice::maxDepth);
     if (corner) return tr("Move corner %1 of branch %2").arg(*corner + 1).arg(name);
     if (mode == Mode::Move) return tr("Move branch %1").arg(name);
     return (mode == Mode::Rotate ? tr("Rotate branch %1") : tr("Scale branch %1")).arg(name);
 }
 
-// Once it is a map of its own the branch is the first one.
 PolygonTool::Shown BranchTool::preview(const std::function<DragResult(double)>& resultAt) {
     Shown shown = MapsTool::preview(resultAt);
-    const bool converted = m_edit == document::BranchEdit::OwnMap &&
-                           std::min<std::size_t>(m_addressAtPress.size(), std::size_t(m_depth)) > 1 &&
-                           shown.result.points != drag().points;
-    select(converted ? ifs::Word{0} : m_addressAtPress);
+    m_choice.showDragged(shown.result.points != drag().points);
     return shown;
 }
 
 void BranchTool::ended() {
     MapsTool::ended();
-    const bool isUndone = m_before && scene().document().fractal() == *m_before;
-    if (isUndone) select(m_addressAtPress);
-    if (m_before && !isUndone && m_address != m_addressAtPress) { // the table shows the map that it is now
+    if (m_choice.endDrag()) { // the table shows the map that it is now
         selection().setMapIndices({0});
         emit message(tr("This branch is now map 1. You can change it further in the table."));
     }
-    if (m_before && !isUndone) {
-        m_selected.push_front({scene().document().sharedFractal(), m_address});
-        m_selected.push_front({m_before, m_addressAtPress});
-        if (m_selected.size() > maxSelected) m_selected.resize(maxSelected);
-    }
-    m_before.reset();
     ask();
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "canvas/tools/branch_choice.h"
 #include "canvas/tools/maps_tool.h"
-
-#include <deque>
 
 namespace view {
 
@@ -12,24 +11,16 @@ class BranchTool : public MapsTool {
     Q_OBJECT
 
 public:
-    static constexpr int maxDepth = 12;
-
     explicit BranchTool(CanvasScene& scene);
 
-    int depth() const { return m_depth; } // symbols of the branch's address
-    void setDepth(int depth);
-    void setEdit(document::BranchEdit edit) { m_edit = edit; } // of the drags to come
-    // The whole address of the point that was clicked, of which the branch is the beginning.
-    const ifs::Word& address() const { return m_address; }
+    // Which branch it is. The window into space has the same.
+    BranchChoice& choice() { return m_choice; }
 
     void press(const Pointer& pointer) override;
     void walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;
     void start() override;
     void stop() override;
-
-signals:
-    void changed(); // depth or address
 
 protected:
     HeldMaps hold(const CanvasPart& part) override;
@@ -40,23 +31,12 @@ protected:
     void ended() override;
 
 private:
-    void select(const ifs::Word& address);
+    void showChoice();
     void selectAt(const QPointF& position);
-    void follow(const document::Change& change);
     void ask();
     void say();
 
-    int m_depth = 2;
-    document::BranchEdit m_edit = document::BranchEdit::OwnMap;
-    ifs::Word m_address;
-    ifs::Word m_addressAtPress;
-    std::shared_ptr<const document::Fractal> m_before; // as it was at the press, while something is held
-    // What was selected before and after the latest drags, for undo and redo.
-    struct Selected {
-        std::weak_ptr<const document::Fractal> fractal;
-        ifs::Word address;
-    };
-    std::deque<Selected> m_selected;
+    BranchChoice m_choice;
 };
 
 } // namespace view

@@ -52,8 +52,7 @@ PolygonTool* Toolbox::polygonTool() {
 
 void Toolbox::setTool(Tool tool) {
     if (tool == m_tool) return;
-    const bool isInSpace = (tool == Tool::Maps || tool == Tool::DefineTriangle) &&
-                           document::space(m_document->fractal()); // where they have their own
+    const bool isInSpace = document::space(m_document->fractal()); // where they have their own
     if (tool != Tool::Cage && !isInSpace && !document::system2(m_document->fractal())) {
         emit message(m_scene.notes().note());
         emit toolChanged(m_tool); // a button that was pressed goes back

@@ -91,7 +91,7 @@ private slots:
     // Where a branch is shown may change; its maps may not.
     void branchesOfLockedMaps() {
         m_canvas->setTool(CanvasView::Tool::Branch);
-        auto& tool = m_canvas->tools().branchTool();
+        auto& tool = m_canvas->tools().branchTool().choice();
         tool.setDepth(1);
         for (const auto edit : {document::BranchEdit::OwnMap, document::BranchEdit::LastMap}) {
             tool.setEdit(edit);
@@ -115,7 +115,7 @@ private:
         QVERIFY(point);
         click(view::pixelOf(m_canvas->camera(), document::placement(m_document->fractal())(*point)));
         m_corner = at({Kind::Vertex, 0, 0});
-        QCOMPARE(m_canvas->tools().branchTool().address().front(), map);
+        QCOMPARE(m_canvas->tools().branchTool().choice().address().front(), map);
     }
 
     document::System2 m_code;

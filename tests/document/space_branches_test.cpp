@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "document/space_geometry.h"
+#include "document/space_map_handles.h"
+#include "ifs/system/branch.h"
+#include "ifs/system/links.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace document;
+using ifs::Vector;
+using Corners = SpaceMapHandles::Corners;
+
+namespace {
+
+// Four pieces in the corners of a tetrahedron, turned a little so that no two maps are alike.
+Fractal fourPieces() {
+    Fractal fractal;
+    Shape<3> shape;
+    for (int k = 0; k < 4; ++k) {
+        ifs::AffineMap<3> map;
+        map.linear = 0.4 * Eigen::AngleAxisd(0.1 * k, Vector<3>::UnitY()).toRotationMatrix();
+        map.translation = k == 0 ? Vector<3>::Zero().eval() : Vector<3>::Unit(k - 1).eval();
+        ifs::append<3>(shape.system, map, 0.1 + 0.1 * k);
+    }
+    shape.cage = ifs::ControlCage<3>{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}},
+                                     {{1, 0, 0}, {3, 0.5, 0}, {1, 2.5, 0.5}, {0.5, 0, 3}}};
+    fractal.shape = shape;
+    return fractal;
+}
+
+std::shared_ptr<const Fractal> held(const Fractal& fractal) {
+    return std::make_shared<const Fractal>(fractal);
+}
+
+const ifs::ControlCage<3>& cageOf(const Fractal& fractal) {
+    return *space(fractal)->cage;
+}
+
+Corners seen(const Fractal& fractal, const ifs::Word& branch) {
+    return *SpaceMapHandles::of(held(fractal), cageOf(fractal))->corners(branch);
+}
+
+double farthest(const Corners& a, const Corners& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max(most, (a[i] - b[i]).norm());
+    return most;
+}
+
+} // namespace
+
+class SpaceBranchesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aBranchIsSeenUnderTheProductOfItsMaps() {
+        const Fractal fractal = fourPieces();
+        const auto& maps = system3(fractal)->maps;
+        const ifs::AffineMap<3> placed = ifs::displayMap(cageOf(fractal));
+        const Corners corners = seen(fractal, {2, 1});
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vector<3> image = placed(maps[2].map(maps[1].map(cageOf(fractal).rest[i])));
+            QVERIFY((corners[i] - image).norm() < 1e-13);
+        }
+        QVERIFY(!SpaceMapHandles::of(held(fractal), cageOf(fractal))->corners(ifs::Word{0, 4}));
+    }
+
+    // As a map of its own, a branch is moved alone; its neighbours and the attractor's other points stay.
+    void aBranchBecomesTheFirstMap() {
+        Fractal fractal = fourPieces();
+        const ifs::MapId third = system3(fractal)->maps[2].id;
+        fractal.appearance.mapColours[third] = {1, 2, 3};
+        const auto branch = branchHandlesInSpace(held(fractal), cageOf(fractal), {2, 1}, BranchEdit::OwnMap);
+        QVERIFY(branch);
+        QCOMPARE(branch->index, std::size_t(0));
+        QCOMPARE(branch->handles.count(), std::size_t(7));
+        QVERIFY(farthest(branch->handles.corners(0), seen(fractal, {2, 1})) < 1e-12);
+
+        const Vector<3> by(0.02, -0.01, 0.03);
+        const Fractal after = branch->handles.withCornersMoved(
+            0, {Vector<3>::Zero(), by, Vector<3>::Zero(), Vector<3>::Zero()});
+        Corners wanted = seen(fractal, {2, 1});
+        wanted[1] += by;
+        QVERIFY(farthest(seen(after, {0}), wanted) < 1e-12);
+        const auto& maps = system3(after)->maps;
+        QCOMPARE(maps.size(), std::size_t(7));
+        QVERIFY(attractor::mapColour(after.appearance, maps[0].id, 0) == (attractor::Rgba{1, 2, 3}));
+        double sum = 0, before = 0;
+        for (const auto& map : maps)
+            sum += map.weight;
+        for (const auto& map : system3(fractal)->maps)
+            before += map.weight;
+        QVERIFY(std::abs(sum - 1) < 1e-12 && std::abs(before - 1) < 1e-12);
+        // With the branch where it was, the attractor is that of before.
+        Fractal unmoved = after;
+        const auto& old = system3(fractal)->maps;
+        system3(unmoved)->maps[0].map = old[2].map * old[1].map;
+        const auto reach = spaceSupport(fractal), same = spaceSupport(unmoved), other = spaceSupport(after);
+        QVERIFY(reach && same && other);
+        double most = 0;
+        for (const Vector<3>& u : {Vector<3>(1, 0, 0), Vector<3>(-1, 2, 0.5), Vector<3>(0.3, -1, -2)}) {
+            QVERIFY(std::abs((*reach)(u, 1e-10).value - (*same)(u, 1e-10).value) < 1e-8);
+            most = std::max(most, std::abs((*reach)(u, 1e-10).value - (*other)(u, 1e-10).value));
+        }
+        QVERIFY(most > 1e-4);
+    }
+
+    // The system keeps its maps; what is pulled on the screen is the branch.
+    void theLastMapOfAnAddressIsMoved() {
+        const Fractal fractal = fourPieces();
+        const auto branch =
+            branchHandlesInSpace(held(fractal), cageOf(fractal), {2, 0, 1}, BranchEdit::LastMap);
+        QVERIFY(branch);
+        QCOMPARE(branch->index, std::size_t(1));
+        const Corners before = seen(fractal, {2, 0, 1});
+        QVERIFY(farthest(branch->handles.corners(1), before) < 1e-12);
+        const Vector<3> by(0.01, 0.02, -0.01);
+        const Fractal after = branch->handles.withCornersMoved(
+            1, {Vector<3>::Zero(), Vector<3>::Zero(), by, Vector<3>::Zero()});
+        Corners wanted = before;
+        wanted[2] += by;
+        QVERIFY(farthest(seen(after, {2, 0, 1}), wanted) < 1e-12);
+        for (std::size_t i = 0; i < 4; ++i)
+            QCOMPARE(system3(after)->maps[i].map == system3(fractal)->maps[i].map, i != 1);
+    }
+
+    // Branches that are moved in the file stay what they were, over the new maps.
+    void movedBranchesAreKept() {
+        Fractal fractal = fourPieces();
+        const auto& old = system3(fractal)->maps;
+        const ifs::AffineMap<3> change{ifs::Matrix<3>::Identity(), Vector<3>(1, 2, 3)};
+        space(fractal)->moved = {{{old[2].id, old[1].id, old[3].id}, change}};
+        const auto branch = branchHandlesInSpace(held(fractal), cageOf(fractal), {2, 1}, BranchEdit::OwnMap);
+        const Fractal after = branch->handles.withCornersMoved(
+            0, {Vector<3>::Constant(0.01), Vector<3>::Zero(), Vector<3>::Zero(), Vector<3>::Zero()});
+        const auto moved = movedBranches(*space(after));
+        QCOMPARE(moved.size(), std::size_t(1));
+        QVERIFY(moved[0].change == change);
+        const auto maps = ifs::mapsOf(*system3(after));
+        QCOMPARE(moved[0].word.front(), 0);
+        QVERIFY((maps[std::size_t(moved[0].word.back())].linear - old[3].map.linear).norm() < 1e-15);
+    }
+
+    void whatCannotBeMoved() {
+        Fractal fractal = fourPieces();
+        const auto taken = [&](const ifs::Word& word, BranchEdit edit) {
+            return branchHandlesInSpace(held(fractal), cageOf(fractal), word, edit).has_value();
+        };
+        QVERIFY(!taken({}, BranchEdit::OwnMap));
+        QVERIFY(!taken({2, 1}, BranchEdit::Display));
+        system3(fractal)->maps[1].weight = 0; // takes no part
+        QVERIFY(!taken({2, 1}, BranchEdit::OwnMap));
+        QVERIFY(taken({2, 3}, BranchEdit::OwnMap));
+        fractal = fourPieces();
+        const auto& maps = system3(fractal)->maps;
+        system3(fractal)->links = {{maps[0].id, maps[1].id, 0.5}};
+        QVERIFY(!taken({2, 1}, BranchEdit::OwnMap));
+        QVERIFY(taken({2, 1}, BranchEdit::LastMap));
+        QVERIFY(taken({2}, BranchEdit::OwnMap)); // it is one already
+    }
+};
+
+QTEST_APPLESS_MAIN(SpaceBranchesTest)
+#include "space_branches_test.moc"

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "canvas/tools/branch_choice.h"
+
+#include "document/addresses.h"
+#include "document/edits/map_locks.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace view {
+
+namespace {
+
+constexpr std::size_t maxChosen = 200; // a hundred drags
+constexpr int notch = 120;             // of a wheel, in eighths of a degree
+
+} // namespace
+
+BranchChoice::BranchChoice(document::Document& document) : m_document(document) {
+    connect(&document, &document::Document::changed, this, &BranchChoice::follow);
+}
+
+void BranchChoice::follow(const document::Change& change) {
+    using document::Change;
+    const bool isAnother = change.parts & (Change::Current | Change::File);
+    if (isAnother) m_before.reset(); // a drag has ended with its entry
+    if (!(isAnother || change.parts & Change::System) || m_before) return;
+    if (change.parts & Change::Time && !isAnother) return; // the same maps, elsewhere
+    const auto now = m_document.sharedFractal();
+    const auto known =
+        std::ranges::find_if(m_chosen, [&](const Chosen& chosen) { return chosen.fractal.lock() == now; });
+    if (known == m_chosen.end() && m_address.empty()) return;
+    choose(known == m_chosen.end() ? ifs::Word() : known->address);
+    emit announced();
+}
+
+ifs::Word BranchChoice::branch() const {
+    ifs::Word word = m_address;
+    word.resize(std::min(word.size(), std::size_t(m_depth)));
+    return word;
+}
+
+void BranchChoice::choose(const ifs::Word& address) {
+    m_address = address;
+    emit changed();
+}
+
+void BranchChoice::setDepth(int depth) {
+    depth = std::clamp(depth, 1, maxDepth);
+    if (std::exchange(m_depth, depth) == depth || m_before) return;
+    emit changed();
+    emit announced();
+}
+
+void BranchChoice::turnDepth(int angle) {
+    m_turned += angle;
+    setDepth(m_depth + m_turned / notch);
+    m_turned %= notch;
+}
+
+QString BranchChoice::text() const {
+    return m_address.empty() ? QString() : tr("Branch %1").arg(document::addressText(branch(), maxDepth));
+}
+
+QString BranchChoice::lockObstacle() const {
+    const ifs::Word word = branch();
+    if (word.empty() || m_edit == document::BranchEdit::Display) return {};
+    const bool isFirst = m_edit == document::BranchEdit::OwnMap;
+    return document::lockObstacle(m_document.fractal(),
+                                  std::vector{std::size_t(isFirst ? word.front() : word.back())});
+}
+
+void BranchChoice::beginDrag() {
+    if (m_before) return choose(m_addressAtPress);
+    m_before = m_document.sharedFractal();
+    m_addressAtPress = m_address;
+}
+
+// Once it is a map of its own the branch is the first one.
+void BranchChoice::showDragged(bool hasMoved) {
+    if (!m_before) return;
+    const bool isConverted = m_edit == document::BranchEdit::OwnMap && hasMoved &&
+                             std::min(m_addressAtPress.size(), std::size_t(m_depth)) > 1;
+    choose(isConverted ? ifs::Word{0} : m_addressAtPress);
+}
+
+void BranchChoice::cancelDrag() {
+    if (std::exchange(m_before, nullptr)) choose(m_addressAtPress);
+}
+
+bool BranchChoice::endDrag() {
+    if (!m_before || m_document.fractal() == *m_before) {
+        cancelDrag();
+        return false;
+    }
+    const auto before = std::exchange(m_before, nullptr);
+    m_chosen.push_front({m_document.sharedFractal(), m_address});
+    m_chosen.push_front({before, m_addressAtPress});
+    if (m_chosen.size() > maxChosen) m_chosen.resize(maxChosen);
+    return m_address != m_addressAtPress;
+}
+
+} // namespace view

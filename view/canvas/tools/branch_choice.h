@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/map_handles.h"
+#include "ifs/system/branch.h"
+
+#include <QObject>
+
+#include <deque>
+#include <memory>
+
+namespace view {
+
+// The branch that a click has chosen, in the plane or in space: the address of a point to a depth; and what a
+// drag of it changes. Another system has other branches; undo and redo lead back to that of the drag.
+class BranchChoice : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int maxDepth = 12;
+
+    explicit BranchChoice(document::Document& document);
+
+    int depth() const { return m_depth; } // symbols of the branch's address
+    void setDepth(int depth);
+    void turnDepth(int angle);                           // by a wheel, in eighths of a degree
+    document::BranchEdit edit() const { return m_edit; } // what drags to come change
+    void setEdit(document::BranchEdit edit) { m_edit = edit; }
+    // The whole address of the point that was clicked, of which the branch is the beginning.
+    const ifs::Word& address() const { return m_address; }
+    ifs::Word branch() const; // by indices in the system; empty: none
+    void choose(const ifs::Word& address);
+    // "Branch 3 2", for the status bar; empty without one.
+    QString text() const;
+    // The sentence of the map that would change, or be divided, if it is locked; empty: none is.
+    QString lockObstacle() const;
+
+    // Until it ends the branch follows the drag alone, whatever becomes of the document. Begun again, it is
+    // the one of the beginning.
+    void beginDrag();
+    void showDragged(bool hasMoved); // by a preview
+    bool endDrag();                  // whether the branch is now map 1
+    void cancelDrag();
+    const std::shared_ptr<const document::Fractal>& before() const { return m_before; } // null: no drag
+
+signals:
+    void changed();   // depth or address
+    void announced(); // after changed(): the depth, or by the document, so that it has to be said
+
+private:
+    void follow(const document::Change& change);
+
+    document::Document& m_document;
+    int m_depth = 2;
+    int m_turned = 0; // of a notch that is not complete
+    document::BranchEdit m_edit = document::BranchEdit::OwnMap;
+    ifs::Word m_address;
+    ifs::Word m_addressAtPress;
+    std::shared_ptr<const document::Fractal> m_before;
+    // What was chosen before and after the latest drags, for undo and redo.
+    struct Chosen {
+        std::weak_ptr<const document::Fractal> fractal;
+        ifs::Word address;
+    };
+    std::deque<Chosen> m_chosen;
+};
+
+} // namespace view

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "space/space_branch.h"
+
+#include "document/addresses.h"
+#include "document/space_geometry.h"
+
+#include <utility>
+#include <vector>
+
+namespace view {
+
+using document::SpaceMapHandles;
+
+void SpaceBranch::setActive(bool active) {
+    m_isActive = active;
+    if (!active) m_held.setFill({});
+}
+
+QString SpaceBranch::prompt() const {
+    return isActive() && m_choice->address().empty()
+               ? tr("Click a point of the attractor to select its branch.")
+               : QString();
+}
+
+void SpaceBranch::layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
+                         const SpaceCageItem::Hidden& isHidden) {
+    if (!isActive()) return;
+    const document::Fractal& fractal = m_document->fractal();
+    const ifs::Word branch = m_choice->branch();
+    const auto handles = cage ? SpaceMapHandles::of(m_document->sharedFractal(), *cage) : std::nullopt;
+    std::vector<document::SpaceOutline> walk;
+    std::vector<ifs::Vector<3>> held;
+    for (std::size_t length = 1; handles && length <= branch.size(); ++length) {
+        const auto corners = handles->corners({branch.begin(), branch.begin() + std::ptrdiff_t(length)});
+        if (!corners) break;
+        const auto last = std::size_t(branch[length - 1]);
+        const attractor::Rgba face =
+            attractor::mapColour(fractal.appearance, document::system3(fractal)->maps[last].id, last);
+        walk.push_back(tetrahedron(*corners, face));
+        if (length < branch.size()) continue;
+        held = handlesOf(*corners);
+        constexpr int translucent = 71;
+        m_held.setFill(QColor(face.red, face.green, face.blue, translucent));
+    }
+    m_walk.setShapes(std::move(walk));
+    m_walk.layOut(camera);
+    m_held.layOut(camera, held, facesOfTetrahedron(), isHidden);
+}
+
+QString SpaceBranch::chooseAt(const ifs::Vector<3>& displayed, double precision) {
+    const ifs::Word address = document::addressInSpace(m_document->fractal(), displayed, precision);
+    if (address.empty()) return tr("No branch can be selected here: the address of this point is not known.");
+    m_choice->choose(address);
+    return m_choice->text();
+}
+
+std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
+    const ifs::Word branch = m_choice->branch();
+    const auto cage = document::knownSpaceCage(m_document->fractal());
+    if (branch.empty() || !cage) return std::nullopt;
+    const bool isElsewhere = m_choice->edit() == document::BranchEdit::Display;
+    obstacle = isElsewhere
+                   ? tr("In space a branch is always shown where its maps put it. Choose “New map for "
+                        "this branch” or “Last map of the address” below.")
+                   : m_choice->lockObstacle();
+    if (!obstacle.isEmpty()) return std::nullopt;
+    auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, m_choice->edit());
+    auto drag = held ? SpaceMapDrag::of(std::move(held->handles), held->index) : std::nullopt;
+    if (drag)
+        m_choice->beginDrag();
+    else
+        obstacle = tr("A branch cannot be dragged while it or the cage is flat.");
+    return drag;
+}
+
+QString SpaceBranch::stepText(SpatialDrag::Mode mode, std::size_t handle) const {
+    using enum SpatialDrag::Mode;
+    const QString name = document::addressText(m_choice->branch(), BranchChoice::maxDepth);
+    if (mode == Rotate) return tr("Rotate branch %1").arg(name);
+    if (mode == Scale) return tr("Scale branch %1").arg(name);
+    if (handle == SpaceMaps::middle) return tr("Move branch %1").arg(name);
+    return tr("Move corner %1 of branch %2").arg(handle + 1).arg(name);
+}
+
+bool SpaceBranch::keyPress(const QKeyEvent& event) {
+    const bool deeper = event.key() == Qt::Key_PageDown;
+    if (!isActive() || !(deeper || event.key() == Qt::Key_PageUp)) return false;
+    m_choice->setDepth(m_choice->depth() + (deeper ? 1 : -1));
+    return true;
+}
+
+} // namespace view
