@@ -19,6 +19,7 @@
 
 #include <memory>
 #include <numeric>
+#include <variant>
 
 namespace cli {
 
@@ -123,18 +124,40 @@ struct Target {
     std::optional<int> quality;
 };
 
+bool isSolid(const io::PngExport&) {
+    return false;
+}
+bool isSolid(const io::SpaceExport& picture) {
+    return !attractor::showsCloud(picture.look);
+}
+bool isDepth(const io::PngExport&) {
+    return false;
+}
+bool isDepth(const io::SpaceExport& picture) {
+    return picture.look == attractor::LookInSpace::Depth;
+}
+
 // The picture as this kind of file, with the bits that it takes.
-void become(io::PngExport& picture, const Target& target) {
+template <class Picture> void become(Picture& picture, const Target& target) {
     using enum io::PictureFormat::Depth;
+    if (isDepth(picture) && target.file != io::PictureFile::Png)
+        throw UsageError{tr("--look depth can be drawn only as .png, and “%1” is not.").arg(target.output)};
     picture.file = *target.file;
     picture.quality = target.quality;
-    if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
+    if (!isDepth(picture) && !io::takes(picture.file, picture.depth)) {
+        if (isSolid(picture))
+            throw UsageError{tr("The bands of this solid were drawn with %1 bits per channel, which “%2” "
+                                "cannot hold.")
+                                 .arg(picture.depth == Bits8 ? 8 : 16)
+                                 .arg(target.output)};
+        picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
+    }
     if (const io::Failure reason = io::whyImpossible(picture)) throw UsageError{*reason};
 }
 
 // Writes the sums or the picture, as the name of the output asks for.
-ExitStatus write(io::PictureSums sums, const Target& target, const Verbosity& verbosity,
-                 const Interrupt& interrupt) {
+template <class Sums>
+ExitStatus write(Sums sums, const Target& target, const Verbosity& verbosity, const Interrupt& interrupt) {
     const bool isSum = !target.file;
     if (!isSum) {
         become(sums.picture, target);
@@ -166,16 +189,22 @@ bool isSumFile(const QString& output) {
     return QFileInfo(output).suffix().compare(u"sum", Qt::CaseInsensitive) == 0;
 }
 
+using AnySums = std::variant<io::PictureSums, io::SpaceSums>;
+
+template <class Loaded> AnySums loadedSums(const Loaded& loaded) {
+    if (loaded.failure) throw InputError{QStringLiteral("barycage-cli"), *loaded.failure};
+    return loaded.sums;
+}
+
 // Throws InputError where the files are no parts of one picture.
-io::PictureSums readSums(const QStringList& paths, int threads) {
+AnySums readSums(const QStringList& paths, int threads) {
     const QString program = QStringLiteral("barycage-cli");
     const auto files = std::make_shared<io::SumFiles>(paths);
     if (files->failure())
         throw InputError{program, *files->failure(),
                          files->isUnreadable() ? ExitStatus::CannotReadOrWrite : ExitStatus::InputProblems};
-    const io::LoadedSums loaded = io::sumsIn(files, threads);
-    if (loaded.failure) throw InputError{program, *loaded.failure};
-    return loaded.sums;
+    return io::areOfSpace(*files) ? loadedSums(io::spaceSumsIn(files, threads))
+                                  : loadedSums(io::sumsIn(files, threads));
 }
 
 struct MergeArguments {
@@ -196,8 +225,40 @@ ExitStatus merge(const MergeArguments& arguments) {
     QStringList files;
     for (const std::string& file : arguments.files)
         files << fileNameOf(file);
-    const io::PictureSums sums = readSums(files, threadsOf(arguments.threads));
-    return write(sums, {output, kind, quality}, arguments.verbosity, Interrupt());
+    const AnySums read = readSums(files, threadsOf(arguments.threads));
+    return std::visit(
+        [&](const auto& sums) {
+            return write(sums, {output, kind, quality}, arguments.verbosity, Interrupt());
+        },
+        read);
+}
+
+int heightOf(const io::PictureSums& sums) {
+    return sums.picture.request.camera.height;
+}
+int heightOf(const io::SpaceSums& sums) {
+    return sums.picture.request.camera.size.height;
+}
+
+template <class Sums>
+ExitStatus resume(Sums sums, const RenderArguments& arguments, const Interrupt& interrupt) {
+    const QString output = fileNameOf(arguments.output);
+    refuseIf(isSolid(sums.picture), "--resume", tr("a solid is not made of samples."));
+    const std::uint64_t points = countArgument("--points", *arguments.points, 1, maxPoints);
+    const std::uint64_t there = std::accumulate(sums.passes.begin(), sums.passes.end(), std::uint64_t{0});
+    if (points <= there)
+        throw UsageError{tr("“%1” already has %2 points; --points must be larger.")
+                             .arg(fileNameOf(*arguments.resume))
+                             .arg(there)};
+    addPass(sums, points - there);
+    if (isDivided(arguments)) {
+        const Rows rows = bandArgument(arguments, heightOf(sums));
+        sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partArgument(arguments)}};
+        sums.files.reset();
+    }
+    Target target{output, {}, qualityOf(arguments)};
+    if (!isSumFile(output)) target.file = pictureFileOf(arguments);
+    return write(sums, target, arguments.verbosity, interrupt);
 }
 
 } // namespace
@@ -228,24 +289,18 @@ io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArgument
     return io::partOf(picture, rows.first, rows.end, partArgument(arguments));
 }
 
+io::SpaceSums partOfPicture(const io::SpaceExport& picture, const RenderArguments& arguments) {
+    refuseIf(arguments.part && isSolid(picture), "--part",
+             tr("a solid is not made of samples; divide it with --band."));
+    refuseIf(picture.stereo != io::Stereo::None, "--stereo", tr("a .sum file holds what one eye sees."));
+    const Rows rows = bandArgument(arguments, picture.request.camera.size.height);
+    return io::partOf(picture, rows.first, rows.end, partArgument(arguments));
+}
+
 ExitStatus resumePicture(const RenderArguments& arguments) {
     const Interrupt interrupt(timeLimitOf(arguments));
-    const QString output = fileNameOf(arguments.output);
-    const QString file = fileNameOf(*arguments.resume);
-    io::PictureSums sums = readSums({file}, threadsOf(arguments.threads));
-    const std::uint64_t points = countArgument("--points", *arguments.points, 1, maxPoints);
-    const std::uint64_t there = std::accumulate(sums.passes.begin(), sums.passes.end(), std::uint64_t{0});
-    if (points <= there)
-        throw UsageError{tr("“%1” already has %2 points; --points must be larger.").arg(file).arg(there)};
-    io::addPass(sums, points - there);
-    if (isDivided(arguments)) {
-        const Rows rows = bandArgument(arguments, sums.picture.request.camera.height);
-        sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partArgument(arguments)}};
-        sums.files.reset();
-    }
-    Target target{output, {}, qualityOf(arguments)};
-    if (!isSumFile(output)) target.file = pictureFileOf(arguments);
-    return write(sums, target, arguments.verbosity, interrupt);
+    const AnySums read = readSums({fileNameOf(*arguments.resume)}, threadsOf(arguments.threads));
+    return std::visit([&](const auto& sums) { return resume(sums, arguments, interrupt); }, read);
 }
 
 Command mergeCommand(CLI::App& program) {

@@ -6,6 +6,7 @@
 #include "exit_status.h"
 #include "io/picture/png_export.h"
 #include "io/sums/picture_sums.h"
+#include "io/sums/space_sums.h"
 
 #include <QString>
 
@@ -15,8 +16,9 @@ namespace cli {
 // Throws UsageError where the options of parts make no sense together, or with others. A file is not read.
 void checkParts(const RenderArguments& arguments, Format format);
 
-// What --part and --band ask for of the picture.
+// What --part and --band ask for of the picture. Throws UsageError.
 io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArguments& arguments);
+io::SpaceSums partOfPicture(const io::SpaceExport& picture, const RenderArguments& arguments);
 
 // render --resume
 ExitStatus resumePicture(const RenderArguments& arguments);

@@ -207,7 +207,8 @@ private:
         return finish(outcome, task);
     }
 
-    ExitStatus drawSums(const io::PngExport& picture, const Task& task, double before, double all) {
+    template <class Picture>
+    ExitStatus drawSums(const Picture& picture, const Task& task, double before, double all) {
         const auto outcome = io::exportSums(
             partOfPicture(picture, m_arguments), task.output,
             [&](double fraction) { m_bar.show((before + fraction) / all); }, m_interrupt.token());
@@ -215,11 +216,9 @@ private:
     }
 
     ExitStatus drawInSpace(const Task& task, double before, double all) {
-        if (m_format == Format::Sum)
-            throw UsageError{tr("A .sum file is a part of a picture in the plane, and “%1” is in space.")
-                                 .arg(task.entry->fractal->name)};
         const io::SpaceExport picture =
             spaceExportOf(shownBy(*task.entry->fractal, m_arguments), m_arguments, task.input->name);
+        if (m_format == Format::Sum) return drawSums(picture, task, before, all);
         QByteArray png;
         const auto outcome = io::drawSpacePng(
             picture, png, [&](double fraction) { m_bar.show((before + fraction) / all); },

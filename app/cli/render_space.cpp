@@ -118,6 +118,7 @@ void requirePixels(const RenderArguments& options, LookInSpace look) {
     const QString output = fileNameOf(options.output);
     const QString suffix =
         options.format.empty() ? QFileInfo(output).suffix().toLower() : quoted(options.format);
+    if (suffix == u"sum") return;
     const auto file = io::pictureFileOf(suffix);
     if (!file)
         throw UsageError{
@@ -357,7 +358,7 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
     if (options.slice) warnOfEmptySlice(picture, fileName);
     if (options.legend) picture.legend = io::mapLegend(fractal, picture.request.camera.size.height);
     if (options.overlay) picture.marks = marksOf(picture, options);
-    if (options.frame) fractal = shown.entry;
+    fractal = options.frame ? shown.entry : placedIn(fractal, picture.request.cage);
     if (io::memoryFor(picture) > maxBytes)
         throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};
     return picture;

@@ -2,7 +2,6 @@
 #include "attractor/render/cloud_rendering.h"
 
 #include "attractor/arithmetic/arithmetic.h"
-#include "attractor/cells/cell_sums.h"
 #include "attractor/colour/srgb_transfer.h"
 #include "attractor/cut/space_cut.h"
 #include "attractor/folds/sample_colours.h"
@@ -44,7 +43,7 @@ CellRegion reachedCells(const SpaceWord& word, float reach, const CellWindow& wi
 bool isInside(const SpaceWord& word, float reach, const CellWindow& window) {
     return word.shown.x - reach * word.halfX >= 1 &&
            word.shown.x + reach * word.halfX <= static_cast<float>(window.width - 1) &&
-           word.shown.y - reach * word.halfY >= 1 &&
+           word.shown.y - reach * word.halfY >= static_cast<float>(window.firstRow + 1) &&
            word.shown.y + reach * word.halfY <= static_cast<float>(window.endRow - 1);
 }
 
@@ -71,12 +70,13 @@ struct CloudRendering::State {
     std::optional<Exposure> exposure;
     std::optional<double> firstProbability; // of the cut of the first pass
     bool isFollowing = false;
+    PicturePart part;
 
     bool showsDepth() const { return request.cloudColour == CloudColour::MeanDepth; }
     bool coloured() const { return showsDepth() || coloursSamples(request.appearance.colourBy); }
     bool isDrawable() const { return !system.maps.empty() && isUsable(request.camera); }
     void start(SpaceRequest newRequest);
-    void clear();
+    void clear(int firstRow, int endRow); // of cells
     std::uint64_t asDense(std::uint64_t samples);
     bool makeCut(std::uint64_t samples, const std::stop_token& stop);
     void plan(std::uint64_t samples);
@@ -119,9 +119,10 @@ void CloudRendering::State::start(SpaceRequest newRequest) {
     exposure.reset();
 }
 
-void CloudRendering::State::clear() {
-    sums.reset(coloured() ? CellKind::Colour : CellKind::Count, {view.size.width, 0, view.size.height},
+void CloudRendering::State::clear(int firstRow, int endRow) {
+    sums.reset(coloured() ? CellKind::Colour : CellKind::Count, {view.size.width, firstRow, endRow},
                workers->size());
+    part = {};
     sampleSets = drawn = sinceCarry = 0;
     overAttractor = 0;
     knowsDepths = false;
@@ -157,16 +158,19 @@ bool CloudRendering::State::makeCut(std::uint64_t samples, const std::stop_token
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
 // exact.
 void CloudRendering::State::plan(std::uint64_t samples) {
-    drawSamples(system, request.seed, sampleSets, sampleSet);
+    const std::uint64_t firstUnit = sampleSets * PicturePart::unitsPerSet;
+    if (part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet))
+        drawSamples(system, request.seed, sampleSets, sampleSet);
     const double perMeasure = static_cast<double>(samples) / cut->probability;
     if (!firstProbability) firstProbability = cut->probability;
     double sum = static_cast<double>(mixed(mixed(request.seed) ^ sampleSets) >> 11) * 0x1p-53;
     std::uint64_t before = 0;
     counts.clear();
-    for (const SpaceWord& word : cut->words) {
-        sum += word.probability * perMeasure;
+    for (std::size_t k = 0; k < cut->words.size(); ++k) {
+        sum += cut->words[k].probability * perMeasure;
         const auto after = static_cast<std::uint64_t>(sum);
-        counts.push_back(after - before);
+        const std::uint64_t unit = firstUnit + k * PicturePart::unitsPerSet / cut->words.size();
+        counts.push_back(part.holds(unit) ? after - before : 0);
         before = after;
     }
     drawn += before;
@@ -188,9 +192,11 @@ void CloudRendering::State::plotExactly(std::size_t k, std::uint64_t count, cons
         const auto seenAt = [&](double x) { return view.isPerspective() ? x * view.eyeDistance / away : x; };
         const double column = view.size.width / 2.0 + seenAt(at.x());
         const double row = view.size.height / 2.0 + seenAt(at.y());
-        if (!(column >= 0 && column < window.width && row >= 0 && row < window.endRow)) continue;
-        const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.width) +
-                                 static_cast<std::size_t>(column);
+        if (!(column >= 0 && column < window.width && row >= window.firstRow && row < window.endRow))
+            continue;
+        const auto rowOfWindow = static_cast<std::size_t>(row) - static_cast<std::size_t>(window.firstRow);
+        const std::size_t cell =
+            rowOfWindow * static_cast<std::size_t>(window.width) + static_cast<std::size_t>(column);
         if (!coloured()) {
             ++sums.counts(thread)[cell];
             continue;
@@ -217,6 +223,7 @@ void CloudRendering::State::drawWord(std::size_t k, std::size_t thread) {
         coloured() && !showsDepth() ? &colours.of(word.firstMap, word.addressCoordinate) : nullptr;
     if (k >= cut->firstExact) return plotExactly(k, counts[k], colour, thread);
     const CellWindow& window = sums.window();
+    if (counts[k] == 0) return;
     const CellRegion region = reachedCells(word, sampleSet.reach, window);
     if (region.firstColumn >= region.endColumn || region.firstRow >= region.endRow) return;
     std::uint32_t seen = 0;
@@ -339,12 +346,32 @@ CloudRendering& CloudRendering::operator=(CloudRendering&&) noexcept = default;
 
 void CloudRendering::restart(SpaceRequest request) {
     m_state->start(std::move(request));
-    m_state->clear();
+    m_state->clear(0, m_state->view.size.height);
 }
 
 void CloudRendering::follow(SpaceRequest request) {
     m_state->start(std::move(request));
     m_state->isFollowing = true;
+}
+
+void CloudRendering::setPart(const PicturePart& part) {
+    m_state->part = part;
+}
+
+std::uint64_t CloudRendering::units(std::span<const std::uint64_t> samples) {
+    std::uint64_t sets = 0;
+    for (const std::uint64_t pass : samples)
+        sets += (pass + maxPerSampleSet - 1) / maxPerSampleSet;
+    return sets * PicturePart::unitsPerSet;
+}
+
+void CloudRendering::keepRows(int firstRow, int endRow) {
+    const int side = m_state->request.appearance.supersample;
+    m_state->clear(firstRow * side, endRow * side);
+}
+
+CellSums& CloudRendering::sums() {
+    return m_state->sums;
 }
 
 void CloudRendering::useExposure(const Exposure& exposure) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/cells/cell_sums.h"
+#include "attractor/folds/picture_part.h"
 #include "attractor/light/tone_map16.h"
 #include "attractor/request/space_request.h"
 
@@ -31,6 +33,16 @@ public:
     // the picture is worth nothing until restart(). After follow(), as many samples as show the attractor as
     // densely as the first pass did.
     bool refine(const std::stop_token& stop = {}, std::uint64_t samples = 0);
+
+    // From the next pass on, only the units of the part are counted. All else is as for the whole picture:
+    // samples(), the exposure. restart() makes it whole again.
+    void setPart(const PicturePart& part);
+    // How many units the passes of so many samples have together.
+    static std::uint64_t units(std::span<const std::uint64_t> samples);
+    // Only rows [firstRow, endRow) of pixels are counted, which leaves sums() of them and no picture. Call
+    // after restart(), before the first pass.
+    void keepRows(int firstRow, int endRow);
+    CellSums& sums(); // what other parts have counted may be added
 
     // The exposure kept by the request, else that of the picture.
     Exposure exposure(const std::stop_token& stop = {}) const;

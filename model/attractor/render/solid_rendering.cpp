@@ -37,10 +37,11 @@ struct SolidRendering::State {
     RenderNote note = RenderNote::None;
     Work work;
 
-    bool draw(const std::stop_token& stop);
+    bool draw(int firstRow, int endRow, const std::stop_token& stop);
 };
 
-bool SolidRendering::State::draw(const std::stop_token& stop) {
+// Bands begin where they do in the whole picture, which decides how many words are looked at for each.
+bool SolidRendering::State::draw(int firstRow, int endRow, const std::stop_token& stop) {
     constexpr int rows = kernels::KeyBand::maxRows;
     const RasterSize size = request.camera.size;
     work = {};
@@ -59,11 +60,13 @@ bool SolidRendering::State::draw(const std::stop_token& stop) {
     const double unit = 1 / pixelsPerUnit(request.camera);
     raster.near = scene.range.near * unit;
     raster.far = scene.range.far * unit;
+    const int firstBand = std::max(0, firstRow) / rows;
+    const int endBand = (std::min(size.height, endRow) + rows - 1) / rows;
     JobShares shares;
-    shares.reset(static_cast<std::size_t>((size.height + rows - 1) / rows), *workers);
+    shares.reset(static_cast<std::size_t>(std::max(0, endBand - firstBand)), *workers);
     bands.resize(workers->size());
     shares.run(*workers, stop, [&](std::size_t job, std::size_t thread) {
-        const int first = static_cast<int>(job) * rows;
+        const int first = (firstBand + static_cast<int>(job)) * rows;
         bands[thread].draw(scene, first, std::min(rows, size.height - first), raster, stop);
     });
     for (SolidBand& band : bands) {
@@ -98,7 +101,11 @@ void SolidRendering::restart(SpaceRequest request) {
 }
 
 bool SolidRendering::draw(const std::stop_token& stop) {
-    return m_state->draw(stop);
+    return m_state->draw(0, m_state->request.camera.size.height, stop);
+}
+
+bool SolidRendering::drawRows(int firstRow, int endRow, const std::stop_token& stop) {
+    return m_state->draw(firstRow, endRow, stop);
 }
 
 const DepthRaster& SolidRendering::raster() const {

@@ -19,6 +19,7 @@ using attractor::Rgba16;
 
 constexpr double shareOfDrawing = 0.8; // of the progress
 constexpr int bandRows = 64;           // of the picture, lit and written at a time
+constexpr int rowsOfLight = 13;        // of the raster to either side, on which the light at a row depends
 
 // Pixels drawn along each side of one of the picture.
 int sideOf(const SolidPicture& picture) {
@@ -39,41 +40,53 @@ std::pair<double, double> heights(const attractor::SpaceRequest& request) {
     return {request.camera.target.y() - half, request.camera.target.y() + half};
 }
 
+// Rows of the picture, and the pixels drawn along each side of one of its own.
+struct Rows {
+    int first = 0;
+    int end = 0;
+    int side = 1;
+};
+
 // Some rows at a time into take(pixels), which returns a failure.
 template <class Pixel, class Take>
-ExportOutcome lightRows(const attractor::DepthRaster& raster, const attractor::SolidLight& light, int side,
-                        Take take, const Progress& progress, const std::stop_token& stop) {
+ExportOutcome lightRows(const attractor::DepthRaster& raster, const attractor::SolidLight& light,
+                        const Rows& rows, Take take, const Progress& progress, const std::stop_token& stop) {
     ExportOutcome outcome;
-    const int width = raster.width / side, height = raster.height / side;
+    const int side = rows.side, width = raster.width / side;
     std::vector<Pixel> fine(static_cast<std::size_t>(raster.width) *
                             static_cast<std::size_t>(side * bandRows));
     std::vector<Pixel> pixels(static_cast<std::size_t>(width) * bandRows);
-    for (int row = 0; row < height && !outcome.failure; row += bandRows) {
+    for (int row = rows.first; row < rows.end && !outcome.failure; row += bandRows) {
         if (stop.stop_requested()) {
             outcome.stopped = true;
             return outcome;
         }
-        const int end = std::min(row + bandRows, height);
+        const int end = std::min(row + bandRows, rows.end);
         const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(end - row);
         const std::span<Pixel> out(pixels.data(), count);
         light.apply(raster, row * side, end * side, std::span<Pixel>(fine));
         attractor::averagePixels(std::span<const Pixel>(fine), side, width, out);
         outcome.failure = take(std::span<const Pixel>(out));
-        if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * end / height);
+        if (progress)
+            progress(shareOfDrawing + (1 - shareOfDrawing) * (end - rows.first) / (rows.end - rows.first));
     }
     return outcome;
 }
 
+Rows allRows(const SolidPicture& picture) {
+    return {0, picture.request.camera.size.height, sideOf(picture)};
+}
+
 template <class Pixel, class Take>
-ExportOutcome drawRows(const SolidPicture& picture, Take take, const Progress& progress,
+ExportOutcome drawRows(const SolidPicture& picture, const Rows& rows, Take take, const Progress& progress,
                        const std::stop_token& stop) {
-    const int side = sideOf(picture);
+    const int side = rows.side;
     attractor::SpaceRequest request = picture.request;
     request.camera.size.width *= side;
     request.camera.size.height *= side;
     attractor::SolidRendering rendering(request);
     ExportOutcome outcome;
-    if (!rendering.draw(stop)) {
+    if (!rendering.drawRows(rows.first * side - rowsOfLight, rows.end * side + rowsOfLight, stop)) {
         outcome.stopped = true;
         return outcome;
     }
@@ -85,21 +98,21 @@ ExportOutcome drawRows(const SolidPicture& picture, Take take, const Progress& p
     attractor::SolidView view = attractor::solidView(request.camera, lowest, highest);
     view.eyeShift = request.eyeShift;
     const attractor::SolidLight light(picture.appearance, view);
-    outcome = lightRows<Pixel>(raster, light, side, take, progress, stop);
+    outcome = lightRows<Pixel>(raster, light, rows, take, progress, stop);
     outcome.note = note;
     outcome.isCoarse = isCoarse;
     return outcome;
 }
 
 template <class Pixel>
-ExportOutcome drawInto(const SolidPicture& picture, std::span<Pixel> pixels, const Progress& progress,
-                       const std::stop_token& stop) {
+ExportOutcome drawInto(const SolidPicture& picture, const Rows& rows, std::span<Pixel> pixels,
+                       const Progress& progress, const std::stop_token& stop) {
     auto at = pixels.begin();
-    const auto take = [&at](std::span<const Pixel> rows) -> Failure {
-        at = std::ranges::copy(rows, at).out;
+    const auto take = [&at](std::span<const Pixel> drawn) -> Failure {
+        at = std::ranges::copy(drawn, at).out;
         return std::nullopt;
     };
-    return drawRows<Pixel>(picture, take, progress, stop);
+    return drawRows<Pixel>(picture, rows, take, progress, stop);
 }
 
 } // namespace
@@ -116,20 +129,31 @@ ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, con
                          const std::stop_token& stop) {
     const auto take = [&writer](auto rows) { return writer.writeRows(rows); };
     ExportOutcome outcome = picture.depth == PngFormat::Depth::Bits16
-                                ? drawRows<Rgba16>(picture, take, progress, stop)
-                                : drawRows<std::uint32_t>(picture, take, progress, stop);
+                                ? drawRows<Rgba16>(picture, allRows(picture), take, progress, stop)
+                                : drawRows<std::uint32_t>(picture, allRows(picture), take, progress, stop);
     if (!outcome.failure && !outcome.stopped) outcome.failure = writer.finish();
     return outcome;
 }
 
 ExportOutcome drawSolid(const SolidPicture& picture, std::span<std::uint32_t> pixels,
                         const Progress& progress, const std::stop_token& stop) {
-    return drawInto(picture, pixels, progress, stop);
+    return drawInto(picture, allRows(picture), pixels, progress, stop);
 }
 
 ExportOutcome drawSolid(const SolidPicture& picture, std::span<Rgba16> pixels, const Progress& progress,
                         const std::stop_token& stop) {
-    return drawInto(picture, pixels, progress, stop);
+    return drawInto(picture, allRows(picture), pixels, progress, stop);
+}
+
+ExportOutcome drawSolidRows(const SolidPicture& picture, int firstRow, int endRow,
+                            std::span<std::uint32_t> pixels, const Progress& progress,
+                            const std::stop_token& stop) {
+    return drawInto(picture, {firstRow, endRow, sideOf(picture)}, pixels, progress, stop);
+}
+
+ExportOutcome drawSolidRows(const SolidPicture& picture, int firstRow, int endRow, std::span<Rgba16> pixels,
+                            const Progress& progress, const std::stop_token& stop) {
+    return drawInto(picture, {firstRow, endRow, sideOf(picture)}, pixels, progress, stop);
 }
 
 } // namespace io

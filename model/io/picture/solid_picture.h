@@ -30,5 +30,12 @@ ExportOutcome drawSolid(const SolidPicture& picture, std::span<std::uint32_t> pi
                         const Progress& progress = {}, const std::stop_token& stop = {});
 ExportOutcome drawSolid(const SolidPicture& picture, std::span<attractor::Rgba16> pixels,
                         const Progress& progress = {}, const std::stop_token& stop = {});
+// The same with rows [firstRow, endRow) alone.
+ExportOutcome drawSolidRows(const SolidPicture& picture, int firstRow, int endRow,
+                            std::span<std::uint32_t> pixels, const Progress& progress = {},
+                            const std::stop_token& stop = {});
+ExportOutcome drawSolidRows(const SolidPicture& picture, int firstRow, int endRow,
+                            std::span<attractor::Rgba16> pixels, const Progress& progress = {},
+                            const std::stop_token& stop = {});
 
 } // namespace io

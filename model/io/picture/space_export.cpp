@@ -2,7 +2,6 @@
 #include "io/picture/space_export.h"
 
 #include "attractor/light/pixel_average.h"
-#include "attractor/render/cloud_rendering.h"
 #include "attractor/render/solid_rendering.h"
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/picture_overlay.h"
@@ -26,24 +25,6 @@ using attractor::LookInSpace;
 
 constexpr double shareOfDrawing = 0.8;   // of the progress; the rest is compression
 constexpr std::size_t rowsTogether = 16; // between two looks at the stop token
-
-PictureFormat formatOf(const SpaceExport& picture) {
-    using enum PictureFormat::Pixels;
-    PictureFormat format;
-    const bool isDepth = picture.look == LookInSpace::Depth;
-    const attractor::Rgba background = attractor::showsCloud(picture.look)
-                                           ? picture.request.appearance.background
-                                           : picture.solid.background;
-    format.pixels = isDepth ? Grey : background.alpha == 255 ? Opaque : Transparent;
-    format.depth = isDepth ? PictureFormat::Depth::Bits16 : picture.depth;
-    format.width = picture.request.camera.size.width * (picture.stereo == Stereo::SideBySide ? 2 : 1);
-    format.height = picture.request.camera.size.height;
-    format.dotsPerInch = picture.dotsPerInch;
-    format.systemText = writeEntry(picture.fractal);
-    format.texts = picture.texts;
-    format.quality = picture.quality;
-    return format;
-}
 
 template <class Writer, class Pixel>
 void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutcome& outcome,
@@ -70,15 +51,8 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
     if (outcome.stopped) return outcome;
     const attractor::DepthRaster& raster = rendering.raster();
     std::vector<std::uint16_t> values(raster.keys.size());
-    std::ranges::transform(raster.keys, values.begin(), [](std::uint32_t key) {
-        constexpr std::uint64_t maxCode = 65534;
-        if (key == attractor::emptyKey) return std::uint16_t(65535);
-        return std::uint16_t((attractor::depthCode(key) * maxCode + attractor::maxDepthCode / 2) /
-                             attractor::maxDepthCode);
-    });
-    PictureFormat format = formatOf(picture);
-    format.texts.emplace_back("barycage:near", formatNumber(raster.near));
-    format.texts.emplace_back("barycage:far", formatNumber(raster.far));
+    std::ranges::transform(raster.keys, values.begin(), depthValue);
+    const PictureFormat format = formatOfDepths(picture, raster);
     PngWriter writer(device, format);
     write(writer, std::span<const std::uint16_t>(values), format.width, outcome, progress, stop);
     return outcome;
@@ -86,6 +60,13 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
 
 constexpr std::uint64_t slice = std::uint64_t{1}
                                 << 26; // whole sample sets, between two looks at the progress
+
+// The progress of one pass or moment of many as that of the whole.
+Progress partOf(const Progress& progress, std::size_t index, std::size_t count) {
+    return [=](double fraction) {
+        if (progress) progress((double(index) + fraction) / double(count));
+    };
+}
 
 // The samples of one moment.
 bool refineAll(attractor::CloudRendering& rendering, std::uint64_t samples, const Progress& progress,
@@ -104,10 +85,7 @@ bool drawMoments(const SpaceExport& picture, attractor::CloudRendering& renderin
     const std::uint64_t samples = std::max<std::uint64_t>(1, picture.request.samples / count);
     for (std::size_t k = 0; k < count; ++k) {
         if (k > 0) rendering.follow(picture.moments[k]);
-        const auto told = [&](double fraction) {
-            if (progress) progress((double(k) + fraction) / double(count));
-        };
-        if (!refineAll(rendering, samples, told, stop)) return false;
+        if (!refineAll(rendering, samples, partOf(progress, k, count), stop)) return false;
     }
     return true;
 }
@@ -115,12 +93,10 @@ bool drawMoments(const SpaceExport& picture, attractor::CloudRendering& renderin
 template <class Pixel>
 ExportOutcome cloudPixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
                           const std::stop_token& stop) {
-    attractor::SpaceRequest request = picture.moments.empty() ? picture.request : picture.moments.front();
-    request.samples = std::min(picture.request.samples, slice);
-    attractor::CloudRendering rendering(request);
+    attractor::CloudRendering rendering = cloudRendering(picture);
     ExportOutcome outcome;
     outcome.note = rendering.note();
-    outcome.stopped = !drawMoments(picture, rendering, progress, stop);
+    outcome.stopped = !drawSamples(picture, rendering, progress, stop);
     if (picture.exposure) rendering.useExposure(*picture.exposure);
     outcome.stopped = outcome.stopped || !rendering.tone(pixels, stop);
     return outcome;
@@ -139,10 +115,7 @@ ExportOutcome solidPixels(const SpaceExport& picture, std::span<Pixel> pixels, c
     attractor::PictureAverage<Pixel> average;
     for (std::size_t k = 0; k < picture.moments.size() && !outcome.stopped; ++k) {
         solid.request = picture.moments[k];
-        const auto told = [&](double fraction) {
-            if (progress) progress((double(k) + fraction) / double(picture.moments.size()));
-        };
-        outcome = drawSolid(solid, pixels, told, stop);
+        outcome = drawSolid(solid, pixels, partOf(progress, k, picture.moments.size()), stop);
         average.add(pixels);
     }
     average.mean(pixels);
@@ -221,6 +194,61 @@ ExportOutcome writeSolidRows(const SpaceExport& picture, QIODevice& device, cons
 
 } // namespace
 
+PictureFormat formatOf(const SpaceExport& picture) {
+    using enum PictureFormat::Pixels;
+    PictureFormat format;
+    const bool isDepth = picture.look == LookInSpace::Depth;
+    const attractor::Rgba background = attractor::showsCloud(picture.look)
+                                           ? picture.request.appearance.background
+                                           : picture.solid.background;
+    format.pixels = isDepth ? Grey : background.alpha == 255 ? Opaque : Transparent;
+    format.depth = isDepth ? PictureFormat::Depth::Bits16 : picture.depth;
+    format.width = picture.request.camera.size.width * (picture.stereo == Stereo::SideBySide ? 2 : 1);
+    format.height = picture.request.camera.size.height;
+    format.dotsPerInch = picture.dotsPerInch;
+    format.systemText = writeEntry(picture.fractal);
+    format.texts = picture.texts;
+    format.quality = picture.quality;
+    return format;
+}
+
+PictureFormat formatOfDepths(const SpaceExport& picture, const attractor::DepthRaster& raster) {
+    PictureFormat format = formatOf(picture);
+    format.texts.emplace_back("barycage:near", formatNumber(raster.near));
+    format.texts.emplace_back("barycage:far", formatNumber(raster.far));
+    return format;
+}
+
+std::uint16_t depthValue(std::uint32_t key) {
+    constexpr std::uint64_t maxCode = 65534;
+    if (key == attractor::emptyKey) return 65535;
+    return std::uint16_t((attractor::depthCode(key) * maxCode + attractor::maxDepthCode / 2) /
+                         attractor::maxDepthCode);
+}
+
+Failure whyImpossible(const SpaceExport& picture) {
+    PictureFormat format = formatOf(picture);
+    format.width += picture.legend.width();
+    return whyImpossible(picture.file, format);
+}
+
+attractor::CloudRendering cloudRendering(const SpaceExport& picture) {
+    attractor::SpaceRequest request = picture.moments.empty() ? picture.request : picture.moments.front();
+    request.samples = std::min(picture.request.samples, slice);
+    return attractor::CloudRendering(std::move(request));
+}
+
+bool drawSamples(const SpaceExport& picture, attractor::CloudRendering& rendering, const Progress& progress,
+                 const std::stop_token& stop) {
+    if (!picture.divided) return drawMoments(picture, rendering, progress, stop);
+    const auto& passes = picture.divided->passes;
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+        rendering.setPart(passes[k].part);
+        if (!refineAll(rendering, passes[k].samples, partOf(progress, k, passes.size()), stop)) return false;
+    }
+    return !picture.divided->others || picture.divided->others(rendering.sums());
+}
+
 std::uint64_t memoryFor(const SpaceExport& picture) {
     const auto pixels = std::uint64_t(std::max(1, picture.request.camera.size.width)) *
                         std::uint64_t(std::max(1, picture.request.camera.size.height));
@@ -242,9 +270,7 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
                            std::stop_token stop) {
     ExportOutcome refused;
-    PictureFormat format = formatOf(picture);
-    format.width += picture.legend.width();
-    refused.failure = whyImpossible(picture.file, format);
+    refused.failure = whyImpossible(picture);
     if (refused.failure) return refused;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

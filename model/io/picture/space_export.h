@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/kernels/depth_raster.h"
 #include "attractor/light/solid_appearance.h"
 #include "attractor/light/stereo.h"
+#include "attractor/render/cloud_rendering.h"
 #include "attractor/request/space_request.h"
 #include "document/fractal.h"
 #include "io/overlay/overlay_marks.h"
@@ -36,7 +38,17 @@ struct SpaceExport {
     std::optional<int> quality{};                  // as in PictureFormat
     OverlayMarks marks{};                          // drawn over it, but not over Depth or in stereo
     QImage legend{}; // as high as the picture, to its right in the file, but not beside Depth
+    // What of a cloud is drawn here, and what elsewhere. Not in stereo, nor with moments.
+    std::optional<attractor::DividedPicture> divided{};
 };
+
+// How its file is written.
+PictureFormat formatOf(const SpaceExport& picture); // but for the texts of Depth
+PictureFormat formatOfDepths(const SpaceExport& picture, const attractor::DepthRaster& raster);
+// The pixel of Depth for what is nearest there.
+std::uint16_t depthValue(std::uint32_t key);
+// Why the kind of file cannot hold the picture, before it is drawn.
+Failure whyImpossible(const SpaceExport& picture);
 
 // Memory that drawSpacePng() takes, in bytes, about.
 std::uint64_t memoryFor(const SpaceExport& picture);
@@ -51,6 +63,12 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const 
 // them: near white, far black.
 Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress = {},
                          std::stop_token stop = {});
+
+// The rendering of a cloud, and all of its samples: of its moments or its parts. False when stopped, or the
+// others' sums cannot be had.
+attractor::CloudRendering cloudRendering(const SpaceExport& picture);
+bool drawSamples(const SpaceExport& picture, attractor::CloudRendering& rendering,
+                 const Progress& progress = {}, const std::stop_token& stop = {});
 
 // The exposure of a cloud at the request's moment, from some of its samples; nullopt when stopped.
 std::optional<attractor::Exposure> cloudExposure(const SpaceExport& picture,

@@ -3,6 +3,7 @@
 
 #include "attractor/request/pixel_version.h"
 #include "io/picture/png_export.h"
+#include "io/picture/space_export.h"
 
 #include <QByteArray>
 
@@ -17,5 +18,10 @@ QByteArray pictureRequest(const PngExport& picture, int pixels = attractor::pixe
 
 // The picture again, its samples 0; nullopt where the text is none, or of another version of the pixels.
 std::optional<PngExport> pictureOf(const QByteArray& request);
+
+// The same of a picture in space, one eye's: of a cloud or a solid.
+QByteArray pictureRequest(const SpaceExport& picture, int pixels = attractor::pixelVersion);
+std::optional<SpaceExport> spacePictureOf(const QByteArray& request);
+bool isOfSpace(const QByteArray& request);
 
 } // namespace io

@@ -7,6 +7,9 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
 
 namespace io {
 
@@ -20,7 +23,7 @@ const QByteArray magic = QByteArrayLiteral("BaryCSum");
 constexpr int version = 1;
 constexpr std::uint32_t end = 0xFFFFFFFF; // in place of a tile number
 constexpr std::uint32_t maxHeader = 256U << 20;
-constexpr std::uint32_t maxTile = 1U << 20; // 4096 cells of four numbers of at most ten bytes, and some
+constexpr std::uint32_t maxTile = 1U << 20; // of a block: 4096 cells of four numbers of ten bytes, and some
 constexpr std::size_t maxLines = 1U << 14;  // of passes or shares
 constexpr std::int64_t maxCells = std::int64_t{1} << 40;
 
@@ -31,73 +34,98 @@ std::uint32_t checksum(const QByteArray& block, std::uint32_t tile = 0) {
     return std::uint32_t(::crc32(sum, reinterpret_cast<const Bytef*>(block.constData()), uInt(block.size())));
 }
 
-// Seven bits a byte, the low ones first; the high bit says that more follow.
-void putVariable(QByteArray& bytes, std::uint64_t value) {
+constexpr std::size_t maxNumber = 10; // bytes of a variable number
+
+// Seven bits a byte, the low ones first; the high bit says that more follow. Returns where the next one goes.
+std::uint8_t* putVariable(std::uint8_t* to, std::uint64_t value) {
     for (; value >= 0x80; value >>= 7)
-        bytes.append(char(0x80 | (value & 0x7F)));
-    bytes.append(char(value));
+        *to++ = std::uint8_t(0x80 | (value & 0x7F));
+    *to++ = std::uint8_t(value);
+    return to;
 }
 
 class VariableReader {
 public:
-    explicit VariableReader(const QByteArray& bytes) : m_bytes(bytes) {}
+    explicit VariableReader(std::span<const std::uint8_t> bytes)
+        : m_at(bytes.data()), m_end(bytes.data() + bytes.size()) {}
 
     std::optional<std::uint64_t> next() {
+        if (m_at != m_end && *m_at < 0x80) return *m_at++; // most are small
         std::uint64_t value = 0;
-        for (int shift = 0; m_at < m_bytes.size() && shift < 64; shift += 7) {
-            const auto byte = std::uint8_t(m_bytes[m_at++]);
+        for (int shift = 0; m_at != m_end && shift < 64; shift += 7) {
+            const std::uint8_t byte = *m_at++;
             if (shift == 63 && byte > 1) return std::nullopt;
             value |= std::uint64_t(byte & 0x7F) << shift;
             if (byte < 0x80) return value;
         }
         return std::nullopt;
     }
-    bool atEnd() const { return m_at == m_bytes.size(); }
+    bool atEnd() const { return m_at == m_end; }
 
 private:
-    const QByteArray& m_bytes;
-    qsizetype m_at = 0;
+    const std::uint8_t* m_at;
+    const std::uint8_t* m_end;
 };
 
+// Whether codes for single bytes would save less than a quarter.
+bool isNoise(std::span<const std::uint8_t> bytes) {
+    constexpr double bitsOfNoise = 6; // a byte
+    std::array<std::size_t, 256> counts{};
+    for (const std::uint8_t byte : bytes)
+        ++counts[byte];
+    const auto all = double(bytes.size());
+    double bits = 0;
+    for (const std::size_t count : counts)
+        if (count > 0) bits += double(count) * std::log2(all / double(count));
+    return bits > bitsOfNoise * all;
+}
+
 // Zeros are counted: a 0 is followed by how many more there are.
-QByteArray packed(const std::vector<std::uint64_t>& values) {
-    QByteArray bytes;
+QByteArray packed(const std::vector<std::uint64_t>& values, Packing packing) {
+    std::vector<std::uint8_t> bytes(maxNumber * (values.size() + 1));
+    std::uint8_t* to = bytes.data();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        putVariable(bytes, values[i]);
+        to = putVariable(to, values[i]);
         if (values[i] != 0) continue;
         const std::size_t first = i;
         while (i + 1 < values.size() && values[i + 1] == 0)
             ++i;
-        putVariable(bytes, i - first);
+        to = putVariable(to, i - first);
     }
-    uLongf size = ::compressBound(uLong(bytes.size()));
+    const auto count = uLong(to - bytes.data());
+    const bool isPlain = packing == Packing::Fast && isNoise(std::span(bytes).first(count));
+    uLongf size = ::compressBound(count);
     QByteArray result(qsizetype(size), Qt::Uninitialized);
-    ::compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                reinterpret_cast<const Bytef*>(bytes.constData()), uLong(bytes.size()), Z_BEST_SPEED);
+    ::compress2(reinterpret_cast<Bytef*>(result.data()), &size, bytes.data(), count,
+                isPlain ? Z_NO_COMPRESSION : Z_BEST_SPEED);
     result.truncate(qsizetype(size));
     return result;
 }
 
 std::optional<std::vector<std::uint64_t>> unpacked(const QByteArray& block, std::size_t count) {
-    uLongf size = maxTile;
-    QByteArray bytes(qsizetype(size), Qt::Uninitialized);
-    if (::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                     reinterpret_cast<const Bytef*>(block.constData()), uLong(block.size())) != Z_OK)
+    std::vector<std::uint8_t> bytes(maxNumber * (count + 1));
+    uLongf size = uLongf(bytes.size());
+    if (::uncompress(bytes.data(), &size, reinterpret_cast<const Bytef*>(block.constData()),
+                     uLong(block.size())) != Z_OK)
         return std::nullopt;
-    bytes.truncate(qsizetype(size));
-    VariableReader reader(bytes);
-    std::vector<std::uint64_t> values;
-    values.reserve(count);
-    while (values.size() < count) {
+    VariableReader reader{std::span(bytes).first(size)};
+    std::vector<std::uint64_t> values(count);
+    for (std::size_t at = 0; at < count;) {
         const auto value = reader.next();
         if (!value) return std::nullopt;
-        values.push_back(*value);
+        values[at++] = *value;
         if (*value != 0) continue;
         const auto more = reader.next();
-        if (!more || *more > count - values.size()) return std::nullopt;
-        values.insert(values.end(), std::size_t(*more), 0);
+        if (!more || *more > count - at) return std::nullopt;
+        at += std::size_t(*more);
     }
-    return reader.atEnd() ? std::optional(values) : std::nullopt;
+    if (!reader.atEnd()) return std::nullopt;
+    return values;
+}
+
+QByteArray bytesOf(std::uint32_t number) {
+    const auto bytes = qToLittleEndian(number);
+    return QByteArray(reinterpret_cast<const char*>(&bytes), sizeof bytes);
 }
 
 QByteArray line(const char* key, std::initializer_list<std::uint64_t> numbers) {
@@ -204,32 +232,36 @@ std::size_t TileGrid::valuesIn(std::uint32_t tile) const {
            m_values;
 }
 
-SumWriter::SumWriter(QIODevice& device, const SumHeader& header) : m_device(device) {
-    const QByteArray text = headerText(header);
-    m_device.write(magic);
-    putNumber(std::uint32_t(text.size()));
-    m_device.write(text);
-    putNumber(checksum(text));
+QByteArray storedTile(const SumTile& tile, Packing packing) {
+    if (std::ranges::all_of(tile.values, [](std::uint64_t value) { return value == 0; })) return {};
+    const QByteArray block = packed(tile.values, packing);
+    return bytesOf(tile.number) + bytesOf(std::uint32_t(block.size())) + block +
+           bytesOf(checksum(block, tile.number));
 }
 
-void SumWriter::putNumber(std::uint32_t number) {
-    const auto bytes = qToLittleEndian(number);
-    m_device.write(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+std::optional<SumTile> tileIn(const TileGrid& grid, std::uint32_t number, const QByteArray& block) {
+    auto values = unpacked(block, grid.valuesIn(number));
+    if (!values) return std::nullopt;
+    return SumTile{number, *std::move(values)};
+}
+
+SumWriter::SumWriter(QIODevice& device, const SumHeader& header) : m_device(device) {
+    const QByteArray text = headerText(header);
+    m_device.write(magic + bytesOf(std::uint32_t(text.size())) + text + bytesOf(checksum(text)));
 }
 
 void SumWriter::write(const SumTile& tile) {
-    if (std::ranges::all_of(tile.values, [](std::uint64_t value) { return value == 0; })) return;
-    const QByteArray block = packed(tile.values);
-    putNumber(tile.number);
-    putNumber(std::uint32_t(block.size()));
-    m_device.write(block);
-    putNumber(checksum(block, tile.number));
+    writeStored(storedTile(tile, Packing::Small));
+}
+
+void SumWriter::writeStored(const QByteArray& tile) {
+    if (tile.isEmpty()) return;
+    m_device.write(tile);
     ++m_count;
 }
 
 void SumWriter::finish() {
-    putNumber(end);
-    putNumber(m_count);
+    m_device.write(bytesOf(end) + bytesOf(m_count));
 }
 
 SumReader::SumReader(QIODevice& device) : m_device(device) {
@@ -278,16 +310,20 @@ bool SumReader::readTiles() {
     }
 }
 
-std::optional<SumTile> SumReader::read(std::uint32_t number) {
+std::optional<QByteArray> SumReader::readBlock(std::uint32_t number) {
     const auto found = m_tiles.find(number);
     if (found == m_tiles.end()) return std::nullopt;
-    const auto bytes = m_device.seek(found->second) ? block(maxTile, number) : std::nullopt;
-    auto values = bytes ? unpacked(*bytes, TileGrid(m_header).valuesIn(number)) : std::nullopt;
-    if (!values) {
-        fail();
-        return std::nullopt;
-    }
-    return SumTile{number, *std::move(values)};
+    auto bytes = m_device.seek(found->second) ? block(maxTile, number) : std::nullopt;
+    if (!bytes) fail();
+    return bytes;
+}
+
+std::optional<SumTile> SumReader::read(std::uint32_t number) {
+    const auto bytes = readBlock(number);
+    if (!bytes) return std::nullopt;
+    auto tile = tileIn(TileGrid(m_header), number, *bytes);
+    if (!tile) fail();
+    return tile;
 }
 
 } // namespace io

@@ -66,17 +66,23 @@ private:
     std::size_t m_values;
 };
 
+// Fast: numbers that are mostly noise are not compressed, which would take longer than all else.
+enum class Packing { Small, Fast };
+// A tile as a file has it; empty where it is left out. Any thread.
+QByteArray storedTile(const SumTile& tile, Packing packing);
+// What is in its block; nullopt where that makes no sense.
+std::optional<SumTile> tileIn(const TileGrid& grid, std::uint32_t number, const QByteArray& block);
+
 // Writes a file of sums (docs/formats.md). Tiles come in rising order, those of zeros alone are left out. Any
 // failure of the device is the device's to remember.
 class SumWriter {
 public:
     SumWriter(QIODevice& device, const SumHeader& header); // the device outlives the writer
     void write(const SumTile& tile);
+    void writeStored(const QByteArray& tile); // storedTile()
     void finish();
 
 private:
-    void putNumber(std::uint32_t number);
-
     QIODevice& m_device;
     std::uint32_t m_count = 0;
 };
@@ -91,7 +97,8 @@ public:
     const SumHeader& header() const { return m_header; }
     // Of each tile that the file holds, where it begins.
     const std::map<std::uint32_t, qint64>& tiles() const { return m_tiles; }
-    std::optional<SumTile> read(std::uint32_t number); // nullopt: not in the file, or a failure
+    std::optional<SumTile> read(std::uint32_t number);         // nullopt: not in the file, or a failure
+    std::optional<QByteArray> readBlock(std::uint32_t number); // the same for tileIn()
 
 private:
     bool readHeader();

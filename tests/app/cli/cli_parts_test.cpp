@@ -17,6 +17,9 @@ private slots:
     void partsMergeToEveryKindOfFile_data();
     void partsMergeToEveryKindOfFile();
     void bandsMergeToTheSameBytes();
+    void picturesInSpaceMergeToTheSameBytes_data();
+    void picturesInSpaceMergeToTheSameBytes();
+    void solidsAreDividedInBandsAlone();
     void aPartIsTheSameForAnyThreadsAndInstructions();
     void aPictureIsResumed();
     void aPartIsNotMergedTwice();
@@ -29,7 +32,13 @@ private slots:
 
 namespace {
 const QByteArray maple = "systems.ifs --entry maple --size 240x180 --points 20M ";
-}
+const QByteArray pyramid = "pyramid (3D) {\n"
+                           ".5 0 0 0 .5 0 0 0 .5 0 0 0 1\n"
+                           ".5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n"
+                           ".5 0 0 0 .5 0 0 0 .5 0 .5 0 1\n"
+                           ".5 0 0 0 .5 0 0 0 .5 0 0 .5 1\n"
+                           "}\n";
+} // namespace
 
 void CliPartsTest::partsMergeToTheSameBytes() {
     QCOMPARE(run("render " + maple + "-o whole.png").status, 0);
@@ -75,6 +84,58 @@ void CliPartsTest::bandsMergeToTheSameBytes() {
     QCOMPARE(run("merge left.sum right.sum -o bottom.sum").status, 0);
     QCOMPARE(run("merge top.sum bottom.sum -o merged.png").status, 0);
     QVERIFY(read("merged.png") == read("whole.png"));
+}
+
+void CliPartsTest::picturesInSpaceMergeToTheSameBytes_data() {
+    QTest::addColumn<QByteArray>("look");
+    QTest::addColumn<QByteArray>("division"); // of the first file and the second
+    QTest::newRow("cloud") << QByteArray("cloud --points 20M --colour map") << QByteArray("--part");
+    QTest::newRow("x-ray") << QByteArray("x-ray --points 20M") << QByteArray("--part");
+    QTest::newRow("cloud in bands") << QByteArray("cloud --points 20M") << QByteArray("--band");
+    QTest::newRow("stone") << QByteArray("stone --fog 1 --light 10,20") << QByteArray("--band");
+    QTest::newRow("ink on a ground") << QByteArray("ink --background #0d1017") << QByteArray("--band");
+    QTest::newRow("depth") << QByteArray("depth") << QByteArray("--band");
+}
+
+void CliPartsTest::picturesInSpaceMergeToTheSameBytes() {
+    QFETCH(const QByteArray, look);
+    QFETCH(const QByteArray, division);
+    write("pyramid.ifs", pyramid);
+    const QByteArray call =
+        "render pyramid.ifs --size 200x150 --orbit 40,25 --perspective 40 --rest-cage box "
+        "--slice 1,1,0,.9 --look " +
+        look + " ";
+    QCOMPARE(run(call + "-o whole.png").status, 0);
+    for (const char* part : {"0", "1"}) {
+        const Result drawn = run(call + division + " " + part + "/2 -o p" + part + ".sum");
+        QCOMPARE(drawn.err, QByteArray());
+        QCOMPARE(drawn.status, 0);
+    }
+    const Result merged = run("merge p1.sum p0.sum -o merged.png");
+    QCOMPARE(merged.err, QByteArray());
+    QCOMPARE(merged.status, 0);
+    QVERIFY(!read("whole.png").isEmpty());
+    QVERIFY(read("merged.png") == read("whole.png"));
+}
+
+void CliPartsTest::solidsAreDividedInBandsAlone() {
+    write("pyramid.ifs", pyramid);
+    const QByteArray call = "render pyramid.ifs --size 80x60 ";
+    const Result part = run(call + "--look stone --part 0/2 -o p.sum");
+    QCOMPARE(part.status, 2);
+    QVERIFY(part.err.contains("--band"));
+    const Result eyes = run(call + "--look cloud --stereo anaglyph --part 0/2 -o p.sum");
+    QCOMPARE(eyes.status, 2);
+    QVERIFY(eyes.err.contains("--stereo"));
+    QVERIFY(!QFile::exists(path("p.sum")));
+    QCOMPARE(run(call + "--look stone -o all.sum").status, 0);
+    const Result more = run("render --resume all.sum --points 1M -o more.png");
+    QCOMPARE(more.status, 2);
+    QVERIFY(more.err.contains("samples"));
+    const Result deep = run("merge all.sum -o x.exr");
+    QCOMPARE(deep.status, 2);
+    QVERIFY(deep.err.contains("8 bits"));
+    QCOMPARE(run("merge all.sum -o x.webp").status, 0);
 }
 
 void CliPartsTest::aPartIsTheSameForAnyThreadsAndInstructions() {

@@ -16,6 +16,7 @@ private slots:
     void tilesCoverThePicture();
     void readsBackWhatWasWritten_data();
     void readsBackWhatWasWritten();
+    void noiseIsNotCompressedInHaste();
     void zerosTakeNoRoom();
     void refusesEveryDamage();
 };
@@ -93,6 +94,31 @@ void SumFileTest::readsBackWhatWasWritten() {
         QCOMPARE(reader.read(number)->values, tileOf(of, number).values);
     QVERIFY(!reader.read(1));
     QVERIFY(!reader.failure());
+}
+
+// What cannot be made much smaller is stored as it is, and reads back all the same.
+void SumFileTest::noiseIsNotCompressedInHaste() {
+    const SumHeader of = header();
+    const TileGrid grid(of);
+    std::mt19937_64 random(3);
+    SumTile noise{1, std::vector<std::uint64_t>(grid.valuesIn(1))}, even = noise;
+    for (std::uint64_t& value : noise.values)
+        value = 1 + random() % 120;
+    for (std::uint64_t& value : even.values)
+        value = 1 + random() % 4;
+    constexpr qsizetype around = 12; // number, length and checksum
+    for (const SumTile& tile : {noise, even}) {
+        const QByteArray small = storedTile(tile, Packing::Small), fast = storedTile(tile, Packing::Fast);
+        QVERIFY(small.size() < qsizetype(tile.values.size()));
+        const bool isNoise = tile.values == noise.values;
+        QCOMPARE(fast == small, !isNoise);
+        QVERIFY(fast.size() < qsizetype(tile.values.size()) + 40);
+        for (const QByteArray& stored : {small, fast}) {
+            const QByteArray block = stored.mid(8, stored.size() - around);
+            QCOMPARE(tileIn(grid, 1, block)->values, tile.values);
+            QVERIFY(!tileIn(grid, 2, block)); // which has fewer cells
+        }
+    }
 }
 
 void SumFileTest::zerosTakeNoRoom() {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/picture/png_export.h"
+#include "io/sums/sum_file.h"
+
+#include <QFile>
+#include <QStringList>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace io {
+
+// Files of sums of one picture, which share no unit.
+class SumFiles {
+public:
+    explicit SumFiles(const QStringList& paths); // opens and checks them all
+
+    const Failure& failure() const { return m_failure; }         // the first; it names the file
+    bool isUnreadable() const { return m_isUnreadable; }         // the failure is that of a file or a disk
+    const SumHeader& header() const { return m_header; }         // of their union
+    const QString& name() const { return m_parts.front().path; } // of the first
+
+    bool addTo(attractor::CellSums& sums); // in the rows of its window; false on a failure
+    // Tile by tile, in memory for a few tiles of each file. False when stopped or on a failure.
+    bool writeTo(SumWriter& writer, int threads, const Progress& progress, const std::stop_token& stop);
+
+private:
+    struct Part {
+        QString path;
+        std::unique_ptr<QFile> file;
+        std::unique_ptr<SumReader> reader;
+    };
+    // A tile of all files.
+    struct Merged {
+        std::uint32_t number = 0;
+        std::vector<std::pair<Part*, QByteArray>> blocks;
+        QByteArray stored{};
+        Part* damaged = nullptr;
+    };
+    bool open(const QString& path);
+    bool collect(Merged& merged);
+    void add(Merged& merged) const;
+    Failure misfit(const QString& name, const SumHeader& other) const;
+    bool failed(const Part& part);
+
+    SumHeader m_header;
+    std::vector<Part> m_parts;
+    std::vector<QString> m_names; // of the files that the shares of the header come from
+    Failure m_failure;
+    bool m_isUnreadable = false;
+};
+
+} // namespace io
