@@ -3,6 +3,8 @@
 
 #include "attractor/request/colour_coordinates.h"
 #include "document/fractal_geometry.h"
+#include "document/recurring_branches.h"
+#include "ifs/system/recurring_branch.h"
 
 #include <algorithm>
 #include <utility>
@@ -45,16 +47,43 @@ attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<Di
 }
 
 template <int Dim>
+std::vector<ifs::MapId> idsOf(const System<Dim>& system, const ifs::Word& indices) {
+    std::vector<ifs::MapId> word;
+    for (const int index : indices)
+        word.push_back(system.maps[std::size_t(index)].id);
+    return word;
+}
+
+// What moves branches of the fractal, over the cut set of `letters`, whose maps are those of `system`. What
+// changes inside itself goes on doing so if it is one word there, too; else each of its branches is moved.
+template <int Dim>
 std::vector<MovedBranch<Dim>> movedOver(const Shape<Dim>& before, const ifs::ActiveMaps<Dim>& active,
-                                        const ifs::Word& branch, const System<Dim>& system) {
+                                        const ifs::Word& letters, const System<Dim>& system) {
+    const auto over = [&](const ifs::Word& word) {
+        return ifs::overCutSet(word, letters, active.maps.size());
+    };
+    std::vector<ifs::MovedBranch<Dim>> once, again;
+    for (StoredBranch<Dim>& stored : storedBranches(before))
+        (stored.recurs ? again : once).push_back(std::move(stored.branch));
     std::vector<MovedBranch<Dim>> moved;
-    for (const auto& [word, change] : ifs::overMaps<Dim>(movedBranches(before), active.index))
-        for (const ifs::Word& over : ifs::overCutSet(word, branch, active.maps.size())) {
-            std::vector<ifs::MapId> ids;
-            for (const int index : over)
-                ids.push_back(system.maps[std::size_t(index)].id);
-            moved.push_back({std::move(ids), change});
+    for (const auto& [word, change] : ifs::overMaps<Dim>(once, active.index))
+        for (const ifs::Word& other : over(word))
+            moved.push_back({idsOf(system, other), change});
+    for (const ifs::MovedBranch<Dim>& branch : ifs::overMaps<Dim>(again, active.index)) {
+        if (const auto others = over(branch.word); others.size() == 1) {
+            moved.push_back({recurringWord(idsOf(system, others.front())), branch.change});
+            continue;
         }
+        for (const auto& [word, change] : ifs::recurring<Dim>(branch, active.maps))
+            for (const ifs::Word& other : over(word)) {
+                const std::vector<ifs::MapId> ids = idsOf(system, other);
+                const auto known = std::ranges::find(moved, ids, &MovedBranch<Dim>::word);
+                if (known == moved.end())
+                    moved.push_back({ids, change});
+                else
+                    known->change = known->change * change;
+            }
+    }
     return moved;
 }
 

@@ -2,11 +2,15 @@
 #include "document/fractal_geometry.h"
 
 #include "attractor/cut/address_cut.h"
+#include "document/recurring_branches.h"
 #include "ifs/extent/extent.h"
 #include "ifs/links/linked_existence.h"
+#include "ifs/system/recurring_branch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 namespace document {
@@ -80,26 +84,26 @@ ifs::Placement placement(const Fractal& fractal) {
     return {*cage, ifs::suitableCoordinates(cage->rest, support.get(), pieces)};
 }
 
+// Those that are moved once come first: they move what the others have moved.
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape) {
-    std::vector<ifs::MovedBranch<Dim>> result;
-    const auto& maps = shape.system.maps;
-    std::vector<std::pair<ifs::MapId, int>> named; // with their indices, −1 for those that are gone
-    for (const MovedBranch<Dim>& branch : shape.moved)
-        for (const ifs::MapId id : branch.word)
-            named.emplace_back(id, -1);
-    std::ranges::sort(named);
-    const auto indexOf = [&](ifs::MapId id) {
-        const auto found = std::ranges::lower_bound(named, id, {}, &std::pair<ifs::MapId, int>::first);
-        return found != named.end() && found->first == id ? &found->second : nullptr;
-    };
-    for (std::size_t index = 0; !named.empty() && index < maps.size(); ++index)
-        if (int* known = indexOf(maps[index].id)) *known = int(index);
-    for (const auto& [word, change] : shape.moved) {
-        ifs::MovedBranch<Dim> branch{{}, change};
-        for (const ifs::MapId id : word)
-            if (const int index = *indexOf(id); index >= 0) branch.word.push_back(index);
-        if (branch.word.size() == word.size()) result.push_back(std::move(branch));
+    std::vector<ifs::MovedBranch<Dim>> result, inside, again;
+    const std::vector<ifs::AffineMap<Dim>> maps =
+        std::ranges::any_of(shape.moved, [](const auto& branch) { return recurs(branch.word); })
+            ? ifs::mapsOf(shape.system)
+            : std::vector<ifs::AffineMap<Dim>>();
+    std::set<ifs::Word> known; // of several that end up in one branch, the first goes on
+    for (StoredBranch<Dim>& stored : storedBranches(shape)) {
+        if (!stored.recurs) {
+            result.push_back(std::move(stored.branch));
+            continue;
+        }
+        std::vector<ifs::MovedBranch<Dim>> all = ifs::recurring<Dim>(stored.branch, maps);
+        for (auto branch = std::next(all.begin()); branch != all.end(); ++branch)
+            if (known.insert(branch->word).second) again.push_back(std::move(*branch));
+        inside.push_back(std::move(all.front()));
     }
+    std::ranges::move(inside, std::back_inserter(result));
+    std::ranges::move(again, std::back_inserter(result));
     return result;
 }
 template std::vector<ifs::MovedBranch<2>> movedBranches(const Shape<2>&);

@@ -94,7 +94,7 @@ private:
 
     void forgetMaps(const ifs::IteratedFunctionSystem<Dim>& after) {
         const MapIndex<Dim> left(after);
-        const auto isGone = [&](ifs::MapId id) { return !left.find(id); };
+        const auto isGone = [&](ifs::MapId id) { return id != ifs::MapId::None && !left.find(id); };
         std::erase_if(m_animation.maps, [&](const auto& track) { return isGone(track.map); });
         std::erase_if(m_animation.branches,
                       [&](const auto& track) { return std::ranges::any_of(track.word, isGone); });

@@ -2,6 +2,7 @@
 #include "document/map_handles.h"
 #include "document/branch_as_map.h"
 #include "document/fractal_geometry.h"
+#include "document/recurring_branches.h"
 
 #include "ifs/cage/map_handles.h"
 #include "ifs/extent/support_function.h"
@@ -24,17 +25,25 @@ std::vector<ifs::MapId> idsOf(const System2& system, const ifs::Word& indices) {
     return word;
 }
 
-AffineMap<2> changeOf(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
+const MovedBranch<2>* find(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
     const auto& branches = plane(fractal)->moved;
     const auto moved = std::ranges::find(branches, word, &MovedBranch<2>::word);
-    return moved == branches.end() ? AffineMap<2>{} : moved->change;
+    return moved == branches.end() ? nullptr : &*moved;
 }
 
-// Of the branches around this one.
-AffineMap<2> changeAround(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
+// What moves exactly this branch; what is inside it moves more.
+AffineMap<2> shownChange(std::span<const ifs::MovedBranch<2>> moved, const ifs::Word& branch) {
     AffineMap<2> change;
-    for (std::size_t length = 0; length < word.size(); ++length)
-        change = change * changeOf(fractal, {word.begin(), word.begin() + std::ptrdiff_t(length)});
+    for (const ifs::MovedBranch<2>& one : moved)
+        if (one.word == branch) change = change * one.change;
+    return change;
+}
+
+// Of the branches around this one, as they are shown.
+AffineMap<2> changeAround(std::span<const ifs::MovedBranch<2>> moved, const ifs::Word& branch) {
+    AffineMap<2> change;
+    for (std::size_t length = 0; length < branch.size(); ++length)
+        change = change * shownChange(moved, {branch.begin(), branch.begin() + std::ptrdiff_t(length)});
     return change;
 }
 
@@ -45,15 +54,23 @@ MapHandles::MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::Contro
     : m_fractal(std::move(fractal)), m_cage(cage), m_placement(placement(*m_fractal)), m_within(within) {}
 
 MapHandles MapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
-                                const ifs::ControlCage<2>& cage, const ifs::Word& branch) {
+                                const ifs::ControlCage<2>& cage, const ifs::Word& branch, bool recurs) {
     MapHandles handles(fractal, cage);
     AffineMap<2> map;
     for (const int index : branch)
         map = map * system2(*fractal)->maps[std::size_t(index)].map;
-    const std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
-    handles.m_within = changeAround(*fractal, word); // moves it too, and stays as it is
-    handles.m_branch = word;
-    handles.m_branchMap = {{word.back(), changeOf(*fractal, word) * map, {}}};
+    const std::vector<ifs::MovedBranch<2>> moved = movedBranches(*fractal);
+    std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
+    const ifs::MapId last = word.back();
+    handles.m_within = changeAround(moved, branch); // moves it too, and stays as it is
+    AffineMap<2> change = shownChange(moved, branch);
+    if (const MovedBranch<2>* once = recurs ? find(*fractal, word) : nullptr) {
+        const auto back = ifs::inverse(once->change);
+        if (back) change = *back * change;
+        handles.m_within = handles.m_within * once->change;
+    }
+    handles.m_branch = recurs ? recurringWord(std::move(word)) : std::move(word);
+    handles.m_branchMap = {{last, change * map, {}}};
     return handles;
 }
 
@@ -196,9 +213,10 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
     const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(*fractal));
     auto letters = ifs::overMaps(branch, active.index);
     if (!letters) return std::nullopt;
-    if (edit == BranchEdit::Display) return BranchHandles{MapHandles::ofBranch(fractal, cage, branch), 0};
-    const std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
-    const AffineMap<2> moved = changeAround(*fractal, word) * changeOf(*fractal, word);
+    if (edit == BranchEdit::Display || edit == BranchEdit::Inside)
+        return BranchHandles{MapHandles::ofBranch(fractal, cage, branch, edit == BranchEdit::Inside), 0};
+    const std::vector<ifs::MovedBranch<2>> branches = movedBranches(*fractal);
+    const AffineMap<2> moved = changeAround(branches, branch) * shownChange(branches, branch);
     if (branch.size() == 1) return BranchHandles{{fractal, cage, moved}, std::size_t(branch.front())};
     if (edit == BranchEdit::OwnMap && active.isLinked())
         return std::nullopt; // the maps that divide the others would have links of their own
@@ -214,15 +232,22 @@ bool isMoved(const Fractal& fractal, const ifs::Word& branch) {
     const Shape<2>* shape = plane(fractal);
     if (!shape || shape->moved.empty()) return false;
     const auto isMap = [&](int index) { return std::size_t(index) < shape->system.maps.size(); };
-    return std::ranges::all_of(branch, isMap) &&
-           std::ranges::find(shape->moved, idsOf(shape->system, branch), &MovedBranch<2>::word) !=
-               shape->moved.end();
+    if (!std::ranges::all_of(branch, isMap)) return false;
+    const std::vector<ifs::MapId> word = idsOf(shape->system, branch);
+    return find(fractal, word) || find(fractal, recurringWord(word));
+}
+
+AffineMap<2> recurringMap(const Fractal& fractal, const ifs::Word& branch) {
+    const System2& system = *system2(fractal);
+    const MovedBranch<2>* moved = find(fractal, recurringWord(idsOf(system, branch)));
+    return (moved ? moved->change : AffineMap<2>{}) * ifs::composed<2>(ifs::mapsOf(system), branch);
 }
 
 Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch) {
-    if (isMoved(fractal, branch))
-        std::erase_if(plane(fractal)->moved, [word = idsOf(*system2(fractal), branch)](
-                                                 const MovedBranch<2>& moved) { return moved.word == word; });
+    if (!isMoved(fractal, branch)) return fractal;
+    const std::vector<ifs::MapId> word = idsOf(*system2(fractal), branch), recurring = recurringWord(word);
+    std::erase_if(plane(fractal)->moved,
+                  [&](const MovedBranch<2>& moved) { return moved.word == word || moved.word == recurring; });
     return fractal;
 }
 

@@ -22,9 +22,10 @@ public:
     MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
                const ifs::AffineMap<2>& within = {});
     // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
-    // (Shape::moved) and leaves the code alone. The word has indices of maps that take part.
+    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
+    // The word has indices of maps that take part.
     static MapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal, const ifs::ControlCage<2>& cage,
-                               const ifs::Word& branch);
+                               const ifs::Word& branch, bool recurs = false);
 
     std::size_t count() const { return maps().size(); }
     const std::vector<ifs::WeightedMap<2>>& maps() const {
@@ -72,6 +73,7 @@ enum class BranchEdit {
     Display, // where the branch is shown, and it alone: the code stays
     OwnMap,  // the system over the cut set of its address, in which the branch is the first map
     LastMap, // the last map of its address, as it is seen there: all branches that it makes change alike
+    Inside,  // as Display, and again inside the branch: recurring_branches.h
 };
 
 // A branch σ, a word of indices in the system, as a map that can be moved.
@@ -87,6 +89,10 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
 // The same with the branch, a word of indices, where its maps put it; as it is when there is no such branch.
 Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch);
 bool isMoved(const Fractal& fractal, const ifs::Word& branch);
+
+// change∘w_σ of a branch of the system that changes inside itself, which it does only where this contracts;
+// w_σ of others.
+ifs::AffineMap<2> recurringMap(const Fractal& fractal, const ifs::Word& branch);
 
 // The lowest point of what is displayed, in coordinates of the code: where a plant stands.
 std::optional<ifs::Vector<2>> root(const Fractal& fractal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/map_solo.h"
+#include "document/fractal_geometry.h"
 
 #include <Eigen/SVD>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace document {
@@ -70,18 +72,23 @@ void keepColours(attractor::Appearance& appearance, const ifs::IteratedFunctionS
 }
 
 // Branches that are moved stay moved, where they are parts of this one.
-std::vector<MovedBranch<2>> movedWithin(const Shape<2>& shape, const ifs::WeightedMap<2>& map) {
+std::vector<MovedBranch<2>> movedWithin(const Shape<2>& shape, std::size_t index) {
+    const auto& maps = shape.system.maps;
+    const ifs::AffineMap<2>& map = maps[index].map;
     ifs::AffineMap<2> whole;
     std::vector<MovedBranch<2>> moved;
-    const auto back = ifs::inverse<2>(map.map);
-    for (const MovedBranch<2>& branch : shape.moved) {
-        if (branch.word.empty() || branch.word.front() != map.id) continue;
-        if (branch.word.size() == 1)
-            whole = branch.change;
-        else if (back)
-            moved.push_back({{branch.word.begin() + 1, branch.word.end()}, *back * branch.change * map.map});
+    const auto back = ifs::inverse<2>(map);
+    for (const auto& [word, change] : movedBranches(shape)) {
+        if (word.empty() || std::size_t(word.front()) != index) continue;
+        if (word.size() == 1) {
+            whole = whole * change;
+        } else if (back) {
+            moved.push_back({{}, *back * change * map});
+            for (const int letter : std::span(word).subspan(1))
+                moved.back().word.push_back(maps[std::size_t(letter)].id);
+        }
     }
-    moved.push_back({{}, whole * map.map}); // all of the attractor
+    moved.push_back({{}, whole * map}); // all of the attractor
     return moved;
 }
 
@@ -135,7 +142,7 @@ Fractal soloed(Fractal fractal, ifs::MapId map) {
         const auto index = indexOf(shape->system, map);
         if (index && soloObstacle(fractal, map).isEmpty()) {
             keepColours(fractal.appearance, shape->system, *index, isByMap, isByAddress, isByBlend);
-            shape->moved = movedWithin(*shape, shape->system.maps[*index]);
+            shape->moved = movedWithin(*shape, *index);
         }
     } else if (Shape<3>* solid = space(fractal)) {
         const auto index = indexOf(solid->system, map);

@@ -7,6 +7,7 @@
 #include "document/edits/animation_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/motion_paths.h"
+#include "document/recurring_branches.h"
 
 #include <QtTest>
 
@@ -69,6 +70,7 @@ private slots:
     void mapsThatGoTakeTheirTracks();
     void anotherCageLosesItsKeys();
     void branchesAreKeyed();
+    void branchesThatChangeInsideThemselvesAreKeyed();
     void looksAreKeyed();
     void inSpaceAsInThePlane();
     void looksInSpaceAreKeyed();
@@ -201,6 +203,29 @@ void FrameEditTest::branchesAreKeyed() {
     QCOMPARE(plane(edit.fractal)->moved, plane(entry)->moved);
     const FrameEdit put = edited(entry, 8, [](Fractal& shown) { plane(shown)->moved.clear(); });
     QVERIFY(animationOf(put.fractal).branches.empty() && plane(put.fractal)->moved.empty());
+}
+
+void FrameEditTest::branchesThatChangeInsideThemselvesAreKeyed() {
+    Fractal entry = still();
+    const std::vector<ifs::MapId> address{ifs::MapId(1)}, word = recurringWord(address);
+    plane(entry)->moved = {{address, ifs::affineMap(1, 0, 0, 1, 0.125, 0)},
+                           {word, ifs::affineMap(1, 0, 0, 1, 0.25, 0)}};
+    entry = keyed(entry, {Track::Kind::Branch, word}, 8);
+    const FrameEdit edit =
+        edited(entry, 8, [](Fractal& shown) { plane(shown)->moved[1].change.translation.x() = 0.5; });
+    QCOMPARE(animationOf(edit.fractal).branches.size(), std::size_t(1));
+    QCOMPARE(animationOf(edit.fractal).branches.front().word, word);
+    QCOMPARE(animationOf(edit.fractal).branches.front().keys[1].value.translation.x(), 0.5);
+    const auto without = [&](std::ptrdiff_t map) {
+        return edited(entry, 8,
+                      [map](Fractal& shown) {
+                          auto& maps = plane(shown)->system.maps;
+                          maps.erase(maps.begin() + map);
+                      })
+            .fractal;
+    };
+    QCOMPARE(animationOf(without(1)).branches.size(), std::size_t(1));
+    QVERIFY(animationOf(without(0)).branches.empty());
 }
 
 void FrameEditTest::looksAreKeyed() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/animation_comments.h"
 
+#include "document/recurring_branches.h"
 #include "io/fractint/metadata_line.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace io {
 
@@ -116,6 +118,7 @@ QByteArrayList numbersOf(const std::vector<ifs::MapId>& ids, const document::Sha
     QByteArrayList numbers;
     const auto& maps = shape.system.maps;
     for (const ifs::MapId id : ids) {
+        if (id == ifs::MapId::None) numbers << "0"; // before the address of a branch: document::recurs()
         const auto found = std::ranges::find(maps, id, &ifs::WeightedMap<Dim>::id);
         if (found != maps.end()) numbers << QByteArray::number(qlonglong(found - maps.begin()) + 1);
     }
@@ -240,12 +243,19 @@ private:
         return result;
     }
 
-    MapIds ids(const std::vector<int>& numbers) {
+    MapIds ids(std::span<const int> numbers) {
         MapIds result;
         for (const int number : numbers)
             if (fits(std::size_t(number) <= m_shape.system.maps.size()))
                 result.push_back(m_shape.system.maps[std::size_t(number - 1)].id);
         return result;
+    }
+
+    MapIds word(std::span<const int> numbers) {
+        const bool recurs = !numbers.empty() && numbers.front() == 0;
+        MapIds address = ids(numbers.subspan(recurs ? 1 : 0));
+        fits(!address.empty());
+        return recurs ? document::recurringWord(std::move(address)) : address;
     }
 
     MapPose<Dim> mapPose(const Stored::Key& key) {
@@ -326,7 +336,7 @@ private:
                 m_animation.maps.push_back({map.front(), keys(track, &AnimationBuilder::mapPose)});
             break;
         case Track::Of::Branch:
-            m_animation.branches.push_back({ids(track.maps), keys(track, &AnimationBuilder::change)});
+            m_animation.branches.push_back({word(track.maps), keys(track, &AnimationBuilder::change)});
             break;
         case Track::Of::Look:
             fits(m_animation.look.empty());
@@ -404,7 +414,7 @@ void renumberAnimation(document::Shape<Dim>& shape, const std::map<ifs::MapId, i
     const auto renumbered = [&](ifs::MapId& id) {
         const auto known = ids.find(id);
         if (known != ids.end()) id = known->second;
-        return known != ids.end();
+        return known != ids.end() || id == ifs::MapId::None;
     };
     std::erase_if(animation.maps, [&](auto& track) { return !renumbered(track.map); });
     std::erase_if(animation.branches,

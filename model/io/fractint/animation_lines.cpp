@@ -44,10 +44,12 @@ std::optional<int> whole(const QByteArray& text) {
     return good ? std::optional(value) : std::nullopt;
 }
 
-bool appendMaps(std::vector<int>& maps, const QByteArrayList& values) {
+// A word of a branch may begin with 0.
+bool appendMaps(std::vector<int>& maps, const QByteArrayList& values, bool isWord = false) {
     for (const QByteArray& value : values) {
         const auto map = whole(value);
-        if (!map || *map < 1 || maps.size() >= maxParts) return false;
+        const int least = isWord && maps.empty() ? 0 : 1;
+        if (!map || *map < least || maps.size() >= maxParts) return false;
         maps.push_back(*map);
     }
     return !values.isEmpty();
@@ -137,7 +139,8 @@ bool AnimationLines::readKey(const QByteArray& key, const QByteArrayList& values
     if (m_within != Within::Track) return false;
     Stored::Track& track = m_stored.tracks.back();
     if (key == "word")
-        return track.of == Stored::Track::Of::Branch && track.keys.empty() && appendMaps(track.maps, values);
+        return track.of == Stored::Track::Of::Branch && track.keys.empty() &&
+               appendMaps(track.maps, values, true);
     if (key == "key") {
         const auto frame = whole(values[0]);
         const auto ease = values.size() == 2 ? named(easeNames, values[1]) : std::nullopt;

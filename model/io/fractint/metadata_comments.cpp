@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/metadata_comments.h"
 
-#include "document/fractal_geometry.h"
+#include "document/recurring_branches.h"
 #include "ifs/system/links.h"
 #include "io/fractint/metadata_line.h"
 #include "io/palette/palette_stops.h"
@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace io {
@@ -80,8 +81,8 @@ QByteArrayList mapLines(const ifs::IteratedFunctionSystem<Dim>& system,
 }
 
 // The word over as many lines as it needs, then the change in the order of a code row.
-template <int Dim> QByteArrayList branchLines(const ifs::MovedBranch<Dim>& branch) {
-    QByteArrayList lines{line("branch", {})};
+template <int Dim> QByteArrayList branchLines(const ifs::MovedBranch<Dim>& branch, bool recurs) {
+    QByteArrayList lines{line("branch", recurs ? "0" : "")};
     for (const int symbol : branch.word) {
         const QByteArray number = QByteArray::number(symbol + 1);
         if (lines.back().size() + number.size() + 1 > maxLine) lines << line("branch", {});
@@ -103,8 +104,8 @@ template <int Dim> QByteArrayList placementLines(const document::Shape<Dim>& sha
         if (shape.cage->deformation == ifs::Deformation::AffineFit)
             lines << line("deformation", "affine-fit");
     }
-    for (const ifs::MovedBranch<Dim>& branch : document::movedBranches(shape))
-        lines << branchLines(branch);
+    for (const auto& [branch, recurs] : document::storedBranches(shape))
+        lines << branchLines(branch, recurs);
     return lines << symmetryComments(shape.system.symmetry) << animationComments(shape);
 }
 
@@ -168,7 +169,7 @@ template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal&
         return !std::ranges::all_of(branch.word, [&](ifs::MapId& id) {
             const auto known = ids.find(id);
             if (known != ids.end()) id = known->second;
-            return known != ids.end();
+            return known != ids.end() || id == ifs::MapId::None;
         });
     });
     if (shape.animation) renumberAnimation(shape, ids);
@@ -342,7 +343,10 @@ bool MetadataComments::readBranch(const QByteArray& key, const QByteArrayList& v
         for (const QByteArray& value : values)
             symbols.push_back(value.toInt());
         std::vector<int>& word = m_branches.back().word;
-        if (symbols.empty() || std::ranges::min(symbols) < 1 || word.size() + symbols.size() > maxWord)
+        // 0 begins the address of one that changes inside itself.
+        const auto first = symbols.begin() + (word.empty() && values.value(0) == "0" ? 1 : 0);
+        if (first == symbols.end() || *std::min_element(first, symbols.end()) < 1 ||
+            word.size() + symbols.size() > maxWord)
             return false;
         word.insert(word.end(), symbols.begin(), symbols.end());
         m_branches.back().lines.push_back(m_ownComments - 1);
@@ -397,12 +401,15 @@ template <int Dim> void MetadataComments::applyBranches(document::Shape<Dim>& sh
             continue;
         }
         document::MovedBranch<Dim> moved;
-        for (const int symbol : branch.word)
+        const bool recurs = !branch.word.empty() && branch.word.front() == 0;
+        for (const int symbol : std::span(branch.word).subspan(recurs ? 1 : 0))
             if (std::size_t(symbol) <= maps.size()) moved.word.push_back(maps[std::size_t(symbol - 1)].id);
+        const bool isAddress = !moved.word.empty();
+        if (recurs) moved.word = document::recurringWord(std::move(moved.word));
         pieces += moved.word.size() * maps.size();
         const bool known = std::ranges::find(shape.moved, moved.word, &document::MovedBranch<Dim>::word) !=
                            shape.moved.end();
-        if (branch.by.size() != Dim + 1 || !std::ranges::all_of(branch.by, isHere) || branch.word.empty() ||
+        if (branch.by.size() != Dim + 1 || !std::ranges::all_of(branch.by, isHere) || !isAddress ||
             moved.word.size() != branch.word.size() || known || pieces > maxPieces) {
             outcome.sentences << QCoreApplication::translate(
                 "Text",

@@ -58,7 +58,7 @@ private:
         std::size_t dimension() const { return isOpen ? 0 : coordinates.size(); }
     };
     struct Branch {
-        std::vector<int> word; // of maps, 1-based
+        std::vector<int> word; // of maps, 1-based; 0 first: document::recurs()
         Lines lines;           // of the word
         std::vector<Point> by; // rows of the linear part, then the translation
     };

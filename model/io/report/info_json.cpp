@@ -3,6 +3,7 @@
 
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/recurring_branches.h"
 #include "ifs/extent/extent.h"
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
@@ -381,13 +382,14 @@ template <int Dim> void writeMovedBranches(JsonWriter& json, const document::Sha
     std::iota(indices.begin(), indices.end(), std::size_t(0));
     json.key("moved_branches");
     json.beginArray();
-    for (const auto& [word, change] : document::movedBranches(shape)) {
+    for (const auto& [branch, recurs] : document::storedBranches(shape)) {
         json.beginObject(Layout::Inline);
-        writeWord(json, "address", word, indices);
+        writeWord(json, "address", branch.word, indices);
+        json.member("recurs", recurs);
         json.key("linear");
-        writeMatrix<Dim>(json, change.linear);
+        writeMatrix<Dim>(json, branch.change.linear);
         json.key("translation");
-        writeVector<Dim>(json, change.translation);
+        writeVector<Dim>(json, branch.change.translation);
         json.endObject();
     }
     json.endArray();

@@ -4,6 +4,7 @@
 #include "document/addresses.h"
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/recurring_branches.h"
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
 #include "io/report/figure_error.h"
@@ -434,8 +435,11 @@ void addShape(Lines& lines, const document::Shape<Dim>& shape, const QString& na
                                                    ? Text::tr("bend")
                                                    : Text::tr("affine fit"));
     }
-    for (const auto& [word, change] : document::movedBranches(shape))
-        lines.add(Text::tr("moved branch"), document::addressText(word, word.size()));
+    for (const auto& [branch, recurs] : document::storedBranches(shape)) {
+        const QString address = document::addressText(branch.word, branch.word.size());
+        lines.add(Text::tr("moved branch"),
+                  recurs ? Text::tr("%1, and inside itself").arg(address) : address);
+    }
 }
 
 QString loopText(animation::Loop loop) {

@@ -107,7 +107,8 @@ void CliInfoTest::cageAndBranchesInSpace() {
     QByteArray lines;
     for (const char* line :
          {"rest 0 0 0", "rest 1 0 0", "rest 0 1 0", "rest 0 0 1", "current 0 0 0", "current 1 0 0",
-          "current 0 1 0", "current 0 0 2", "branch 2 1", "by 1 0 0", "by 0 1 0", "by 0 0 1", "by 3 2 1"})
+          "current 0 1 0", "current 0 0 2", "branch 2 1", "by 1 0 0", "by 0 1 0", "by 0 0 1", "by 3 2 1",
+          "branch 0 2", "by 1 0 0", "by 0 1 0", "by 0 0 1", "by 0 0 1"})
         lines += QByteArray(" ; barycage: ") + line + '\n';
     const QByteArray file =
         "solid (3D) {\n" + lines + " .5 0 0 0 .5 0 0 0 .5 0 0 0 .5\n .5 0 0 0 .5 0 0 0 .5 .5 .5 .5 .5\n}\n";
@@ -117,12 +118,16 @@ void CliInfoTest::cageAndBranchesInSpace() {
     QCOMPARE(cage[QLatin1String("current")][3].toArray(), (QJsonArray{0, 0, 2}));
     QCOMPARE(cage[QLatin1String("deformation")].toString(), QStringLiteral("affine"));
     const QJsonArray branches = solid[QLatin1String("moved_branches")].toArray();
-    QCOMPARE(branches.size(), 1);
+    QCOMPARE(branches.size(), 2);
+    QVERIFY(!branches[0][QLatin1String("recurs")].toBool(true));
+    QVERIFY(branches[1][QLatin1String("recurs")].toBool());
+    QCOMPARE(branches[1][QLatin1String("address")].toArray(), QJsonArray{2});
     QCOMPARE(branches[0][QLatin1String("address")].toArray(), (QJsonArray{2, 1}));
     QCOMPARE(branches[0][QLatin1String("translation")].toArray(), (QJsonArray{3, 2, 1}));
     const Result text = run("info -", file);
     QVERIFY2(text.out.contains("(0, 0, 2)"), text.out.constData());
     QVERIFY2(text.out.contains("moved branch"), text.out.constData());
+    QCOMPARE(text.out.count("and inside itself"), 1);
 }
 
 void CliInfoTest::factsOfTheFern() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "document/recurring_branches.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
@@ -64,6 +65,10 @@ const QByteArrayList everything{
     "word 3 1 2",
     "key 12 in",
     "value 1 0 0 1 0.5 0.5",
+    "track branch",
+    "word 0 3 1",
+    "key 12 in",
+    "value 0 -1 1 0 0.5 0.5",
     "track look",
     "key 0 out",
     "look colour-by map",
@@ -127,12 +132,15 @@ private slots:
         QCOMPARE(animation->rate.seconds, 1001);
         QCOMPARE(animation->loop, animation::Loop::ThereAndBack);
         QCOMPARE(animation->length, 48);
-        QCOMPARE(trackCount(*animation), 5);
+        QCOMPARE(trackCount(*animation), 6);
         QCOMPARE(animation->motions.size(), 5u);
         QCOMPARE(animation->cage[1].ease.x2, 0.9);
         QCOMPARE(animation->cage[1].value[1].y(), -1.2345678901234567e-7);
         QVERIFY(animation->maps[0].keys[0].value.weight && !animation->maps[0].keys[1].value.weight);
         QCOMPARE(animation->branches[0].word.size(), 3u);
+        QVERIFY(document::recurs(animation->branches[1].word) &&
+                !document::recurs(animation->branches[0].word));
+        QCOMPARE(animation->branches[1].word.size(), 3u);
         QCOMPARE(animation->look[0].value.contrast, 1.5);
         QCOMPARE(animation->look[0].value.vibrancy, 0.0);
         QCOMPARE(animation->look[1].value.contrast, 1.0); // as in files that do not know it

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "document/recurring_branches.h"
 #include "io/fractint/metadata_comments.h"
 #include "io/text/number.h"
 
@@ -178,6 +179,8 @@ void MetadataCommentsTest::lines() {
     document::plane(moved)->moved = {
         {{map(moved, 1).id, map(moved, 0).id}, ifs::affineMap(1, 2, 3, 4, 5, 6)}};
     QCOMPARE(written(moved), QByteArray("version 1; branch 2 1; by 1 2; by 3 4; by 5 6"));
+    document::plane(moved)->moved[0].word = document::recurringWord({map(moved, 1).id});
+    QCOMPARE(written(moved), QByteArray("version 1; branch 0 2; by 1 2; by 3 4; by 5 6"));
 }
 
 void MetadataCommentsTest::everythingComesBack() {
@@ -203,7 +206,8 @@ void MetadataCommentsTest::everythingComesBack() {
     map(fractal, 2).weight.reset();
     document::plane(fractal)->moved = {
         {{map(fractal, 3).id}, ifs::affineMap(.1, .2, .3, .4, .5, .6)},
-        {{map(fractal, 0).id, map(fractal, 3).id}, ifs::affineMap(1, 0, 0, 1, 2, 0)}};
+        {{map(fractal, 0).id, map(fractal, 3).id}, ifs::affineMap(1, 0, 0, 1, 2, 0)},
+        {document::recurringWord({map(fractal, 3).id}), ifs::affineMap(0, -1, 1, 0, 0, 1)}};
     const Fractal back = reread(fractal);
     QVERIFY(document::plane(back)->cage == document::plane(fractal)->cage);
     QVERIFY(back.appearance == fractal.appearance);
@@ -409,6 +413,8 @@ void MetadataCommentsTest::understood_data() {
                              "stop 0",
                              "branch",
                              "branch 0",
+                             "branch 0 0 1",
+                             "branch 1 0",
                              "branch 1 x",
                              "by 1 2"})
         QTest::newRow(line) << false;
@@ -436,6 +442,10 @@ void MetadataCommentsTest::whatDoesNotFitIsSaid_data() {
     row("a map that is not there", {"off 3"}, 1);
     row("a colour of a map that is not there", {"map-colour 3 #ffffffff"}, 0);
     row("a branch of a map that is not there", {"branch 3", "by 1 0", "by 0 1", "by 0 0"}, 1);
+    row("one that changes inside itself, of a map that is not there",
+        {"branch 0 3", "by 1 0", "by 0 1", "by 0 0"}, 1);
+    row("a branch that is moved in both ways",
+        {"branch 1", "by 1 0", "by 0 1", "by 0 0", "branch 0 1", "by 1 0", "by 0 1", "by 5 0"}, 0);
     row("an unfinished branch", {"branch 1", "by 1 0", "by 0 1"}, 1);
     row("the same branch twice",
         {"branch 1", "by 1 0", "by 0 1", "by 0 0", "branch 1", "by 1 0", "by 0 1", "by 5 0"}, 1);
