@@ -98,9 +98,7 @@ std::uint64_t countArgument(const std::string& option, const std::string& text, 
     const auto number = wholeNumber(QString::fromStdString(text));
     if (!number || *number < min || *number > max)
         refuse(option, text,
-               tr("it must be a whole number from %1 to %2, such as 250000, 1e6, 2.5M or 4G.")
-                   .arg(min)
-                   .arg(max));
+               tr("it must be a whole number from %1 to %2, such as 250000, 1e6 or 2.5M.").arg(min).arg(max));
     return *number;
 }
 

@@ -151,6 +151,7 @@ bool hasActiveMap(const document::Fractal& fractal) {
 std::optional<QString> obstacle(document::Entry& entry, const Input& input, const Arguments& arguments,
                                 const Plan& plan) {
     if (auto reason = changeDimension(entry, plan.change)) return reason;
+    if (const auto warning = liftWarning(*entry.fractal, plan.change)) reportWarning(input.name, *warning);
     if (auto reason = changeSymmetry(entry, plan.symmetry)) return reason;
     const std::shared_ptr<const document::Fractal> before = entry.fractal;
     const document::Fractal& fractal = *before;

@@ -11,6 +11,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace cli {
 
 namespace {
@@ -102,6 +104,12 @@ std::optional<QString> changeDimension(document::Entry& entry, const DimensionCh
     entry.fractal = std::make_shared<const document::Fractal>(*std::move(changed));
     entry.source = nullptr; // its bytes are those of another dimension
     return std::nullopt;
+}
+
+std::optional<QString> liftWarning(const document::Fractal& lifted, const DimensionChange& change) {
+    if (!change.isLift || !change.scale || std::abs(*change.scale) < 1) return std::nullopt;
+    return tr("“%1” has no attractor in space: its maps multiply z by %2, which does not contract.")
+        .arg(lifted.name, QString::fromLatin1(io::formatNumber(*change.scale)));
 }
 
 void sayReport(const QString& lines) {

@@ -37,6 +37,9 @@ DimensionChange dimensionChange(const SolidArguments& arguments); // throws Usag
 // The entry after the change, or why there is none.
 std::optional<QString> changeDimension(document::Entry& entry, const DimensionChange& change);
 
+// That what was lifted by a factor for z that does not contract has no attractor.
+std::optional<QString> liftWarning(const document::Fractal& lifted, const DimensionChange& change);
+
 void sayReport(const QString& lines); // on standard output
 
 } // namespace cli

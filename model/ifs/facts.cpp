@@ -11,6 +11,7 @@
 #include "ifs/links/linked_measure.h"
 #include "ifs/processor_clock.h"
 #include "ifs/separation/exact_hull.h"
+#include "ifs/separation/exact_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,15 @@ private:
     std::vector<LongFact>& m_late;
 };
 
+// The attractor is a point.
+template <int Dim> void settlePoint(Facts<Dim>& facts) {
+    facts.similarityDimension = 0;
+    if (!facts.moments) return;
+    facts.moments->covariance.setZero();
+    facts.moments->longRunCovariance.setZero();
+    facts.moments->covarianceError = 0;
+}
+
 template <int Dim>
 bool findExistence(Facts<Dim>& facts, const IteratedFunctionSystem<Dim>& system, Budget& budget) {
     facts.probabilities = probabilities(system);
@@ -67,6 +77,7 @@ bool findExistence(Facts<Dim>& facts, const IteratedFunctionSystem<Dim>& system,
         facts.existence = classify<Dim>(facts.active.maps);
         facts.support = SupportFunction<Dim>::of(facts.active.maps);
         if (facts.support) facts.similarityDimension = similarityDimension<Dim>(facts.active.maps);
+        if (facts.support && haveCommonFixedPoint<Dim>(facts.active.maps)) settlePoint(facts);
         return true;
     });
 }
@@ -189,6 +200,8 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
             if (found[k] && points[k] == vertex) facts.extremePoints.back() = found[k];
     }
     facts.isHullExact = isExactHull(facts.active.maps, facts.extremePoints);
+    if (facts.isHullExact)
+        hull.error = std::min(hull.error, roundingOf(facts.active.maps, facts.extremePoints));
     return true;
 }
 
@@ -202,7 +215,8 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
         return true;
     });
     if (!facts.support) return;
-    result.measureDimension = measureDimension(active);
+    result.measureDimension =
+        facts.similarityDimension == 0.0 ? facts.similarityDimension : measureDimension(active);
     budget.spend(LongFact::Contacts, [&](const std::stop_token&) {
         result.contacts = pieceContacts(*facts.support);
         if constexpr (Dim == 2)
@@ -214,7 +228,7 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
 void findAffinityDimension(Facts<2>& facts, Budget& budget) {
     budget.spend(LongFact::AffinityDimension, [&](const std::stop_token& stop) {
         facts.affinityDimension = affinityDimension(facts.active.maps, stop);
-        facts.affinityDimensionError = affinityDimensionError;
+        facts.affinityDimensionError = facts.affinityDimension == 0.0 ? 0 : affinityDimensionError;
         return facts.affinityDimension || !stop.stop_requested();
     });
 }

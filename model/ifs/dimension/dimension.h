@@ -21,6 +21,11 @@ template <int Dim> std::optional<std::vector<double>> similarityRatios(std::span
 // condition.
 template <int Dim> std::optional<double> similarityDimension(std::span<const AffineMap<Dim>> maps);
 
+// Whether it is larger than a set in so many dimensions can have: then the open set condition fails.
+constexpr bool exceedsSpace(double similarityDimension, int spaceDimension) {
+    return similarityDimension > spaceDimension * (1 + 1e-6);
+}
+
 // By how much the ratios, which are known to 1e-9, can falsify a similarity dimension.
 template <int Dim> double similarityDimensionError(std::span<const AffineMap<Dim>> maps, double dimension);
 

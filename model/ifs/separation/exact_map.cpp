@@ -86,11 +86,20 @@ template <int Dim> bool isSame(const ExactPoint<Dim>& a, const ExactPoint<Dim>& 
     return true;
 }
 
+template <int Dim> bool haveCommonFixedPoint(std::span<const AffineMap<Dim>> maps) {
+    if (maps.empty()) return false;
+    const auto point = exactFixedPoint(exactWord<Dim>(maps, {0}));
+    for (int i = 0; i < int(maps.size()); ++i)
+        if (!isSame(point, image(exactWord<Dim>(maps, {i}), point))) return false;
+    return true;
+}
+
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template ExactMap<Dim> exactWord(std::span<const AffineMap<Dim>>, const Word&);                          \
     template ExactPoint<Dim> exactFixedPoint(const ExactMap<Dim>&);                                          \
     template ExactPoint<Dim> image(const ExactMap<Dim>&, const ExactPoint<Dim>&);                            \
-    template bool isSame(const ExactPoint<Dim>&, const ExactPoint<Dim>&);
+    template bool isSame(const ExactPoint<Dim>&, const ExactPoint<Dim>&);                                    \
+    template bool haveCommonFixedPoint(std::span<const AffineMap<Dim>>);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

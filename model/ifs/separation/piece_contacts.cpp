@@ -54,7 +54,8 @@ public:
     PieceContacts found() {
         PieceContacts result;
         if (m_maps.size() < 2) {
-            result.connectedness = Connectedness::Connected; // a point
+            result.separation = Separation::Strong; // a point, of one piece
+            result.connectedness = Connectedness::Connected;
             return result;
         }
         if (m_maps.size() > maxMaps) return result;

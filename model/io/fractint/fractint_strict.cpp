@@ -124,7 +124,7 @@ private:
         if (lost > 0)
             warn(
                 {},
-                Text::tr("%1 lines of blocks that are not iterated function systems are omitted.").arg(lost));
+                Text::tr("Omitted lines of blocks that are not iterated function systems: %1.").arg(lost));
     }
 
     void addTail(const QByteArray& tail) {
@@ -160,7 +160,7 @@ private:
         for (Row& row : rows)
             row.probability = std::max<double>(row.probability, std::numeric_limits<float>::min());
         if (rows.size() < all && !rows.empty())
-            warn(fractal.name, Text::tr("%1 inactive maps are omitted.").arg(all - rows.size()));
+            warn(fractal.name, Text::tr("Omitted inactive maps: %1.").arg(all - rows.size()));
         return rows;
     }
 

@@ -22,8 +22,15 @@ template <class Matrix> Matrix withoutNoise(Matrix values, double error) {
     return values;
 }
 
-// " ± 2e-07", rounded up, when the error shows in `digits` significant digits of one of the values, or, where
-// all of them are noise, of the size of things; else nothing.
+// The value with so many significant digits, with more where things of that size lie far from 0, but none
+// beyond the second digit of the error.
+QString figure(double value, double error, double size, int digits);
+
+// A bound with two digits, rounded up.
+QString boundText(double bound);
+
+// " ± 2e-07", rounded up, when the error shows in the digits that figure() gives to one of the values, or,
+// where all of them are noise, of the size of things; else nothing.
 QString errorNote(const std::vector<double>& values, double error, double size, int digits);
 
 // Whether the error leaves nothing of a figure of that size.

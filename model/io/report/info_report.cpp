@@ -2,6 +2,7 @@
 #include "io/report/info_report.h"
 
 #include "ifs/links/linked_extent.h"
+#include "io/report/figure_error.h"
 
 #include <QCoreApplication>
 
@@ -25,7 +26,7 @@ ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const Q
         problem.message =
             QCoreApplication::translate("Text", "The convex hull has an error of up to %1: the tolerance %2 "
                                                 "was not reached.")
-                .arg(facts.hull->error, 0, 'g', 3)
+                .arg(boundText(facts.hull->error))
                 .arg(*wanted, 0, 'g', 6);
         subject.remark(problem);
     }

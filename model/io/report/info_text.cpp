@@ -5,6 +5,7 @@
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 #include "document/recurring_branches.h"
+#include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
 #include "io/report/figure_error.h"
@@ -23,32 +24,34 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-QString digits(double number) {
-    return QString::number(number == 0 ? 0.0 : number, 'g', 6);
+constexpr int shownDigits = 6;
+
+QString digits(double number, double error = 0, double size = 0) {
+    return figure(number, error, size, shownDigits);
 }
 
 QString digits(const std::optional<double>& number) {
     return number ? digits(*number) : Text::tr("unknown");
 }
 
-template <typename Vector> QString tuple(const Vector& v) {
+template <typename Vector> QString tuple(const Vector& v, double error = 0, double size = 0) {
     QStringList parts;
     for (Eigen::Index i = 0; i < v.size(); ++i)
-        parts << digits(double(v[i]));
+        parts << digits(double(v[i]), error, size);
     return QStringLiteral("(%1)").arg(parts.join(QStringLiteral(", ")));
 }
 
-template <typename Matrix> QString rows(const Matrix& m) {
+template <typename Matrix> QString rows(const Matrix& m, double error) {
     QStringList parts;
     for (Eigen::Index i = 0; i < m.rows(); ++i)
-        parts << tuple(m.row(i));
+        parts << tuple(m.row(i), error);
     return parts.join(QStringLiteral(" "));
 }
 
-template <typename Points> QString list(const Points& points) {
+template <typename Points> QString list(const Points& points, double error = 0, double size = 0) {
     QStringList parts;
     for (const auto& point : points)
-        parts << tuple(point);
+        parts << tuple(point, error, size);
     return parts.join(QStringLiteral(" "));
 }
 
@@ -102,8 +105,6 @@ QString verdictSentence(const ifs::Existence& existence, const std::vector<std::
     return Text::tr("none: no map is active");
 }
 
-constexpr int shownDigits = 6;
-
 template <class Matrix> QString errorNote(const Matrix& values, double error, double size) {
     QString note;
     for (const double value : values.reshaped())
@@ -139,13 +140,13 @@ QString notComputed() {
     return Text::tr("not computed within the budget");
 }
 
-template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double probability) {
+template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double probability, double size) {
     QStringList row;
     for (int i = 0; i < Dim; ++i)
         for (int j = 0; j < Dim; ++j)
             row << digits(map.map.linear(i, j)).rightJustified(11);
     for (int i = 0; i < Dim; ++i)
-        row << digits(map.map.translation[i]).rightJustified(11);
+        row << digits(map.map.translation[i], 0, size).rightJustified(11);
     row << digits(probability).rightJustified(11);
     return row.join(u' ') + Text::tr("   norm %1, determinant %2")
                                 .arg(digits(ifs::spectralNorm<Dim>(map.map.linear)),
@@ -161,15 +162,25 @@ template <int Dim> void addMoments(Lines& lines, const ifs::Facts<Dim>& facts) {
         const auto known = withoutNoise(point, error);
         lines.add(Text::tr("mean"), isWorthless(error, std::max(size, point.norm()))
                                         ? Text::tr("unknown")
-                                        : tuple(known) + errorNote(known, error, size));
+                                        : tuple(known, error, size) + errorNote(known, error, size));
     }
     if (facts.moments) {
         const double error = facts.moments->covarianceError;
         const auto known = withoutNoise(facts.moments->covariance, error);
         lines.add(Text::tr("covariance"), isWorthless(error, std::max(spread, size * size))
                                               ? Text::tr("unknown")
-                                              : rows(known) + errorNote(known, error, size * size));
+                                              : rows(known, error) + errorNote(known, error, size * size));
     }
+}
+
+template <int Dim> QString boxText(const ifs::BoundingBox<Dim>& box) {
+    const auto& [min, max, error] = box;
+    const double size = (max - min).norm();
+    if (isWorthless(error, std::max(size, 1e-9 * max.norm()))) return Text::tr("unknown");
+    Eigen::Matrix<double, Dim, 2> corners;
+    corners << withoutNoise(min, error), withoutNoise(max, error);
+    return tuple(corners.col(0), error, size) + u' ' + tuple(corners.col(1), error, size) +
+           errorNote(corners, error, size);
 }
 
 template <int Dim> void addBoxAndSimplex(Lines& lines, const ifs::Facts<Dim>& facts) {
@@ -177,17 +188,7 @@ template <int Dim> void addBoxAndSimplex(Lines& lines, const ifs::Facts<Dim>& fa
         lines.add(Text::tr("bounding box"), notComputed());
         lines.add(Text::tr("canonical simplex"), notComputed());
     }
-    if (facts.box) {
-        const auto& [min, max, error] = *facts.box;
-        const double size = (max - min).norm();
-        const auto low = withoutNoise(min, error), high = withoutNoise(max, error);
-        Eigen::Matrix<double, Dim, 2> corners;
-        corners << low, high;
-        lines.add(Text::tr("bounding box"),
-                  isWorthless(error, std::max(size, 1e-9 * max.norm()))
-                      ? Text::tr("unknown")
-                      : tuple(low) + QStringLiteral(" ") + tuple(high) + errorNote(corners, error, size));
-    }
+    if (facts.box) lines.add(Text::tr("bounding box"), boxText(*facts.box));
     if (facts.simplex) {
         std::vector<ifs::Vector<Dim>> corners;
         QString note;
@@ -197,16 +198,13 @@ template <int Dim> void addBoxAndSimplex(Lines& lines, const ifs::Facts<Dim>& fa
             if (note.isEmpty()) note = errorNote(corners.back(), error, leg);
         }
         lines.add(Text::tr("canonical simplex"),
-                  isWorthless(error, leg) ? Text::tr("unknown") : list(corners) + note);
+                  isWorthless(error, leg) ? Text::tr("unknown") : list(corners, error, leg) + note);
     }
 }
 
 void addParts(Lines& lines, const std::vector<std::optional<ifs::BoundingBox<2>>>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (const auto& box = parts[i])
-            lines.add(Text::tr("part of map %1").arg(i + 1), tuple(withoutNoise(box->min, box->error)) +
-                                                                 QStringLiteral(" ") +
-                                                                 tuple(withoutNoise(box->max, box->error)));
+        if (const auto& box = parts[i]) lines.add(Text::tr("part of map %1").arg(i + 1), boxText(*box));
 }
 
 // The size of the attractor, as far as it is known: that of the hull, if no box is.
@@ -220,6 +218,13 @@ template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
     return (high - low).norm();
 }
 
+// Of an area or a volume.
+template <int Dim> QString contentText(double content, double error, const ifs::Facts<Dim>& facts) {
+    const double size = std::pow(std::max(sizeOf(facts), 1e-9 * facts.hull->vertices.front().norm()), Dim);
+    if (isWorthless(error, std::max(content, 1e-3 * size))) return Text::tr("unknown");
+    return digits(content, error, size) + io::errorNote({content}, error, size, shownDigits);
+}
+
 QString vertexCount(std::size_t vertices) {
     return vertices == 1 ? Text::tr("1 vertex") : Text::tr("%1 vertices").arg(vertices);
 }
@@ -227,47 +232,45 @@ QString vertexCount(std::size_t vertices) {
 void addHull(Lines& lines, const ifs::Facts<2>& facts) {
     if (facts.isLate(ifs::LongFact::Hull)) lines.add(Text::tr("convex hull"), notComputed());
     if (!facts.hull) return;
-    const double error = ifs::areaError(*facts.hull), size = std::pow(sizeOf(facts), 2);
-    const QString area =
-        isWorthless(error, std::max(facts.hull->area, 1e-3 * size))
-            ? Text::tr("unknown")
-            : digits(facts.hull->area) + io::errorNote({facts.hull->area}, error, size, shownDigits);
+    const QString area = contentText(facts.hull->area, ifs::areaError(*facts.hull), facts);
     if (facts.isLate(ifs::LongFact::ExtremePoints))
-        return lines.add(Text::tr("convex hull"),
-                         Text::tr("%1, area %2; error at most %3; periodic addresses not computed within the "
-                                  "budget")
-                             .arg(vertexCount(facts.hull->vertices.size()), area, digits(facts.hull->error)));
+        return lines.add(
+            Text::tr("convex hull"),
+            Text::tr("%1, area %2; error at most %3; periodic addresses not computed within the "
+                     "budget")
+                .arg(vertexCount(facts.hull->vertices.size()), area, upperDigits(facts.hull->error)));
     if (facts.isHullExact)
         return lines.add(Text::tr("convex hull"),
-                         Text::tr("%1, all of them with periodic addresses, area %2; exact")
-                             .arg(vertexCount(facts.hull->vertices.size()), area));
+                         facts.hull->vertices.size() == 1
+                             ? Text::tr("a point; exact")
+                             : Text::tr("%1, all of them with periodic addresses, area %2; exact")
+                                   .arg(vertexCount(facts.hull->vertices.size()), area));
     lines.add(Text::tr("convex hull"),
               Text::tr("%1, %2 of them with periodic addresses, area %3; error at most %4")
                   .arg(vertexCount(facts.hull->vertices.size()))
                   .arg(std::ranges::count_if(facts.extremePoints,
                                              [](const auto& point) { return point.has_value(); }))
-                  .arg(area, digits(facts.hull->error)));
+                  .arg(area, upperDigits(facts.hull->error)));
 }
 
 void addHull(Lines& lines, const ifs::Facts<3>& facts) {
     if (facts.isLate(ifs::LongFact::Hull)) lines.add(Text::tr("convex hull"), notComputed());
     if (!facts.hull) return;
-    const double size = std::pow(sizeOf(facts), 3);
-    const double error = ifs::volumeError(*facts.hull);
     lines.add(Text::tr("convex hull"),
               Text::tr("%1, %2, volume %3; error at most %4")
                   .arg(vertexCount(facts.hull->vertices.size()))
                   .arg(facts.hull->facets.size() == 1 ? Text::tr("1 facet")
                                                       : Text::tr("%1 facets").arg(facts.hull->facets.size()))
-                  .arg(isWorthless(error, std::max(facts.hull->volume, 1e-3 * size))
-                           ? Text::tr("unknown")
-                           : digits(facts.hull->volume) +
-                                 io::errorNote({facts.hull->volume}, error, size, shownDigits),
-                       digits(facts.hull->error)));
+                  .arg(contentText(facts.hull->volume, ifs::volumeError(*facts.hull), facts),
+                       upperDigits(facts.hull->error)));
 }
 
 // What makes of Moran's number the dimension of the attractor, or only an upper bound.
-QString similarityNote(const ifs::Invariants& invariants) {
+template <int Dim> QString similarityNote(const ifs::Facts<Dim>& facts) {
+    if (facts.similarityDimension == 0.0) return {}; // nothing is less
+    const ifs::Invariants& invariants = facts.invariants;
+    if (facts.similarityDimension && ifs::exceedsSpace(*facts.similarityDimension, Dim))
+        return u' ' + Text::tr("(upper bound: the open set condition fails)");
     switch (invariants.contacts ? invariants.contacts->separation : ifs::Separation::Unknown) {
     case ifs::Separation::Strong:
         return u' ' + Text::tr("(of the attractor: its pieces are disjoint)");
@@ -341,7 +344,7 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
         lines.add(Text::tr("Lyapunov exponent"), digits(*invariants.lyapunovExponent));
     if (invariants.measureDimension)
         lines.add(Text::tr("dimension of measure"),
-                  digits(*invariants.measureDimension) + similarityNote(invariants));
+                  digits(*invariants.measureDimension) + similarityNote(facts));
 }
 
 template <int Dim>
@@ -349,8 +352,9 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
                const InfoSubject& subject) {
     const std::vector<double> probabilities = ifs::probabilities(system);
     const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), name, subject);
+    const double size = facts.box ? sizeOf(facts) : 0;
     for (std::size_t i = 0; i < system.maps.size(); ++i)
-        lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], probabilities[i]));
+        lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], probabilities[i], size));
     if (system.symmetry.group != ifs::SymmetryGroup::None)
         lines.add(Text::tr("symmetry"), symmetrySentence(system.symmetry));
     const bool isExistenceLate = facts.isLate(ifs::LongFact::Existence);
@@ -361,10 +365,9 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     if constexpr (Dim == 2) addParts(lines, partsOf(system, facts));
     addHull(lines, facts);
     lines.add(Text::tr("similarity dimension"),
-              isExistenceLate
-                  ? notComputed()
-                  : digits(facts.similarityDimension) +
-                        (facts.similarityDimension ? similarityNote(facts.invariants) : QString()));
+              isExistenceLate ? notComputed()
+                              : digits(facts.similarityDimension) +
+                                    (facts.similarityDimension ? similarityNote(facts) : QString()));
     if (facts.isLate(ifs::LongFact::AffinityDimension))
         lines.add(Text::tr("affinity dimension"), notComputed());
     else if (subject.limits.withAffinityDimension)
@@ -458,7 +461,7 @@ void addAnimation(Lines& lines, const document::Fractal& fractal) {
     const auto facts = document::animationFacts(fractal);
     if (!facts) return;
     lines.add(Text::tr("animation"),
-              Text::tr("%1 frames at %2 per second, %3; %4 tracks, %5 motions")
+              Text::tr("%1 frames at %2 per second, %3; tracks: %4, motions: %5")
                   .arg(animation::frameCount(facts->loop, facts->length))
                   .arg(digits(double(facts->rate.frames) / facts->rate.seconds), loopText(facts->loop))
                   .arg(facts->tracks)

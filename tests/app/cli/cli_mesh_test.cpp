@@ -18,6 +18,7 @@ private slots:
     void writesOpenScad();
     void writesPointsWithNormals();
     void liftsAndFlattens();
+    void whatIsLiftedTooFarIsSaid();
     void whatIsTurnedIsNotFlattened();
     void nothingIsPrintedIntoAFile();
     void optionsThatMakeNoSenseAreRefused_data();
@@ -123,6 +124,20 @@ void CliMeshTest::liftsAndFlattens() {
     const Result solid = run("convert systems.ifs fern.stl --entry fern --lift 0.3 --resolution 40");
     QCOMPARE(solid.status, 0);
     QVERIFY(solid.out.contains("mm³"));
+}
+
+void CliMeshTest::whatIsLiftedTooFarIsSaid() {
+    for (const char* scale : {"1", "-1", "2.5"})
+        for (const char* strict : {"", " --strict"}) {
+            const Result result =
+                run(QByteArray("convert systems.ifs tall.ifs --entry fern --lift=") + scale + strict);
+            QCOMPARE(result.status, 0);
+            QVERIFY2(result.err.contains("warning") && result.err.contains("has no attractor in space"),
+                     result.err.constData());
+        }
+    for (const char* scale : {"0", "0.999", "-0.5", "auto"})
+        QVERIFY(!run(QByteArray("convert systems.ifs low.ifs --entry fern --lift=") + scale)
+                     .err.contains("attractor"));
 }
 
 void CliMeshTest::whatIsTurnedIsNotFlattened() {

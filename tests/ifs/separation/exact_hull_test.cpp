@@ -50,6 +50,33 @@ private slots:
         }
     }
 
+    void segmentsAndPointsAreExact() {
+        const std::vector<AffineMap<2>> segment{affineMap(.5, 0, 0, 0, 0, 0), affineMap(.5, 0, 0, 0, .5, 0)};
+        const auto facts = factsOf(canonical::system<2>(segment));
+        QCOMPARE(facts.hull->vertices.size(), std::size_t(2));
+        QVERIFY(facts.isHullExact);
+        auto ends = facts.extremePoints;
+        ends.pop_back(); // the other end lies outside
+        QVERIFY(!isExactHull(segment, ends));
+        ends.push_back(ends.front());
+        QVERIFY(!isExactHull(segment, ends));
+        const std::vector<AffineMap<2>> point{affineMap(.5, 0, 0, .5, 1, 2)};
+        QVERIFY(factsOf(canonical::system<2>(point)).isHullExact);
+    }
+
+    // A third has no double: its vertex is half a unit in the last place off at most.
+    void verticesAreOnlyRounded() {
+        const std::vector<AffineMap<2>> maps{affineMap(.25, 0, 0, .25, 0, 0),
+                                             affineMap(.25, 0, 0, .25, .25, 0),
+                                             affineMap(.25, 0, 0, .25, 0, .25)};
+        const auto facts = factsOf(canonical::system<2>(maps));
+        QVERIFY(facts.isHullExact);
+        QVERIFY(facts.hull->error > 0 && facts.hull->error < 0x1p-52);
+        auto moved = facts.extremePoints;
+        moved.front()->point.x() += 1e-3;
+        QVERIFY(roundingOf(maps, moved) >= 1e-3);
+    }
+
     void roundOnesAreNot() {
         QVERIFY(!factsOf(canonical::system<2>(canonical::flower())).isHullExact);
         QVERIFY(!factsOf(canonical::system<2>(canonical::maple())).isHullExact);

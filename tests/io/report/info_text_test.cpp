@@ -12,7 +12,9 @@
 
 namespace {
 
-io::InfoSubject subjectOf(const std::vector<std::array<double, 6>>& rows) {
+using Rows = std::vector<std::array<double, 6>>;
+
+io::InfoSubject subjectOf(const Rows& rows) {
     document::System2 system;
     for (const auto& [a, b, c, d, e, f] : rows)
         ifs::append(system, ifs::affineMap(a, b, c, d, e, f));
@@ -36,8 +38,7 @@ QJsonObject entryOf(const io::InfoSubject& subject) {
     return QJsonDocument::fromJson(io::infoJson(subject))[QStringLiteral("entries")][0].toObject();
 }
 
-const std::vector<std::array<double, 6>> Gasket{
-    {.5, 0, 0, .5, 0, 0}, {.5, 0, 0, .5, .5, 0}, {.5, 0, 0, .5, 0, .5}};
+const Rows Gasket{{.5, 0, 0, .5, 0, 0}, {.5, 0, 0, .5, .5, 0}, {.5, 0, 0, .5, 0, .5}};
 
 } // namespace
 
@@ -65,6 +66,63 @@ private slots:
         QCOMPARE(lineOf(subject, QStringLiteral("mean")), QStringLiteral("(0.333333, 0.333333)"));
         QCOMPARE(lineOf(subject, QStringLiteral("bounding box")), QStringLiteral("(0, 0) (1, 1)"));
         QVERIFY(!lineOf(subject, QStringLiteral("convex hull")).contains(u'±'));
+    }
+
+    void figuresEndWhereTheirErrorsBegin() {
+        QCOMPARE(io::figure(1234.5678, 0, 0, 6), QStringLiteral("1234.57"));
+        QCOMPARE(io::figure(1234.5678, 3, 1000, 6), QStringLiteral("1234.6"));
+        QCOMPARE(io::figure(1234.5678, 200, 1000, 6), QStringLiteral("1.23e+03"));
+        QCOMPARE(io::figure(1e9 + 1, 0, 1, 6), QStringLiteral("1000000001"));
+        QCOMPARE(io::figure(1e9 + 1, 0, 0, 6), QStringLiteral("1e+09"));
+        QCOMPARE(io::figure(-0.0, 0, 1, 6), QStringLiteral("0"));
+        QCOMPARE(io::errorNote({1e9 + 1}, 1e-2, 1, 6), QStringLiteral(" ± 0.01"));
+        QCOMPARE(io::errorNote({1e9 + 1}, 1e-2, 1e9, 6), QString());
+        for (const double bound : {1., 1.001e-7, 1.2499, 9.49e3, 9.51, 9.96})
+            QVERIFY(io::boundText(bound).toDouble() >= bound);
+    }
+
+    // At 10⁹ the digits reach as far down as the attractor is small, and no farther than its errors.
+    void aFigureFarAwayIsToldFromItsNeighbours() {
+        auto rows = Gasket;
+        for (auto& row : rows) {
+            row[4] += 5e8;
+            row[5] += 5e8;
+        }
+        const auto subject = subjectOf(rows);
+        QVERIFY(lineOf(subject, QStringLiteral("bounding box"))
+                    .startsWith(QStringLiteral("(1000000000, 1000000000) (1000000001, 1000000001)")));
+        QVERIFY(lineOf(subject, QStringLiteral("mean")).startsWith(QStringLiteral("(1000000000.3333")));
+        QVERIFY(lineOf(subject, QStringLiteral("map 2")).contains(QStringLiteral("500000000.5")));
+        // What is exact has no error but the rounding of its vertices.
+        QVERIFY(lineOf(subject, QStringLiteral("convex hull")).endsWith(QStringLiteral("area 0.5; exact")));
+        const QJsonObject hull = entryOf(subject)[QStringLiteral("hull")].toObject();
+        QVERIFY(hull[QStringLiteral("exact")].toBool());
+        QVERIFY(hull[QStringLiteral("error")].toDouble() <= 1e-6);
+    }
+
+    // Also of maps that flatten the plane, or take it to one point.
+    void allIsKnownOfAPoint_data() {
+        QTest::addColumn<Rows>("rows");
+        QTest::newRow("similarity") << Rows{{.5, 0, 0, .5, 1, 2}};
+        QTest::newRow("affine map") << Rows{{.3, .1, -.2, .3, .5, 1.6}};
+        QTest::newRow("flat map") << Rows{{.5, 0, 0, 0, .5, 1}};
+        QTest::newRow("constant") << Rows{{0, 0, 0, 0, 3, 4}};
+        QTest::newRow("two maps") << Rows{{.5, 0, 0, .25, 0, 0}, {.25, 0, .5, 0, 0, 0}};
+    }
+    void allIsKnownOfAPoint() {
+        QFETCH(Rows, rows);
+        const auto subject = subjectOf(rows);
+        QCOMPARE(lineOf(subject, QStringLiteral("similarity dimension")), QStringLiteral("0"));
+        QCOMPARE(lineOf(subject, QStringLiteral("affinity dimension")), QStringLiteral("0"));
+        QCOMPARE(lineOf(subject, QStringLiteral("dimension of measure")), QStringLiteral("0"));
+        QCOMPARE(lineOf(subject, QStringLiteral("covariance")), QStringLiteral("(0, 0) (0, 0)"));
+        QCOMPARE(lineOf(subject, QStringLiteral("convex hull")), QStringLiteral("a point; exact"));
+        QCOMPARE(lineOf(subject, QStringLiteral("connectedness")), QStringLiteral("connected"));
+        const QJsonObject entry = entryOf(subject);
+        QCOMPARE(entry[QStringLiteral("affinity_dimension_error")].toDouble(), 0.0);
+        QCOMPARE(entry[QStringLiteral("covariance_error")].toDouble(), 0.0);
+        QVERIFY(entry[QStringLiteral("hull")][QStringLiteral("exact")].toBool());
+        QVERIFY(entry[QStringLiteral("hull")][QStringLiteral("area_error")].toDouble() < 1e-28);
     }
 
     // 1 − 10⁻¹¹ of a turn of 1 radian is left by each step: rounding shows in what is summed up.
@@ -113,6 +171,14 @@ private slots:
         const auto dust = subjectOf({{.25, 0, 0, .25, 0, 0}, {.25, 0, 0, .25, 1, 0}});
         QVERIFY(lineOf(dust, QStringLiteral("similarity dimension")).contains(QStringLiteral("disjoint")));
         QCOMPARE(lineOf(dust, QStringLiteral("connectedness")), QStringLiteral("not connected"));
+    }
+
+    // Three copies of nine tenths have no room in the plane without overlapping.
+    void aDimensionAboveThatOfTheSpaceIsABound() {
+        const auto subject = subjectOf({{.9, 0, 0, .9, 1, 0}, {.9, 0, 0, .9, 0, 1}, {.9, 0, 0, .9, 1, 1}});
+        for (const char* name : {"similarity dimension", "dimension of measure"})
+            QVERIFY(lineOf(subject, QLatin1String(name))
+                        .endsWith(QStringLiteral("(upper bound: the open set condition fails)")));
     }
 
     void invariants() {

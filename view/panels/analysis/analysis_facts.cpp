@@ -33,11 +33,6 @@ QString word(const std::vector<int>& address, const std::vector<std::size_t>& ro
     return letters.join(u' ');
 }
 
-// A bound says its size, not its digits.
-QString bound(double value) {
-    return QString::number(value, 'g', 2);
-}
-
 class Facts {
     Q_DECLARE_TR_FUNCTIONS(Analysis)
 
@@ -63,10 +58,18 @@ private:
         else
             return *analysis.solid;
     }
-    template <int Dim> static QString tuple(const ifs::Vector<Dim>& v, Format number) {
+    static constexpr int shownDigits = 5, allDigits = 15;
+    // With more digits than usual where things of that size lie far from 0.
+    static QString figure(double value, double error, double size, Format number) {
+        constexpr double far = 1e4; // sizes
+        const bool isFar = size > 0 && std::abs(value) > far * size;
+        return number == &shortNumber && isFar ? io::figure(value, error, size, shownDigits) : number(value);
+    }
+    template <int Dim>
+    static QString tuple(const ifs::Vector<Dim>& v, double error, double size, Format number) {
         QStringList coordinates;
         for (const double x : v)
-            coordinates << number(x);
+            coordinates << figure(x, error, size, number);
         return u'(' + coordinates.join(QStringLiteral(", ")) + u')';
     }
     // All of them with all digits, to copy; to read, those of the first maps.
@@ -80,7 +83,6 @@ private:
     }
     // With " ± …" when the error shows in the digits that are written.
     static QString note(const std::vector<double>& values, double error, double size, Format number) {
-        constexpr int shownDigits = 5, allDigits = 15;
         return io::errorNote(values, error, size, number == &shortNumber ? shownDigits : allDigits);
     }
     static QString unknown() { return tr("unknown: the error would be larger"); }
@@ -121,6 +123,11 @@ double fixedPointError(const Analysis& analysis, std::size_t k) {
 template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
     if (facts.box) return (facts.box->max - facts.box->min).norm();
     return std::sqrt(std::max(facts.moments->covariance.trace(), 0.0));
+}
+
+// What an area or a volume is compared with; of a point, what rounding leaves of it.
+template <int Dim> double contentOf(const ifs::Facts<Dim>& facts) {
+    return std::pow(std::max(sizeOf(facts), 1e-9 * facts.hull->vertices.front().norm()), Dim);
 }
 
 template <int Dim> std::vector<double> coordinates(const ifs::Vector<Dim>& v) {
@@ -212,13 +219,20 @@ template <int Dim> void Facts::addFixedPoints() {
                     error = errorOf<3>(point, map);
                 }
                 const ifs::Vector<Dim> known = io::withoutNoise(point, error);
-                return tuple<Dim>(known, number) + note(coordinates<Dim>(known), error, point.norm(), number);
+                const auto& box = factsIn<Dim>(analysis).box;
+                const double size = box ? (box->max - box->min).norm() : point.norm();
+                return tuple<Dim>(known, error, size, number) +
+                       note(coordinates<Dim>(known), error, size, number);
             });
         });
 }
 
 // What is known of the open set condition.
 template <int Dim> QString Facts::caveat(const Analysis& analysis) {
+    const auto& dimension = factsIn<Dim>(analysis).similarityDimension;
+    if (dimension == 0.0) return {}; // nothing is less
+    if (dimension && ifs::exceedsSpace(*dimension, Dim))
+        return u' ' + tr("(upper bound: the open set condition fails)");
     const auto& contacts = factsIn<Dim>(analysis).invariants.contacts;
     if (!contacts) return {};
     switch (contacts->separation) {
@@ -372,7 +386,8 @@ template <int Dim> void Facts::addDimensions() {
            "uncertainty is the difference between parts of that range, not a proven bound."),
         m_analysis->boxCounting.has_value(), [](const Analysis& analysis, Format number) {
             const auto& counting = *analysis.boxCounting;
-            return QStringLiteral("%1 ± %2").arg(number(counting.fit.slope), bound(counting.uncertainty));
+            return QStringLiteral("%1 ± %2").arg(number(counting.fit.slope),
+                                                 io::boundText(counting.uncertainty));
         });
     m_lines.last().isPending = !m_analysis->isComplete;
 }
@@ -386,7 +401,8 @@ template <int Dim> void Facts::addMoments() {
             const double error = moments.meanError, size = sizeOf(factsIn<Dim>(analysis));
             if (io::isWorthless(error, std::max(size, moments.mean.norm()))) return unknown();
             const ifs::Vector<Dim> known = io::withoutNoise(moments.mean, error);
-            return tuple<Dim>(known, number) + note(coordinates<Dim>(known), error, size, number);
+            return tuple<Dim>(known, error, size, number) +
+                   note(coordinates<Dim>(known), error, size, number);
         });
     add(tr("Covariance"),
         Dim == 2 ? tr("Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the "
@@ -427,7 +443,9 @@ template <int Dim> void Facts::addExtents() {
             QStringList sides;
             for (int axis = 0; axis < Dim; ++axis) {
                 ends.insert(ends.end(), {low[axis], high[axis]});
-                sides << QStringLiteral("[%1, %2]").arg(number(low[axis]), number(high[axis]));
+                sides << QStringLiteral("[%1, %2]")
+                             .arg(figure(low[axis], box.error, size, number),
+                                  figure(high[axis], box.error, size, number));
             }
             return sides.join(QStringLiteral(" × ")) + note(ends, box.error, size, number);
         });
@@ -435,7 +453,7 @@ template <int Dim> void Facts::addExtents() {
         add(tr("Box error bound"), tr("The attractor extends at most this far beyond the box; certified."),
             facts.box.has_value(), [](const Analysis& analysis, Format number) {
                 const double error = analysis.solid->box->error;
-                return number == &shortNumber ? bound(error) : number(error);
+                return number == &shortNumber ? io::boundText(error) : number(error);
             });
     add(tr("Canonical simplex"),
         Dim == 2 ? tr("The smallest isosceles right triangle with legs parallel to the axes that contains "
@@ -451,7 +469,8 @@ template <int Dim> void Facts::addExtents() {
             std::vector<double> values = coordinates<Dim>(corner);
             values.push_back(simplex.leg);
             return tr("%1, leg %2, corner %3")
-                       .arg(signs(simplex.orientation), number(simplex.leg), tuple<Dim>(corner, number)) +
+                       .arg(signs(simplex.orientation), number(simplex.leg),
+                            tuple<Dim>(corner, simplex.error, simplex.leg, number)) +
                    note(values, simplex.error, simplex.leg, number);
         });
 }
@@ -464,7 +483,7 @@ template <int Dim> void Facts::addHull() {
                "is larger by at most its perimeter times the error bound e, and πe² for the corners."),
             isKnown, [](const Analysis& analysis, Format number) {
                 const auto& hull = *analysis.facts.hull;
-                const double error = ifs::areaError(hull), size = std::pow(sizeOf(analysis.facts), 2);
+                const double error = ifs::areaError(hull), size = contentOf(analysis.facts);
                 if (io::isWorthless(error, std::max(hull.area, 1e-3 * size))) return unknown();
                 return number(hull.area) + note({hull.area}, error, size, number);
             });
@@ -474,7 +493,7 @@ template <int Dim> void Facts::addHull() {
                "hull is larger by at most the error."),
             isKnown, [](const Analysis& analysis, Format number) {
                 const auto& hull = *analysis.solid->hull;
-                const double error = ifs::volumeError(hull), size = std::pow(sizeOf(*analysis.solid), 3);
+                const double error = ifs::volumeError(hull), size = contentOf(*analysis.solid);
                 if (io::isWorthless(error, std::max(hull.volume, 1e-3 * size))) return unknown();
                 return number(hull.volume) + note({hull.volume}, error, size, number);
             });
@@ -490,7 +509,7 @@ template <int Dim> void Facts::addHull() {
                  : tr("The attractor extends at most this far beyond the polyhedron; certified."),
         isKnown, [](const Analysis& analysis, Format number) {
             const double error = factsIn<Dim>(analysis).hull->error;
-            return number == &shortNumber ? bound(error) : number(error);
+            return number == &shortNumber ? io::boundText(error) : number(error);
         });
 }
 

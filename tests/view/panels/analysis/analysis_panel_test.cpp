@@ -118,6 +118,26 @@ private slots:
                  QStringLiteral("2 (upper bound: pieces coincide)"));
     }
 
+    void allIsKnownOfAPoint() {
+        const auto facts = factsOf(fractalOf({{.3, .1, -.2, .3, .5, 1.6, 1}}));
+        QCOMPARE(valueOf(facts, QStringLiteral("Similarity dimension")), QStringLiteral("0"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Covariance")), QStringLiteral("0, 0, 0"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Hull area")), QStringLiteral("0"));
+    }
+
+    // Nine tenths three times are too much for the plane, and what lies far away is as small as it is.
+    void figuresFitTheSizeOfThings() {
+        const auto large =
+            factsOf(fractalOf({{.9, 0, 0, .9, 1, 0, 1}, {.9, 0, 0, .9, 0, 1, 1}, {.9, 0, 0, .9, 1, 1, 1}}));
+        QVERIFY(valueOf(large, QStringLiteral("Similarity dimension"))
+                    .endsWith(QStringLiteral("(upper bound: the open set condition fails)")));
+        auto far = document::sierpinskiTriangle();
+        for (auto& map : document::system2(far)->maps)
+            map.map.translation += ifs::Vector<2>(5e8, 5e8);
+        QVERIFY(valueOf(factsOf(far), QStringLiteral("Box"))
+                    .startsWith(QStringLiteral("[1000000000, 1000000001] × [1000000000, 100000000")));
+    }
+
     // Map 1 is off, so the word that proves it must name map 2 as the table does.
     void namesTheMapThatExpandsByItsRow() {
         document::Fractal fractal = fractalOf({{0.5, 0, 0, 0.5, 0, 0, 1}, {2, 0, 0, 2, 1, 0, 1}});
