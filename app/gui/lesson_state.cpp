@@ -19,6 +19,7 @@ using document::LessonArea;
 using document::LessonAtRest;
 using document::LessonCage;
 using document::LessonConstruction;
+using document::LessonFit;
 using document::LessonOrbit;
 using document::LessonState;
 using document::LessonTool;
@@ -140,9 +141,11 @@ LessonState lessonState(const LessonParts& parts) {
     state.entry = document::lessonLine(fractal.name);
     if (parts.stage->showsSpace()) {
         const view::SpaceNavigation& space = parts.stage->space()->navigation();
-        if (!space.isFitted()) state.view = LessonOrbit{space.camera()};
+        state.view = LessonOrbit{space.camera(), space.isFitted()};
     } else if (!canvas.navigation().isFitted() && canvas.camera().width > 0 && canvas.camera().height > 0) {
         state.view = document::areaOf(canvas.camera());
+    } else {
+        state.view = LessonFit{canvas.camera().yAxis, canvas.camera().rotation};
     }
     if (auto* orbit = std::get_if<LessonOrbit>(&state.view)) orbit->camera.size = {};
     if (canvas.tool() == Tool::Maps) state.tool = LessonTool::Maps;
@@ -184,15 +187,23 @@ QString showLessonState(const LessonParts& parts, const LessonState& state) {
 void showLessonView(const LessonParts& parts, const LessonState& state) {
     view::SpaceNavigation& space = parts.stage->space()->navigation();
     view::CanvasView& canvas = *parts.stage->plane();
+    const auto* fit = std::get_if<LessonFit>(&state.view);
     const auto* area = std::get_if<LessonArea>(&state.view);
     const auto* orbit = std::get_if<LessonOrbit>(&state.view);
-    if (area && !parts.stage->showsSpace()) {
+    if (fit && !parts.stage->showsSpace()) {
+        attractor::Camera turned = canvas.camera();
+        turned.yAxis = fit->yAxis;
+        turned.rotation = fit->rotation;
+        canvas.navigation().setCamera(turned);
+        canvas.fit();
+    } else if (area && !parts.stage->showsSpace()) {
         canvas.navigation().moveTo(
             document::cameraOf(*area, {canvas.viewport()->width(), canvas.viewport()->height()}));
     } else if (orbit && parts.stage->showsSpace()) {
         attractor::OrbitCamera camera = orbit->camera;
         camera.size = space.camera().size;
         space.moveTo(camera);
+        if (orbit->isFitted) space.fit();
     } else {
         parts.stage->fit();
     }

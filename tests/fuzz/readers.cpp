@@ -298,7 +298,7 @@ void readLesson(const QByteArray& bytes) {
                 "a text is short");
         if (const auto* area = std::get_if<document::LessonArea>(&step.state.view)) {
             const attractor::Camera camera = document::cameraOf(*area, {640, 480});
-            promise(camera.pixelsPerUnit > 0 && area->centre.allFinite(), "a view can be shown");
+            promise(camera.pixelsPerUnit > 0 && area->view.centre.allFinite(), "a view can be shown");
         }
         if (const auto* orbit = std::get_if<document::LessonOrbit>(&step.state.view)) {
             attractor::OrbitCamera camera = orbit->camera;

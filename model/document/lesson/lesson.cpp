@@ -22,15 +22,13 @@ QString cut(const QString& text, int limit) {
 } // namespace
 
 attractor::Camera cameraOf(const LessonArea& area, attractor::RasterSize size) {
-    attractor::Camera camera =
-        attractor::cameraOf(attractor::View{area.centre, area.height, area.yAxis, area.rotation}, size);
+    attractor::Camera camera = attractor::cameraOf(area.view, size);
     if (size.width > 0) camera.pixelsPerUnit = std::min(camera.pixelsPerUnit, size.width / area.width);
     return camera;
 }
 
 LessonArea areaOf(const attractor::Camera& camera) {
-    return {camera.centre, camera.width / camera.pixelsPerUnit, camera.height / camera.pixelsPerUnit,
-            camera.yAxis, camera.rotation};
+    return {attractor::viewOf(camera), camera.width / camera.pixelsPerUnit};
 }
 
 bool isLessonFileName(const QString& name) {

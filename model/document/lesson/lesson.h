@@ -30,13 +30,18 @@ constexpr std::size_t maxLessonCorners = 64;
 
 enum class LessonTool { Cage, Maps, Branch };
 
-// What is seen of the plane: at least this rectangle, however the window is shaped.
-struct LessonArea {
-    ifs::Vector<2> centre = ifs::Vector<2>::Zero();
-    double width = 1; // > 0
-    double height = 1;
+// All of the fractal. Of the plane, turned like that; a solid is seen from where it was seen before.
+struct LessonFit {
     attractor::YAxis yAxis = attractor::YAxis::Up;
-    double rotation = 0; // as of an attractor::View; the rectangle turns with it
+    double rotation = 0; // as of an attractor::View
+
+    friend bool operator==(const LessonFit&, const LessonFit&) = default;
+};
+
+// What is seen of the plane: the view, and at least this width of it, however the window is shaped.
+struct LessonArea {
+    attractor::View view;
+    double width = 1; // > 0
 
     friend bool operator==(const LessonArea&, const LessonArea&) = default;
 };
@@ -48,6 +53,7 @@ LessonArea areaOf(const attractor::Camera& camera);
 // From where a solid is seen. Its size is that of the window.
 struct LessonOrbit {
     attractor::OrbitCamera camera;
+    bool isFitted = false; // to all of the solid, wherever its target is
 
     friend bool operator==(const LessonOrbit&, const LessonOrbit&) = default;
 };
@@ -72,7 +78,7 @@ using LessonCage =
 
 struct LessonState {
     QString entry; // of the file, by name; empty: the first that can be shown
-    std::variant<std::monostate, LessonArea, LessonOrbit> view; // monostate: all of the fractal
+    std::variant<LessonFit, LessonArea, LessonOrbit> view;
     LessonTool tool = LessonTool::Cage;
     LessonCage cage;
     std::optional<attractor::ColourBy> colourBy; // nullopt: as in the entry

@@ -19,6 +19,7 @@ using document::Lesson;
 using document::LessonArea;
 using document::LessonAtRest;
 using document::LessonConstruction;
+using document::LessonFit;
 using document::LessonOrbit;
 using document::LessonState;
 using document::LessonStep;
@@ -69,30 +70,39 @@ bool isViewSize(double size) {
     return size >= minView && size <= maxView;
 }
 
+// How the plane is turned: perhaps "down", then perhaps "rotation" and degrees, and nothing else.
+std::optional<LessonFit> turnIn(QStringList texts) {
+    LessonFit turn;
+    if (texts.value(0) == QLatin1String("down")) {
+        turn.yAxis = attractor::YAxis::Down;
+        texts.removeFirst();
+    }
+    if (texts.isEmpty()) return turn;
+    const auto degrees = numbersIn(texts.sliced(1));
+    if (texts.front() != QLatin1String("rotation") || !degrees || degrees->size() != 1) return std::nullopt;
+    turn.rotation = attractor::rotationOf(degrees->front());
+    return turn;
+}
+
 bool readArea(const QStringList& texts, LessonState& state) {
-    QStringList numbers = texts;
-    const bool isDown = numbers.size() > 4 && numbers[4] == QLatin1String("down");
-    if (isDown) numbers.removeAt(4);
-    const bool isTurned = numbers.size() == 6 && numbers[4] == QLatin1String("rotation");
-    if (isTurned) numbers.removeAt(4);
-    const auto values = numbersIn(numbers);
-    if (!values || values->size() != (isTurned ? 5 : 4) || !isViewSize((*values)[2]) ||
-        !isViewSize((*values)[3]))
-        return false;
-    state.view = LessonArea{{(*values)[0], (*values)[1]},
-                            (*values)[2],
-                            (*values)[3],
-                            isDown ? attractor::YAxis::Down : attractor::YAxis::Up,
-                            isTurned ? attractor::rotationOf((*values)[4]) : 0};
+    if (texts.size() < 4) return false;
+    const auto values = numbersIn(texts.first(4));
+    const auto turn = turnIn(texts.sliced(4));
+    if (!values || !turn || !isViewSize((*values)[2]) || !isViewSize((*values)[3])) return false;
+    const std::vector<double>& v = *values;
+    state.view = LessonArea{{{v[0], v[1]}, v[3], turn->yAxis, turn->rotation}, v[2]};
     return true;
 }
 
-bool readOrbit(const QStringList& texts, LessonState& state) {
+bool readOrbit(QStringList texts, LessonState& state) {
+    const bool isFitted = !texts.isEmpty() && texts.back() == QLatin1String("fit");
+    if (isFitted) texts.removeLast();
     const bool isPerspective = texts.size() == 10 && texts[8] == QLatin1String("perspective");
     const auto values = numbersIn(isPerspective ? texts.first(8) + texts.last(1) : texts);
     if (!values || values->size() != (isPerspective ? 9 : 8)) return false;
     const std::vector<double>& v = *values;
     LessonOrbit orbit;
+    orbit.isFitted = isFitted;
     orbit.camera.target = {v[0], v[1], v[2]};
     const attractor::Orientation turn(v[6], v[3], v[4], v[5]);
     const double length = turn.norm();
@@ -113,9 +123,10 @@ bool readView(const QString& value, LessonState& state) {
     QStringList texts = words(value);
     if (texts.isEmpty()) return false;
     const QString kind = texts.takeFirst();
-    if (kind == QLatin1String("fit") && texts.isEmpty()) {
-        state.view = {};
-        return true;
+    if (kind == QLatin1String("fit")) {
+        const auto turn = turnIn(texts);
+        if (turn) state.view = *turn;
+        return turn.has_value();
     }
     if (kind == QLatin1String("area")) return readArea(texts, state);
     return kind == QLatin1String("orbit") && readOrbit(texts, state);

@@ -13,6 +13,7 @@ namespace {
 using document::LessonArea;
 using document::LessonAtRest;
 using document::LessonConstruction;
+using document::LessonFit;
 using document::LessonOrbit;
 using document::LessonState;
 using document::LessonStep;
@@ -46,12 +47,18 @@ private:
     QByteArray m_text;
 };
 
+QByteArray turnOf(attractor::YAxis yAxis, double rotation) {
+    QByteArray text;
+    if (yAxis == attractor::YAxis::Down) text += " down";
+    if (rotation != 0) text += " rotation " + numbers({attractor::degreesOf(rotation)});
+    return text;
+}
+
 QByteArray viewOf(const LessonState& state) {
     if (const auto* area = std::get_if<LessonArea>(&state.view)) {
-        QByteArray text = "area " + numbers({area->centre.x(), area->centre.y(), area->width, area->height});
-        if (area->yAxis == attractor::YAxis::Down) text += " down";
-        if (area->rotation != 0) text += " rotation " + numbers({attractor::degreesOf(area->rotation)});
-        return text;
+        const attractor::View& view = area->view;
+        return "area " + numbers({view.centre.x(), view.centre.y(), area->width, view.height}) +
+               turnOf(view.yAxis, view.rotation);
     }
     if (const auto* orbit = std::get_if<LessonOrbit>(&state.view)) {
         const attractor::OrbitCamera& camera = orbit->camera;
@@ -60,9 +67,10 @@ QByteArray viewOf(const LessonState& state) {
                                               turn.x(), turn.y(), turn.z(), turn.w(), camera.height});
         if (camera.projection == attractor::OrbitCamera::Projection::Perspective)
             text += " perspective " + numbers({camera.fieldOfView});
-        return text;
+        return orbit->isFitted ? text + " fit" : text;
     }
-    return "fit";
+    const auto& fit = std::get<LessonFit>(state.view);
+    return "fit" + turnOf(fit.yAxis, fit.rotation);
 }
 
 template <int Dim> QByteArray corners(const std::vector<ifs::Vector<Dim>>& vertices) {

@@ -8,7 +8,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScopeGuard>
+#include <QSet>
 #include <QTest>
+#include <QTranslator>
 
 using support::EveryWindow;
 
@@ -23,6 +26,8 @@ private slots:
     }
     void noTextIsCut_data();
     void noTextIsCut();
+    void dialogsFitASmallScreen_data();
+    void dialogsFitASmallScreen();
 
 private:
     static QString cut(const QWidget* widget);
@@ -109,6 +114,56 @@ void LargeFontsTest::noTextIsCut() {
     for (const QString& text : found)
         qWarning("%s", qPrintable(text));
     QVERIFY(found.isEmpty());
+}
+
+void LargeFontsTest::dialogsFitASmallScreen_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "es", "fr", "mk"})
+        QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+// 1366 by 768 pixels, of which the desktop keeps some, with letters of 175 %.
+void LargeFontsTest::dialogsFitASmallScreen() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const QFont before = QApplication::font();
+    QFont large = before;
+    large.setPointSizeF(1.75 * before.pointSizeF());
+    QApplication::setFont(large);
+    const auto back = qScopeGuard([&] { QApplication::setFont(before); });
+    QStringList found;
+    QSet<QString> seen;
+    {
+        const EveryWindow windows;
+        for (const auto& dialog : windows.dialogs()) {
+            if (!dialog) continue;
+            dialog->setWindowModality(Qt::NonModal);
+            dialog->show();
+            QTest::qWait(20);
+            const QSize needed = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
+            seen << QString::fromLatin1(dialog->metaObject()->className());
+            if (needed.width() > 1366 || needed.height() > 728)
+                found << QStringLiteral("%1: %2 x %3")
+                             .arg(EveryWindow::describe(dialog))
+                             .arg(needed.width())
+                             .arg(needed.height());
+            dialog->hide();
+        }
+        for (const auto* dock : windows.main().findChildren<QDockWidget*>()) { // that float, the lesson too
+            seen << dock->objectName();
+            const QSize needed = dock->minimumSizeHint();
+            if (needed.width() > 1366 || needed.height() > 728)
+                found << QStringLiteral("%1: %2 x %3")
+                             .arg(dock->objectName())
+                             .arg(needed.width())
+                             .arg(needed.height());
+        }
+    }
+    for (const char* name : {"view::ExportDialog", "view::PreferencesDialog", "lesson", "maps"})
+        QVERIFY2(seen.contains(QLatin1String(name)), name);
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
 QTEST_MAIN(LargeFontsTest)

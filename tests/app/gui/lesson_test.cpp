@@ -8,6 +8,7 @@
 #include "panels/lesson/lesson_panel.h"
 #include "recovery.h"
 #include "session.h"
+#include "space/space_view.h"
 
 #include <QAction>
 #include <QDir>
@@ -33,6 +34,7 @@ class LessonTest : public WindowFixture {
 
 private slots:
     void stepsKeepTheStateOfTheWindow();
+    void stepsKeepHowAFittedViewIsTurned();
     void playingChangesNothing();
     void editsAreTakenBackAtEveryStep();
     void theTextCoversNothing();
@@ -132,7 +134,7 @@ void LessonTest::stepsKeepTheStateOfTheWindow() {
     recordThree();
     const auto& steps = notebook()->lesson().steps;
     QVERIFY(std::holds_alternative<std::vector<ifs::Vector<2>>>(steps[0].state.cage));
-    QVERIFY(std::holds_alternative<std::monostate>(steps[0].state.view));
+    QCOMPARE(std::get<document::LessonFit>(steps[0].state.view), document::LessonFit());
     QCOMPARE(steps[1].state.entry, u"flower"_s);
     QCOMPARE(steps[1].state.tool, document::LessonTool::Maps);
     QVERIFY(std::holds_alternative<document::LessonArea>(steps[1].state.view));
@@ -145,6 +147,59 @@ void LessonTest::stepsKeepTheStateOfTheWindow() {
     QCOMPARE(document::effectiveCage(document().fractal()).current,
              std::get<std::vector<ifs::Vector<2>>>(steps[0].state.cage));
     document().undoStack()->undo();
+    document().undoStack()->setClean();
+    notebook()->history()->setClean();
+}
+
+// Fit leaves the rotation and the direction of y as they are, and the direction from which a solid is seen.
+void LessonTest::stepsKeepHowAFittedViewIsTurned() {
+    const auto show = [this](int step) {
+        notebook()->setCurrent(step);
+        emit m_window->findChild<view::LessonPanel*>()->showRequested();
+    };
+    view::CanvasNavigation& plane = canvas()->navigation();
+    plane.rotateBy(30);
+    plane.setYAxis(attractor::YAxis::Down);
+    plane.fit();
+    action(u"Add Step"_s)->trigger();
+    const double turned = plane.rotation();
+    QVERIFY(turned != 0);
+    plane.resetRotation();
+    plane.setYAxis(attractor::YAxis::Up);
+    plane.fit();
+    action(u"Add Step"_s)->trigger();
+    show(0);
+    QCOMPARE(plane.rotation(), turned);
+    QCOMPARE(plane.yAxis(), attractor::YAxis::Down);
+    QVERIFY(plane.isFitted());
+    show(1);
+    QCOMPARE(plane.rotation(), 0.0);
+    QCOMPARE(plane.yAxis(), attractor::YAxis::Up);
+
+    notebook()->history()->setClean();
+    notebook()->open({}, {});
+    const QTemporaryDir folder;
+    write(folder.filePath(u"a.ifs"_s), "solid (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n"
+                                       " .5 0 0 0 .5 0 0 0 .5 .5 .5 .5 1\n}\n");
+    QVERIFY(m_window->openPath(folder.filePath(u"a.ifs"_s)));
+    view::SpaceNavigation& space = m_window->findChild<view::SpaceView*>()->navigation();
+    const auto lookFrom = [&space](double azimuth) {
+        attractor::OrbitCamera camera = space.camera();
+        camera.orientation = attractor::orbit(azimuth, 40);
+        space.moveTo(camera);
+        space.fit();
+        return camera.orientation.coeffs();
+    };
+    const auto first = lookFrom(70);
+    action(u"Add Step"_s)->trigger();
+    lookFrom(-20);
+    action(u"Play Lesson"_s)->trigger();
+    QCOMPARE(space.camera().orientation.coeffs(), first);
+    QVERIFY(space.isFitted());
+    const auto before = lookFrom(10);
+    QVERIFY(before != first);
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QCOMPARE(space.camera().orientation.coeffs(), attractor::orbit(-20, 40).coeffs());
     document().undoStack()->setClean();
     notebook()->history()->setClean();
 }

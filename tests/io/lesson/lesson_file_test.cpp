@@ -49,7 +49,7 @@ LessonStep fullStep() {
     step.title = u"Wie weit? — «Ähren» ∞"_s;
     step.text = u"First.\n\n## looks like a title\n\\## and this, too\nkey: value"_s;
     step.state.entry = u"a b: c"_s;
-    step.state.view = document::LessonArea{{-1.0 / 3, 1e-12}, 17.25, 1e-3, attractor::YAxis::Down};
+    step.state.view = document::LessonArea{{{-1.0 / 3, 1e-12}, 1e-3, attractor::YAxis::Down}, 17.25};
     step.state.tool = document::LessonTool::Branch;
     step.state.cage = std::vector<ifs::Vector<2>>{{0.1, 0}, {1, -0.0}, {1.0 / 3, 1e300 / 1e270}};
     step.state.colourBy = attractor::ColourBy::Address;
@@ -77,12 +77,16 @@ void LessonFileTest::everythingReadsBack() {
     inSpace.state.construction = {document::LessonConstruction::Mode::Steps, 4, 0, 0};
     LessonStep atRest;
     atRest.state.cage = document::LessonAtRest{};
-    const Lesson lesson{u"Größe"_s, u"größe & more.ifs"_s, {fullStep(), inSpace, atRest}, {}};
+    LessonStep turned;
+    turned.state.view = document::LessonFit{attractor::YAxis::Down, attractor::rotationOf(-12.5)};
+    LessonStep fitted = inSpace;
+    fitted.state.view = document::LessonOrbit{camera, true};
+    const Lesson lesson{u"Größe"_s, u"größe & more.ifs"_s, {fullStep(), inSpace, atRest, turned, fitted}, {}};
     const QByteArray bytes = io::writeLesson(lesson);
     const io::LessonFile back = io::readLesson(bytes);
     QVERIFY2(back.problems.isEmpty(), qPrintable(back.problems.value(0).message));
-    QCOMPARE(back.lesson.steps.size(), 3);
-    for (int i = 0; i < 3; ++i)
+    QCOMPARE(back.lesson.steps.size(), 5);
+    for (int i = 0; i < 5; ++i)
         QVERIFY2(back.lesson.steps[i] == lesson.steps[i], bytes.constData());
     QVERIFY(back.lesson == lesson);
     QCOMPARE(io::writeLesson(back.lesson), bytes);
@@ -109,6 +113,14 @@ void LessonFileTest::settingsAreReadLeniently_data() {
         QTest::newRow(setting) << QByteArray(setting) << isUnderstood;
     };
     row("view: fit", true);
+    row("view: fit down rotation 30", true);
+    row("view: fit rotation");
+    row("view: fit rotation x");
+    row("view: fit rotation 30 down");
+    row("view: fit 30");
+    row("view: orbit 0 0 0 0 0 0 1 1 perspective 40 fit", true);
+    row("view: orbit 0 0 0 0 0 0 1 1 fit perspective 40");
+    row("view: orbit fit");
     row("view:   area  0 0 1 1 ", true);
     row("view: area 0 0 1 1 rotation 30", true);
     row("view: area 0 0 1 1 down rotation -12.5", true);
@@ -241,15 +253,15 @@ void LessonFileTest::textsArePlain() {
 }
 
 void LessonFileTest::areasFitWindowsOfAnyShape() {
-    const document::LessonArea area{{3, -2}, 4, 2, attractor::YAxis::Up, attractor::rotationOf(20)};
+    const document::LessonArea area{{{3, -2}, 2, attractor::YAxis::Up, attractor::rotationOf(20)}, 4};
     for (const attractor::RasterSize size :
          {attractor::RasterSize{800, 400}, {400, 800}, {1000, 100}, {1, 1}}) {
         const attractor::Camera camera = document::cameraOf(area, size);
         const document::LessonArea seen = document::areaOf(camera);
-        QCOMPARE(seen.centre, area.centre);
-        QCOMPARE(seen.rotation, area.rotation);
-        QVERIFY(seen.width >= area.width * (1 - 1e-12) && seen.height >= area.height * (1 - 1e-12));
-        QVERIFY(std::min(seen.width / area.width, seen.height / area.height) < 1 + 1e-12);
+        QCOMPARE(seen.view.centre, area.view.centre);
+        QCOMPARE(seen.view.rotation, area.view.rotation);
+        QVERIFY(seen.width >= area.width * (1 - 1e-12) && seen.view.height >= area.view.height * (1 - 1e-12));
+        QVERIFY(std::min(seen.width / area.width, seen.view.height / area.view.height) < 1 + 1e-12);
     }
 }
 
