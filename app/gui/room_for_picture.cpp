@@ -101,18 +101,15 @@ void RoomForPicture::windowResized(const QSize& before) {
     m_size = {}; // until the panels have their places
     const bool isNarrower = m_window->width() < before.width();
     if (isNarrower && isSmall()) hideLeftPanels();
-    if (isNarrower || isSmall() || !showHiddenPanels()) {
-        if (isNarrower || m_hasYielded) divide();
+    const bool appear = !isNarrower && !isSmall() && showHiddenPanels();
+    const auto settle = [this, mayYield = isNarrower || appear] {
+        if (mayYield || m_hasYielded) divide();
         m_size = m_window->size();
-        return;
-    }
-    QMetaObject::invokeMethod( // once they are laid out
-        this,
-        [this] {
-            divide();
-            m_size = m_window->size();
-        },
-        Qt::QueuedConnection);
+    };
+    if (appear) // first they are laid out
+        QMetaObject::invokeMethod(this, settle, Qt::QueuedConnection);
+    else
+        settle();
 }
 
 // As wide as they were where half of the window is enough for that, else only as narrow as they must be.
@@ -129,7 +126,6 @@ void RoomForPicture::divide() {
         wanted += widths.last();
     }
     const double share = std::clamp((together + spare) / wanted, 0.0, 1.0);
-    if (share < 1 && spare >= 0) return; // until there is room for all of them
     for (int& width : widths)
         width = int(share * width);
     m_hasYielded = share < 1;

@@ -106,12 +106,18 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 void SpaceView::showNote() {
     // One of several views says only what happens in it: the others would say the same.
     const bool isSpokenFor = m_isFixed && !m_definition.hasBegun();
-    const auto frame = m_isFixed ? nullptr : m_bridge->frame();
+    const auto frame = m_bridge->frame();
+    const auto note = [&] {
+        return m_isFixed
+                   ? QString()
+                   : noteInSpace(m_document->fractal(), frame ? frame->note : attractor::RenderNote::None,
+                                 frame && frame->isCoarse);
+    };
     const QString prompt = isSpokenFor               ? QString()
                            : m_definition.isActive() ? m_definition.prompt()
                                                      : m_branch.prompt();
     const QString said = m_definition.isActive() || m_stop.isEmpty() ? prompt : m_stop;
-    m_note->setText(!said.isEmpty() ? said : frame ? noteInSpace(frame->note, frame->isCoarse) : QString());
+    m_note->setText(!said.isEmpty() ? said : note());
 }
 
 void SpaceView::setTarget(Target target) {
@@ -196,6 +202,7 @@ void SpaceView::followDocument(const document::Change& change) {
     using document::Change;
     if (change.parts & (Change::Current | Change::File | Change::System | Change::Cage | Change::Appearance))
         followFractal(change);
+    if (change.parts & (Change::Current | Change::File | Change::System)) showNote();
     followCamera(change);
 }
 

@@ -5,13 +5,16 @@
 #include "widgets/flat_buttons.h"
 #include "widgets/menu_button.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSignalBlocker>
+#include <QStylePainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -26,6 +29,34 @@ using document::TheftMode;
 
 constexpr int fewLetters = 10; // of a combo box in a narrow window
 constexpr int moreLetters = 16;
+constexpr int mostLetters = 20; // of the name of an entry
+
+// The names of entries, which may be long, end in dots where there is no room for all of them.
+class NamesBox : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+    void showPopup() override {
+        view()->setMinimumWidth(view()->sizeHintForColumn(0) +
+                                view()->verticalScrollBar()->sizeHint().width());
+        QComboBox::showPopup();
+    }
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QStylePainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        const int room =
+            style()
+                ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this)
+                .width() -
+            2;
+        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideMiddle, room);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+};
 
 MenuButton* menuButton(const QString& text, const QString& tip, QWidget* parent) {
     auto* made = new MenuButton(parent);
@@ -37,8 +68,9 @@ MenuButton* menuButton(const QString& text, const QString& tip, QWidget* parent)
     return made;
 }
 
+template <class Box = QComboBox>
 QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
-    auto* made = new QComboBox(parent);
+    auto* made = new Box(parent);
     made->setAccessibleName(name);
     made->setToolTip(tip);
     made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -51,7 +83,7 @@ QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
 TransformationBar::TransformationBar(QWidget* parent)
     : QWidget(parent),
       m_from(new QLabel(this)),
-      m_partner(comboBox(tr("Partner"), tr("The entry on which the picture is placed"), this)),
+      m_partner(comboBox<NamesBox>(tr("Partner"), tr("The entry on which the picture is placed"), this)),
       m_mode(comboBox(tr("Mode"), tr("What the fractal transformation does with the picture"), this)),
       m_status(new ElidedLabel(this)) {
     setAccessibleName(tr("Fractal transformation"));
@@ -73,14 +105,14 @@ TransformationBar::TransformationBar(QWidget* parent)
     m_stack = flatButton(QString(), tr("Stack"),
                          tr("Show the two fractals one above the other instead of side by side"), this);
     m_stack->setCheckable(true);
+    m_status->setLines(2);
     m_status->setAccessibleName(tr("State of the fractal transformation"));
 
     auto* first = new QHBoxLayout;
     for (QWidget* widget : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner),
                             static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_picture),
                             static_cast<QWidget*>(m_starters), static_cast<QWidget*>(m_export)})
-        first->addWidget(widget);
-    first->addStretch();
+        first->addWidget(widget, widget == m_partner ? 1 : 0);
     auto* last = new QHBoxLayout;
     last->addWidget(m_status, 1);
     last->addWidget(m_remedy);
@@ -150,7 +182,7 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
     m_partner->clear();
     for (const document::Entry& entry : file.entries) {
         if (entry.id == current)
-            m_from->setText(tr("%1 →").arg(entry.fractal->name));
+            showName(entry.fractal->name);
         else if (document::plane(*entry.fractal))
             m_partner->addItem(entry.fractal->name, uint(entry.id));
     }
@@ -164,6 +196,12 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
         theft.picture.isEmpty()
             ? tr("The picture on the partner; you can also drop one there")
             : tr("The picture on the partner: %1").arg(QFileInfo(theft.picture).fileName()));
+}
+
+void TransformationBar::showName(const QString& name) {
+    const int room = mostLetters * fontMetrics().averageCharWidth();
+    m_from->setText(tr("%1 →").arg(fontMetrics().elidedText(name, Qt::ElideMiddle, room)));
+    m_from->setToolTip(name);
 }
 
 void TransformationBar::showContinuity(const QString& sentence) {

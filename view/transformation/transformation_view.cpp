@@ -50,6 +50,12 @@ QString pictureOf(const QMimeData& data) {
     return io::pictureSuffixes().contains(QFileInfo(path).suffix().toLower()) ? path : QString();
 }
 
+// What is wrong with a file is said with its name, what is wrong with its content without.
+QString pictureProblem(const QString& path, const QString& sentence) {
+    if (sentence.contains(QFileInfo(path).fileName())) return sentence;
+    return TransformationView::tr("%1: %2").arg(QDir::toNativeSeparators(path), sentence);
+}
+
 ifs::Tear tearOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunction<2>& to) {
     return ifs::tear(from, to, std::max(2 * from.radius() * resolution, 1e-300), measuredPairs);
 }
@@ -167,7 +173,7 @@ void TransformationView::connectSource() {
     connect(&m_embedding, &QFutureWatcherBase::finished, this, &TransformationView::keepEmbedded);
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
         if (const QString wanted = std::exchange(m_wanted, QString()); !wanted.isEmpty()) {
-            m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(wanted), sentence);
+            m_refusal = pictureProblem(wanted, sentence);
             showPicture(); // the one before
         } else {
             m_pictureFailure = sentence;
@@ -307,9 +313,7 @@ void TransformationView::showProblem() {
     }
     if (!m_refusal.isEmpty()) return m_bar->showProblem(m_refusal, Remedy::None);
     if (!m_pictureFailure.isEmpty())
-        return m_bar->showProblem(
-            tr("%1: %2").arg(QDir::toNativeSeparators(m_kept.picture), m_pictureFailure),
-            Remedy::FindPicture);
+        return m_bar->showProblem(pictureProblem(m_kept.picture, m_pictureFailure), Remedy::FindPicture);
     if (const auto& flaw = m_theft->flaw()) {
         const bool canAgree = flaw->flaw == document::CouplingFlaw::Counts &&
                               document::commonMapCount(flaw->fromCount, flaw->toCount);
@@ -405,7 +409,7 @@ void TransformationView::keepEmbedded() {
         return;
     const io::PictureToEmbed found = m_embedding.result();
     if (found.failure) {
-        m_refusal = tr("%1: %2").arg(QDir::toNativeSeparators(m_kept.picture), *found.failure);
+        m_refusal = pictureProblem(m_kept.picture, *found.failure);
         m_bar->show(m_document->file(), m_document->currentId(), m_partner->id(), m_kept);
         return showProblem();
     }

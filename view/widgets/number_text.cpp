@@ -63,8 +63,9 @@ QString roundedNumber(double value, int decimals) {
     if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("–") : QStringLiteral("∞");
     const double size = std::abs(value);
     if (size >= 1e6 || (size > 0 && size < 5e-5)) return QString::number(value, 'g', 3);
-    const int digitsBefore = size < 10 ? 1 : static_cast<int>(std::floor(std::log10(size))) + 1;
-    return withoutTrailingZeros(QString::number(value, 'f', std::clamp(6 - digitsBefore, 0, decimals)));
+    const int order = size == 0 ? 0 : static_cast<int>(std::floor(std::log10(size)));
+    const int most = std::clamp(5 - std::max(order, 0), 0, decimals);
+    return withoutTrailingZeros(QString::number(value, 'f', std::max(most, 2 - order)));
 }
 
 QString shortNumber(double value) {

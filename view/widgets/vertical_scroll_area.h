@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QLayout>
 #include <QScrollArea>
@@ -67,11 +68,15 @@ private:
 // Once the widget has its place, the areas around it scroll to where all of it is seen.
 inline void scrollIntoView(QWidget* widget) {
     QTimer::singleShot(0, widget, [widget] {
-        for (QWidget* at = widget->parentWidget(); at != nullptr; at = at->parentWidget())
+        for (QWidget* at = widget->parentWidget(); at != nullptr; at = at->parentWidget()) {
+            if (at->layout() != nullptr)
+                at->layout()->activate(); // each asks the next one for room only later
             if (auto* area = qobject_cast<QScrollArea*>(at)) {
-                if (area->widget()->layout() != nullptr) area->widget()->layout()->activate();
+                QEvent request(QEvent::LayoutRequest); // by which the area learns of it
+                QCoreApplication::sendEvent(area->widget(), &request);
                 area->ensureWidgetVisible(widget, 0);
             }
+        }
     });
 }
 

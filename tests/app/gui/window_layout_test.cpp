@@ -45,6 +45,7 @@ private slots:
     void aNarrowWindowIsHalfPicture();
     void aSmallWindowIsHalfPicture();
     void panelsTakeTheirWidthsBack();
+    void panelsTakeHalfOfTheWindowBack();
     void panelsAreWhereTheyWereLeft();
     void aBarIsFoundUnderItsFormerName();
     void theWholeScreenAndBack();
@@ -144,6 +145,22 @@ void WindowLayoutTest::panelsTakeTheirWidthsBack() {
     QTRY_VERIFY(entries->width() < before);
     window->resize(1600, 900);
     QTRY_VERIFY2(std::abs(entries->width() - before) <= 1, qPrintable(QString::number(entries->width())));
+    support::forgetSettings();
+}
+
+// Where they have yielded from the beginning, they are as wide again as that left them.
+void WindowLayoutTest::panelsTakeHalfOfTheWindowBack() {
+    support::forgetSettings();
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->resize(1280, 800);
+    const auto* maps = window->findChild<QDockWidget*>(QStringLiteral("maps"));
+    QTRY_VERIFY(maps->width() < 430);
+    const int before = maps->width();
+    window->resize(900, 800);
+    QTRY_VERIFY(maps->width() < before - 20);
+    window->resize(1280, 800);
+    QTRY_VERIFY2(std::abs(maps->width() - before) <= 4, qPrintable(QString::number(maps->width())));
     support::forgetSettings();
 }
 

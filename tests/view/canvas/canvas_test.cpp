@@ -83,6 +83,28 @@ private slots:
         }
     }
 
+    // Of however many lines it is.
+    void aSentenceKeepsOffACard() {
+        m_canvas->resize(330, 460);
+        const QRect card(14, 280, 300, 120);
+        const QString text =
+            QStringLiteral("Drag a corner of the triangle. Or press D and click the three points "
+                           "that are to become the corners of another triangle.");
+        m_canvas->setCovered(card);
+        m_canvas->setHint(text);
+        QTRY_COMPARE(m_canvas->viewport()->size(), QSize(330, 460));
+        const view::NoteItem* note = nullptr;
+        for (const QGraphicsItem* item : scene().items())
+            if (const auto* found = dynamic_cast<const view::NoteItem*>(item); found && found->text() == text)
+                note = found;
+        QVERIFY(note);
+        QVERIFY(note->box().height() > 60); // so that it reaches behind the card from the edge
+        QVERIFY(!note->box().intersects(card));
+        QVERIFY(QRectF(m_canvas->viewport()->rect()).contains(note->box()));
+        m_canvas->setCovered({});
+        QVERIFY(note->box().bottom() > 400);
+    }
+
     void sentencesCoverNoOtherHandle_data() {
         QTest::addColumn<int>("tool");
         QTest::newRow("cage") << int(CanvasView::Tool::Cage);

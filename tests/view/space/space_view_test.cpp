@@ -43,6 +43,7 @@ private slots:
     void thePlaneOfASliceIsDraggedInOneStep();
     void rewritingChangesTheCode();
     void cloudsAreShownAndAnswerWhatIsUnderThePointer();
+    void whatIsProvedWaitsForNoPicture();
 };
 
 void SpaceViewTest::itShowsTheSolidInItsTetrahedron() {
@@ -114,6 +115,21 @@ void SpaceViewTest::cloudsAreShownAndAnswerWhatIsUnderThePointer() {
         QVERIFY(lightness(window.view->picture(), middle) > 20);
         QVERIFY(window.view->navigation().pointUnder(middle));
     }
+}
+
+void SpaceViewTest::whatIsProvedWaitsForNoPicture() {
+    Window window;
+    QVERIFY(window.rests());
+    QVERIFY(window.view->note().isEmpty());
+    document::Fractal fractal = window.document.fractal();
+    document::system3(fractal)->maps[0].map.linear *= 3;
+    window.document.edit(QStringLiteral("Expand"), fractal);
+    QVERIFY(!window.bridge->isCurrent());
+    QVERIFY2(window.view->note().contains(QStringLiteral("no attractor")), qPrintable(window.view->note()));
+    QVERIFY(window.rests());
+    QVERIFY(window.view->note().contains(QStringLiteral("no attractor")));
+    window.document.undoStack()->undo();
+    QVERIFY2(window.view->note().isEmpty(), qPrintable(window.view->note()));
 }
 
 void SpaceViewTest::anEmptyPlaceOrbits() {

@@ -55,6 +55,29 @@ QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& wi
         .arg(word, stretch, radius);
 }
 
+// What is proved of the maps is known at once, while the picture comes later, and the last one may be of
+// others.
+template <int Dim>
+attractor::RenderNote provedNote(const ifs::IteratedFunctionSystem<Dim>& system,
+                                 attractor::RenderNote drawn) {
+    using enum attractor::RenderNote;
+    const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
+    const bool isDoubtful = drawn == NoAttractor || drawn == Undecided;
+    const auto contracts = [](const auto& map) { return ifs::spectralNorm<Dim>(map.linear) < 1; };
+    if (!isDoubtful && std::ranges::all_of(active.maps, contracts)) return drawn;
+    switch (ifs::classifyLinked<Dim>(active).verdict) {
+    case ifs::Verdict::None:
+        return NoAttractor;
+    case ifs::Verdict::Hyperbolic:
+    case ifs::Verdict::EventuallyContractive:
+        return isDoubtful ? None : drawn;
+    case ifs::Verdict::Undecided:
+    case ifs::Verdict::Empty:
+        break;
+    }
+    return drawn;
+}
+
 // The renderer only says that the picture is not to be trusted; the reason is looked for here.
 QString doubtful(const document::System2& system) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
@@ -117,7 +140,7 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
         return document::dimension(fractal) == 3
                    ? QString() // the window into space shows it
                    : Notes::tr("This entry could not be read. Its text is kept unchanged in the file.");
-    switch (note) {
+    switch (provedNote(*system, note)) {
     case attractor::RenderNote::None:
         return isOnePoint(*system) ? onePoint(fractal) : cageWarning(fractal);
     case attractor::RenderNote::NoMaps:
@@ -141,8 +164,10 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     return {};
 }
 
-QString noteInSpace(attractor::RenderNote note, bool isCoarse) {
-    switch (note) {
+QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note, bool isCoarse) {
+    const document::System3* system = document::system3(fractal);
+    if (!system) return {};
+    switch (provedNote(*system, note)) {
     case attractor::RenderNote::None:
     case attractor::RenderNote::FewerIterations:
         return isCoarse ? Notes::tr("So many pieces overlap that parts of this solid may be missing. "

@@ -9,11 +9,12 @@
 
 namespace view {
 
-// Why the canvas does not show what one would expect, as whole sentences; empty when it does.
+// Why the canvas does not show what one would expect, as whole sentences; empty when it does. The note is
+// that of the last picture.
 QString noteOn(const document::Fractal& fractal, attractor::RenderNote note);
 
 // The same of a system in space.
-QString noteInSpace(attractor::RenderNote note, bool isCoarse);
+QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note, bool isCoarse);
 
 // Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
 // same maps taking part as those of `way`.

@@ -32,15 +32,12 @@ QRectF CanvasNotes::room() const {
 
 void CanvasNotes::setView(const QRectF& view) {
     m_view = view;
-    const QRectF room = this->room();
-    m_noteItem.setView(m_covered.top() < view.top() + edge ? room : view);
-    m_promptItem.setView(m_covered.bottom() > view.bottom() - edge ? room : view);
+    avoid(m_handles);
 }
 
 void CanvasNotes::setCovered(const QRectF& area) {
     if (area == m_covered) return;
     m_covered = area;
-    setView(m_view);
     avoid(m_handles);
     m_noteItem.update();
     m_promptItem.update();
@@ -53,8 +50,15 @@ void CanvasNotes::setFont(const QFont& font) {
 
 void CanvasNotes::avoid(const std::vector<QPointF>& handles) {
     m_handles = handles;
-    m_noteItem.avoid(handles, {});
-    m_promptItem.avoid(handles, m_noteItem.box());
+    const auto place = [&](NoteItem& item, bool isCovered, const QRectF& other) {
+        item.setView(isCovered ? room() : m_view);
+        item.avoid(handles, other);
+        return !item.box().intersects(m_covered);
+    };
+    const bool isTop = m_covered.top() < m_view.top() + edge;
+    const bool isBottom = m_covered.bottom() > m_view.bottom() - edge;
+    if (!place(m_noteItem, isTop, {})) place(m_noteItem, true, {}); // of many lines
+    if (!place(m_promptItem, isBottom, m_noteItem.box())) place(m_promptItem, true, m_noteItem.box());
 }
 
 void CanvasNotes::describe(const document::Fractal& fractal, attractor::RenderNote note) {
@@ -62,11 +66,13 @@ void CanvasNotes::describe(const document::Fractal& fractal, attractor::RenderNo
     m_described = note;
     m_isStale = false;
     m_noteItem.setText(noteOn(fractal, note));
+    avoid(m_handles);
 }
 
 void CanvasNotes::setPrompt(const QString& prompt) {
     m_prompt = prompt;
     m_promptItem.setText(m_prompt.isEmpty() ? m_hint : m_prompt);
+    avoid(m_handles);
 }
 
 void CanvasNotes::setHint(const QString& hint) {

@@ -44,14 +44,16 @@ private:
     using Format = QString (*)(double);
     // The same text with few digits and, when it is asked for, with all: those of 10⁵ maps take long.
     template <class Writer>
-    void add(const QString& name, const QString& definition, bool isKnown, Writer write) {
+    void add(const QString& name, const QString& definition, bool isKnown, Writer write,
+             const QString& absence = {}) {
         if (isKnown)
             m_lines.append({name, write(*m_analysis, &shortNumber),
                             [analysis = m_analysis, write] { return write(*analysis, &fullNumber); },
                             definition});
         else
-            m_lines.append({name, QString(), [] { return QString(); }, definition});
+            m_lines.append({name, QString(), [] { return QString(); }, definition, false, absence});
     }
+    template <int Dim> void explainAbsences();
     template <int Dim> static const ifs::Facts<Dim>& factsIn(const Analysis& analysis) {
         if constexpr (Dim == 2)
             return analysis.facts;
@@ -174,12 +176,34 @@ QList<Fact> Facts::all() {
         addInvariants<Dim>();
         for (qsizetype k = first; k < m_lines.size(); ++k)
             m_lines[k].isPending = !m_analysis->isComplete;
+        explainAbsences<Dim>();
     };
     if (m_analysis->solid)
         addAll(std::integral_constant<int, 3>());
     else
         addAll(std::integral_constant<int, 2>());
     return m_lines;
+}
+
+// Of those without a reason of their own, and of all where there may be nothing to measure.
+template <int Dim> void Facts::explainAbsences() {
+    using enum ifs::Verdict;
+    const ifs::Verdict verdict = factsIn<Dim>(*m_analysis).existence.verdict;
+    const bool hasAttractor = verdict == Hyperbolic || verdict == EventuallyContractive;
+    for (Fact& fact : m_lines) {
+        if (!fact.value.isEmpty()) continue;
+        if (verdict == Undecided)
+            fact.absence = tr("There is no value, because it is not proved that there is an attractor.");
+        else if (!hasAttractor)
+            fact.absence = tr("There is no value, because there is no attractor.");
+        else if (fact.absence.isEmpty())
+            fact.absence = tr("There is no value: for these maps, none could be computed.");
+    }
+}
+
+QString notSimilarities() {
+    return Facts::tr(
+        "There is no value, because these maps are not all similarities in the same coordinates.");
 }
 
 template <int Dim> void Facts::addMaps() {
@@ -280,7 +304,8 @@ template <int Dim> void Facts::addContacts() {
             }
             return tr("unknown");
         });
-    add(tr("Overlaps"),
+    add(
+        tr("Overlaps"),
         tr("Different words that compose to the same map, neither a prefix of the other: their pieces "
            "coincide."),
         invariants.contacts && !invariants.contacts->overlaps.empty(),
@@ -290,7 +315,8 @@ template <int Dim> void Facts::addContacts() {
                 texts << (overlap.isExact ? QStringLiteral("%1 = %2") : QStringLiteral("%1 ≈ %2"))
                              .arg(word(overlap.first, index), word(overlap.second, index));
             return texts.join(QStringLiteral("  "));
-        });
+        },
+        tr("No overlaps were found."));
 }
 
 void Facts::addTile() {
@@ -299,19 +325,25 @@ void Facts::addTile() {
         return analysis.facts.invariants.tile->isExact ? figure
                                                        : figure + u' ' + tr("(within rounding error)");
     };
-    add(tr("Tile area"),
+    add(
+        tr("Tile area"),
         tr("Area of the attractor, if all maps have one linear part and translated copies of the attractor "
            "tile the plane by the lattice that their translations make; proved by the contacts of the "
            "copies."),
-        tile && tile->area, [withNote](const Analysis& analysis, Format number) {
+        tile && tile->area,
+        [withNote](const Analysis& analysis, Format number) {
             return withNote(number(*analysis.facts.invariants.tile->area), analysis);
-        });
-    add(tr("Boundary dimension"),
+        },
+        tr("There is no value: it is not proved that the attractor tiles the plane in this way."));
+    add(
+        tr("Boundary dimension"),
         tr("Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area "
            "and meet in finitely many ways: from the growth of the number of contacts."),
-        tile && tile->boundaryDimension, [withNote](const Analysis& analysis, Format number) {
+        tile && tile->boundaryDimension,
+        [withNote](const Analysis& analysis, Format number) {
             return withNote(number(*analysis.facts.invariants.tile->boundaryDimension), analysis);
-        });
+        },
+        tr("There is no value, because these maps are not of this kind."));
 }
 
 template <int Dim> void Facts::addInvariants() {
@@ -333,42 +365,56 @@ template <int Dim> void Facts::addInvariants() {
         invariants.entropy.has_value(), [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).invariants.entropy);
         });
-    add(tr("Lyapunov exponent"),
+    add(
+        tr("Lyapunov exponent"),
         tr("Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are "
            "similarities in some coordinates."),
-        invariants.lyapunovExponent.has_value(), [](const Analysis& analysis, Format number) {
+        invariants.lyapunovExponent.has_value(),
+        [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).invariants.lyapunovExponent);
-        });
-    add(tr("Dimension of the measure"),
+        },
+        notSimilarities());
+    add(
+        tr("Dimension of the measure"),
         Dim == 2
             ? tr("Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant "
                  "measure under the open set condition, and an upper bound for it otherwise.")
             : tr("Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant "
                  "measure under the open set condition, and an upper bound for it otherwise."),
-        invariants.measureDimension.has_value(), [](const Analysis& analysis, Format number) {
+        invariants.measureDimension.has_value(),
+        [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).invariants.measureDimension) + caveat<Dim>(analysis);
-        });
+        },
+        notSimilarities());
 }
 
 template <int Dim> void Facts::addDimensions() {
     const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
-    add(tr("Similarity dimension"),
+    add(
+        tr("Similarity dimension"),
         tr("The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities "
            "in some coordinates. It is the dimension of the attractor under the open set condition, and an "
            "upper bound for it otherwise."),
-        facts.similarityDimension.has_value(), [](const Analysis& analysis, Format number) {
+        facts.similarityDimension.has_value(),
+        [](const Analysis& analysis, Format number) {
             return number(*factsIn<Dim>(analysis).similarityDimension) + caveat<Dim>(analysis);
-        });
+        },
+        notSimilarities());
     constexpr std::size_t maxRatios = 1000;
     const bool isSum = facts.similarityDimension && !facts.active.isLinked();
     const auto ratios = isSum && facts.active.maps.size() <= maxRatios
                             ? ifs::similarityRatios<Dim>(facts.active.maps)
                             : std::nullopt;
-    add(tr("Moran equation"),
+    add(
+        tr("Moran equation"),
         tr("Σ sᵢᴰ = 1 with the ratios of these maps, equal ratios combined. Its solution is the "
            "similarity dimension."),
         ratios.has_value(),
-        [ratios](const Analysis&, Format number) { return moranEquation(*ratios, number); });
+        [ratios](const Analysis&, Format number) { return moranEquation(*ratios, number); },
+        isSum ? QString()
+        : facts.active.isLinked()
+            ? tr("There is no value, because the maps are linked: the equation is another.")
+            : notSimilarities());
     if constexpr (Dim == 3) return; // the others are worked out in the plane
     add(tr("Affinity dimension"),
         tr("Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions "

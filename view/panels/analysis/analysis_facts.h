@@ -18,6 +18,7 @@ struct Fact {
     std::function<QString()> exact; // all digits, to copy
     QString definition;
     bool isPending = false; // still being worked out
+    QString absence{};      // why there is no value, once that is worked out
 };
 
 // The same lines in the same order for every system of the plane, and for every system in space.

@@ -281,13 +281,21 @@ void AnalysisPanel::showLines() {
             continue;
         }
         const Fact& fact = m_facts.at(row);
+        const bool isEmpty = fact.value.isEmpty();
+        const QString state = fact.isPending ? tr("This value is still being computed.")
+                              : isEmpty      ? fact.absence
+                                             : QString();
+        const QString tip =
+            state.isEmpty() ? fact.definition : state + QStringLiteral("\n\n") + fact.definition;
         name->setText(fact.name);
         name->setToolTip(fact.definition);
-        value->setText(fact.value.isEmpty() ? QStringLiteral("–") : unbroken(fact.value));
+        value->setText(!isEmpty         ? unbroken(fact.value)
+                       : fact.isPending ? tr("computing…")
+                                        : QStringLiteral("–"));
         value->setForegroundRole(fact.isPending ? QPalette::PlaceholderText : QPalette::WindowText);
-        value->setToolTip(fact.definition);
+        value->setToolTip(tip);
         value->setAccessibleName(fact.name);
-        value->setAccessibleDescription(fact.definition);
+        value->setAccessibleDescription(tip);
     }
     arrangeLines();
 }

@@ -83,14 +83,14 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     layout->addWidget(m_modeBox);
     layout->addLayout(makeButtons());
     layout->addWidget(makeDeformation());
-    m_status = factLabel(tr("State of the cage"), this);
+    layout->addWidget(makeVertices());
+    m_status = factLabel(tr("State of the cage"), this); // below the fields, which stay where they are
     layout->addWidget(m_status);
     m_warning = factLabel(tr("Warning about the cage"), this);
     QFont bold = m_warning->font();
     bold.setBold(true);
     m_warning->setFont(bold);
     layout->addWidget(m_warning);
-    layout->addWidget(makeVertices());
     layout->addWidget(makeSimplex());
     layout->addWidget(makePoint());
     layout->addStretch();

@@ -69,7 +69,7 @@ bool CellSteps::turn(const QWheelEvent& event) {
     m_wheelRest -= count * QWheelEvent::DefaultDeltasPerStep;
     if (count != 0) {
         step(cell, count, event.modifiers(), turnsOf(model, cell));
-        model.commitEdit();
+        commit(cell);
     }
     return true;
 }
@@ -78,6 +78,12 @@ void CellSteps::step(const QModelIndex& cell, int count, Qt::KeyboardModifiers m
     if (!cell.isValid()) return; // the map is gone
     const double next = stepped(cell.data(Qt::EditRole).toDouble(), stepSize * paceOfSteps(modifiers), count);
     if (numberProblem(fullNumber(next)).isEmpty()) modelOf(m_table)->preview(cell, next, kind);
+}
+
+void CellSteps::commit(const QModelIndex& cell) {
+    MapsModel& model = *modelOf(m_table);
+    model.commitEdit();
+    if (const QString remark = model.remark(cell); !remark.isEmpty()) emit refused(remark);
 }
 
 bool CellSteps::drag(QEvent& event) {
@@ -146,7 +152,7 @@ bool CellSteps::end(End how) {
     m_isHeld = false;
     QCoreApplication::instance()->removeEventFilter(this);
     if (how == End::Commit)
-        modelOf(m_table)->commitEdit();
+        commit(m_held);
     else
         modelOf(m_table)->cancelEdit();
     return true;

@@ -22,7 +22,7 @@ public:
     explicit CellSteps(QTableView* table); // with a MapsModel, once it is used
 
 signals:
-    void refused(const QString& reason); // the map is locked
+    void refused(const QString& reason); // the map is locked, or switched off by what its weight has become
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -34,6 +34,7 @@ private:
     bool move(const QMouseEvent& event);
     enum class End { Commit, Cancel };
     bool end(End how);
+    void commit(const QModelIndex& cell);
     void step(const QModelIndex& cell, int count, Qt::KeyboardModifiers modifiers, int kind);
     // The number of the current map under its name at x; none near the edges, where columns are resized.
     QModelIndex cellNamedAt(int x) const;

@@ -20,8 +20,6 @@ constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
-constexpr int minDecimals = 2;
-constexpr int minDecimalsByNames = 1; // all of the code stays in sight
 
 } // namespace
 
@@ -43,10 +41,14 @@ int MapsColumns::widthOf(int column) const {
                      m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
 }
 
-// Whether there is a scroll bar must not depend on the widths that depend on it: it always has its room.
+// Whether there is a scroll bar beside the rows must not depend on the widths that depend on it: it has its
+// room unless all rows are in sight even above the other scroll bar.
 int MapsColumns::available() const {
+    const int scrollBar = m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_table);
+    const int rows = m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height();
+    const bool areInSight = rows + scrollBar + 2 * m_table->frameWidth() <= m_table->height();
     return m_table->width() - 2 * m_table->frameWidth() - m_table->verticalHeader()->sizeHint().width() -
-           m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_table) - eye - lock - picture;
+           (areInSight ? 0 : scrollBar) - eye - lock - picture;
 }
 
 void MapsColumns::fit() {
@@ -62,7 +64,7 @@ void MapsColumns::fit() {
     std::iota(code.begin(), code.end(), int(MapsModel::A));
     std::vector<int> widths(code.size());
     int decimals = maxDecimals;
-    for (; decimals >= (isNamed ? minDecimalsByNames : minDecimals); --decimals) {
+    for (; decimals >= 0; --decimals) {
         m_model->limitDecimals(decimals);
         std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;

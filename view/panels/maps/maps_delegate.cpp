@@ -21,6 +21,7 @@ namespace view {
 namespace {
 
 constexpr int margin = 4; // left and right of a cell's text
+constexpr int numberMargin = 3;
 
 struct NumberParts {
     QString whole;
@@ -41,8 +42,18 @@ QString fitting(double value, const QFontMetrics& metrics, int width) {
     for (int decimals = maxDecimals; decimals > 0; --decimals)
         if (QString text = roundedNumber(value, decimals); metrics.horizontalAdvance(text) <= width)
             return text;
-    const QString whole = roundedNumber(value, 0);
-    return metrics.horizontalAdvance(whole) <= width ? whole : QString::number(value, 'g', 1);
+    return roundedNumber(value, 0);
+}
+
+// In the middle of a drag, when columns keep their widths: the figures become narrower before any is left
+// out.
+void paintFitting(QPainter& painter, const QRect& area, double value) {
+    const QString text = fitting(value, painter.fontMetrics(), area.width());
+    const int wide = painter.fontMetrics().horizontalAdvance(text);
+    painter.translate(area.right() + 1, 0);
+    painter.scale(std::min(1.0, double(area.width()) / std::max(1, wide)), 1);
+    painter.drawText(QRect(-wide, area.top(), wide, area.height()),
+                     Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, text);
 }
 
 QColor textColour(const QStyleOptionViewItem& option) {
@@ -128,6 +139,7 @@ void MapsDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QMod
     const auto* field = static_cast<NumberField*>(editor);
     m_model->keepTyped(index, field->value(), field->typedText());
     m_model->commitEdit(); // the value is there already
+    if (const QString remark = m_model->remark(index); !remark.isEmpty()) emit refused(remark);
 }
 
 void MapsDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) const {
@@ -240,25 +252,21 @@ void MapsDelegate::paintPicture(QPainter& painter, const QStyleOptionViewItem& o
 
 void MapsDelegate::paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
                                const QModelIndex& index, const QString& text) const {
-    const QRect inside = option.rect.adjusted(margin, 0, -margin, 0);
-    const QRect narrow = inside.adjusted(-margin, 0, 0, 0);
+    const QRect inside = option.rect.adjusted(numberMargin, 0, -numberMargin, 0);
+    const QRect narrow = inside.adjusted(-numberMargin, 0, 0, 0);
     if (const QString typed = m_model->typedText(index);
-        !typed.isEmpty() && option.fontMetrics.horizontalAdvance(typed) <= inside.width() + margin) {
+        !typed.isEmpty() && option.fontMetrics.horizontalAdvance(typed) <= inside.width() + numberMargin) {
         painter.drawText(narrow, Qt::AlignRight | Qt::AlignVCenter, typed);
         return;
     }
     const int decimals = index.data(MapsModel::DecimalsRole).toInt();
     const int fraction = fractionWidth(option.fontMetrics, decimals);
-    const QRect whole = inside.adjusted(-margin, 0, -fraction, 0);
+    const QRect whole = inside.adjusted(-numberMargin, 0, -fraction, 0);
     const NumberParts parts = split(text);
-    if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width()) { // in the middle of a drag
-        painter.drawText(
-            narrow, Qt::AlignRight | Qt::AlignVCenter,
-            fitting(index.data(Qt::EditRole).toDouble(), option.fontMetrics, inside.width() + margin));
-        return;
-    }
+    if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width())
+        return paintFitting(painter, narrow, index.data(Qt::EditRole).toDouble());
     painter.drawText(whole, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, parts.whole);
-    painter.drawText(QRect(whole.right() + 1, inside.top(), fraction + margin, inside.height()),
+    painter.drawText(QRect(whole.right() + 1, inside.top(), fraction + numberMargin, inside.height()),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, parts.fraction);
 }
 
@@ -288,7 +296,7 @@ QSize MapsDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelInde
         return {wide + 2 * margin + (warned ? 18 : 0), height};
     }
     const int fraction = fractionWidth(option.fontMetrics, index.data(MapsModel::DecimalsRole).toInt());
-    return {option.fontMetrics.horizontalAdvance(split(text).whole) + fraction + 2 * margin, height};
+    return {option.fontMetrics.horizontalAdvance(split(text).whole) + fraction + 2 * numberMargin, height};
 }
 
 } // namespace view

@@ -6,9 +6,11 @@
 #include "document/map_names.h"
 #include "ifs/system/decomposition.h"
 #include "panels/maps/maps_texts.h"
+#include "widgets/number_field.h"
 #include "widgets/number_text.h"
 #include "widgets/tooltip_text.h"
 
+#include "io/text/export_weights.h"
 #include "io/text/number.h"
 
 #include <QColor>
@@ -221,21 +223,24 @@ QString MapsModel::columnTip(int column) const {
 // numbers are not written out.
 int MapsModel::decimals(int column) const {
     std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
-    if (most) return std::min(*most, maxDecimalsOf(column));
+    if (most) return *most;
     most = 0;
+    const int limit = maxDecimalsOf(column);
     std::optional<double> previous;
-    for (int row = 0; isNumber(column) && row < std::min(rowCount(), rowsLookedAt) && *most < maxDecimals;
-         ++row) {
+    for (int row = 0; isNumber(column) && row < std::min(rowCount(), rowsLookedAt); ++row) {
         const std::optional<double> value = number(row, column);
-        if (value && value != previous) most = std::max(*most, decimalsOf(shortNumber(*value)));
+        const bool hasMore = *most < limit || (value && std::abs(*value) < std::pow(10, 2 - *most));
+        if (value && hasMore && value != previous)
+            most = std::max(*most, decimalsOf(roundedNumber(*value, limit)));
         previous = value;
     }
-    return std::min(*most, maxDecimalsOf(column));
+    return *most;
 }
 
 void MapsModel::limitDecimals(int decimals) {
     if (decimals == m_maxDecimals) return;
     m_maxDecimals = decimals;
+    std::fill_n(m_decimals.begin(), columnOf(Weight) + 1, std::nullopt);
     if (rowCount() > 0)
         emit dataChanged(index(0, A), index(rowCount() - 1, columnOf(Weight)), {Qt::DisplayRole});
 }
@@ -340,6 +345,12 @@ QString MapsModel::warning(int row) const {
         .arg(shortNumber(*number(row, columnOf(Contraction))));
 }
 
+QString MapsModel::remark(const QModelIndex& index) const {
+    if (!index.isValid() || meaningOf(index.column()).kind != Weight) return {};
+    const double weight = weightOf(index.row()).value_or(0);
+    return weight < 0 ? *io::weightRemark(std::size_t(index.row()) + 1, weight) : QString();
+}
+
 // What is said of the cells before the code.
 QString MapsModel::mark(int row, Column column) const {
     const QString name = title(row);
@@ -421,6 +432,7 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
         }
         return {};
     case Qt::ForegroundRole:
+        if (!remark(index).isEmpty()) return problemColour(QGuiApplication::palette());
         if (m_probabilities[static_cast<std::size_t>(row)] <= 0 || (kind == Weight && !weightOf(row)) ||
             kind > Weight || (kind >= A && labelOf(row).isLocked))
             return QGuiApplication::palette().color(QPalette::PlaceholderText);
@@ -451,7 +463,9 @@ QVariant MapsModel::headerData(int section, Qt::Orientation orientation, int rol
     if (orientation == Qt::Vertical) {
         if (role == Qt::DisplayRole) return section + 1;
         if (section < 0 || section >= rowCount()) return {};
-        const QString wrong = warning(section);
+        QStringList wrongs{warning(section), remark(index(section, columnOf(Weight)))};
+        wrongs.removeAll(QString());
+        const QString wrong = wrongs.join(u'\n');
         if (role == Qt::ToolTipRole)
             return wrong.isEmpty() ? tooltipText(tr("Map %1. Drag to reorder.").arg(title(section))) : wrong;
         if (role == WarningRole) return wrong;

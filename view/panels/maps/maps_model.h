@@ -79,7 +79,8 @@ public:
     // Why the cell cannot be edited, as a sentence; empty where it can, and where nothing could be in any
     // row.
     QString editObstacle(const QModelIndex& index) const;
-    bool hasNames() const; // of any maps
+    QString remark(const QModelIndex& index) const; // on a number that may not do what was meant; or empty
+    bool hasNames() const;                          // of any maps
 
     // The map that is shown alone, as its row says; None: no map is.
     ifs::MapId solo() const { return m_solo; }

@@ -17,8 +17,8 @@ MapsRowHeader::MapsRowHeader(QWidget* parent) : QHeaderView(Qt::Vertical, parent
     setDefaultAlignment(Qt::AlignCenter);
     setMouseTracking(true);
     setAccessibleName(tr("Numbers of the maps"));
-    this->setWhatsThis(
-        tr("Drag a number to move the map. A warning sign marks a map that does not contract."));
+    this->setWhatsThis(tr("Drag a number to move the map. A warning sign marks a map that does not contract, "
+                          "or that a negative weight switches off."));
     connect(this, &QHeaderView::sectionMoved, this, &MapsRowHeader::putBack);
 }
 

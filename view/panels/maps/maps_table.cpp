@@ -30,7 +30,7 @@ MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
     viewport()->setMouseTracking(true);
     QHeaderView* header = horizontalHeader();
     header->setFont(small);
-    header->setMinimumSectionSize(24);
+    header->setMinimumSectionSize(18); // of the locks
     header->setHighlightSections(false);
     header->setResizeContentsPrecision(50); // rows, besides those in sight
     header->setSectionResizeMode(QHeaderView::Interactive);

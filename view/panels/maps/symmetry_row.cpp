@@ -23,6 +23,8 @@ namespace {
 using enum ifs::SymmetryGroup;
 
 constexpr int usualOrder = 6;
+// The kind of the steps that the order is changed in: those that follow each other closely are one.
+constexpr int turnsOfOrder = 1936548206;
 
 // Gives the symmetry of the fractal, in whichever dimension it is, to `change`.
 template <class Change> void changeSymmetry(document::Fractal& fractal, const Change& change) {
@@ -47,7 +49,7 @@ SymmetryRow::SymmetryRow(document::Document* document, QWidget* parent)
         chooseGroup(static_cast<ifs::SymmetryGroup>(group), m_order->value());
     });
     connect(m_order, &QSpinBox::valueChanged, this, [this](int order) {
-        chooseGroup(static_cast<ifs::SymmetryGroup>(m_groups->currentData().toInt()), order);
+        chooseGroup(static_cast<ifs::SymmetryGroup>(m_groups->currentData().toInt()), order, turnsOfOrder);
     });
     connect(m_expand, &QToolButton::clicked, this, &SymmetryRow::expand);
     connect(document, &document::Document::changed, this, &SymmetryRow::follow);
@@ -182,7 +184,7 @@ void SymmetryRow::follow() {
     m_expand->setStatusTip(m_expand->toolTip());
 }
 
-void SymmetryRow::chooseGroup(ifs::SymmetryGroup group, int order) {
+void SymmetryRow::chooseGroup(ifs::SymmetryGroup group, int order, int kind) {
     m_edit.commit();
     if (!hasOrder(group)) order = 1;
     document::Fractal after = m_document->fractal();
@@ -200,7 +202,10 @@ void SymmetryRow::chooseGroup(ifs::SymmetryGroup group, int order) {
         symmetry.order = order;
         if (!hasMirrors(group)) symmetry.angle = 0;
     });
-    m_document->edit(group == None ? tr("Remove the symmetry") : tr("Set the symmetry"), std::move(after));
+    m_edit.preview(
+        group == None ? tr("Remove the symmetry") : tr("Set the symmetry"),
+        [&](document::Fractal& fractal) { fractal = std::move(after); }, kind);
+    m_edit.commit();
     follow();
     emit groupChosen();
 }

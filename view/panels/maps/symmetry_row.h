@@ -43,7 +43,7 @@ private:
     void follow();
     void fillGroups(int dimension);
     template <int Dim> void showSymmetry(const ifs::Symmetry<Dim>& symmetry);
-    void chooseGroup(ifs::SymmetryGroup group, int order);
+    void chooseGroup(ifs::SymmetryGroup group, int order, int kind = -1); // kind: see EditGesture::describe()
 
     document::Document* m_document;
     document::LiveEdit m_edit;

@@ -215,7 +215,13 @@ private slots:
         drag(corner(1, 1), {2000, 0});
         QVERIFY(verdict() == ifs::Verdict::None);
         QVERIFY(stopNote().isEmpty());
-        QTRY_VERIFY_WITH_TIMEOUT(m_canvas->note().contains(QStringLiteral("No attractor: map 2")), 60'000);
+        QVERIFY(m_canvas->note().contains(QStringLiteral("No attractor: map 2")));
+        QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
+        QVERIFY(m_canvas->note().contains(QStringLiteral("No attractor: map 2")));
+        m_document->undoStack()->undo(); // what is proved waits for no picture
+        QVERIFY2(m_canvas->note().isEmpty(), qPrintable(m_canvas->note()));
+        m_document->undoStack()->redo();
+        QVERIFY(m_canvas->note().contains(QStringLiteral("No attractor: map 2")));
         // From there on nothing stops the way back.
         m_canvas->tools().setAllowsNoAttractor(false);
         m_canvas->fit();

@@ -322,6 +322,47 @@ private slots:
             QStringLiteral("Similarity dimension\t1.58496250072115")));
     }
 
+    // What has no value says why; what is on its way says so.
+    void absencesAndWorkAreToldApart() {
+        document::Document document;
+        const document::Fractal none = fractalOf({{2, 0, 0, 2, 0, 0, 1}, {2, 0, 0, 2, 1, 0, 1}});
+        document.setFile(document::fileOf(none));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
+        const auto labelOf = [&](const QString& name) -> const QLabel& {
+            for (const auto* label : panel.findChildren<QLabel*>())
+                if (label->accessibleName() == name) return *label;
+            qFatal("no label");
+        };
+        const QLabel& similarity = labelOf(QStringLiteral("Similarity dimension"));
+        const QLabel& counting = labelOf(QStringLiteral("Box-counting dimension"));
+        QCOMPARE(counting.text(), QStringLiteral("–"));
+        QVERIFY2(counting.toolTip().contains(QStringLiteral("no attractor")), qPrintable(counting.toolTip()));
+
+        QStringList seen; // while it is being worked out, which may be too short to be seen
+        const auto look = connect(&bridge, &view::AnalysisBridge::changed, &panel, [&] {
+            if (bridge.analysis() && !bridge.analysis()->isComplete)
+                seen << counting.text() + counting.toolTip().section(u'\n', 0, 0);
+        });
+        for (int i = 0; i < 50 && seen.isEmpty(); ++i) {
+            document.edit(QStringLiteral("none"), none);
+            QTRY_COMPARE_WITH_TIMEOUT(counting.text(), QStringLiteral("–"), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
+            seen.clear();
+            document.edit(QStringLiteral("maple"), maple());
+            QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent() && counting.text().contains(u'±'), patience);
+        }
+        disconnect(look);
+        QVERIFY(!seen.isEmpty());
+        QCOMPARE(seen.last(), QStringLiteral("computing…This value is still being computed."));
+        QVERIFY(!counting.toolTip().contains(QStringLiteral("still")));
+        QCOMPARE(similarity.text(), QStringLiteral("–"));
+        QVERIFY2(similarity.toolTip().contains(QStringLiteral("not all similarities")),
+                 qPrintable(similarity.toolTip()));
+    }
+
     void aNumberIsExplainedAndCopied() {
         document::Document document;
         document.setFile(document::fileOf(document::sierpinskiTriangle()));

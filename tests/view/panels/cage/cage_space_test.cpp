@@ -72,6 +72,25 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 0);
     }
 
+    // Whatever the panel has to say of the cage meanwhile.
+    void theFieldsStayWhereTheyAre() {
+        m_panel->resize(260, 900);
+        NumberField* y = m_panel->field(CagePanel::Vertices::Current, 2, 1);
+        const QLabel* status = nullptr;
+        for (const auto* label : m_panel->findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("State of the cage")) status = label;
+        QVERIFY(status);
+        QTRY_COMPARE(m_panel->width(), 260);
+        const QPoint place = y->mapTo(m_panel.get(), QPoint());
+        const int height = status->height();
+        type(y, QStringLiteral("-3"));
+        QTRY_VERIFY(status->height() > height); // it has more lines
+        QCOMPARE(y->mapTo(m_panel.get(), QPoint()), place);
+        QTest::keyClick(y, Qt::Key_Escape);
+        QTRY_COMPARE(status->height(), height);
+        QCOMPARE(y->mapTo(m_panel.get(), QPoint()), place);
+    }
+
     // Without a cage of its own, an entry is held by its minimal canonical simplex.
     void theCanonicalTetrahedronIsShownAndStoredWhenItMoves() {
         m_document->setFile(document::fileOf(fernInSpace()));

@@ -89,7 +89,8 @@ private slots:
         QCOMPARE(steps(), 1);
     }
 
-    // Names become shorter first, then numbers have fewer decimals; only then the table scrolls.
+    // Names become shorter first, then numbers have fewer decimals, but three digits; only then the table
+    // scrolls.
     void namesGiveWayToNumbers() {
         document::Fractal named =
             fractalOf({{-0.12347, -0.65432, -0.98765, -0.45678, -0.33333, -0.66666, 0.54321},
@@ -111,12 +112,35 @@ private slots:
             const int right =
                 table().columnViewportPosition(MapsModel::Weight) + table().columnWidth(MapsModel::Weight);
             const bool fits = right <= table().viewport()->width();
-            if (!fits) QVERIFY(name == shortest && shown == QStringLiteral("-0.1"));
+            if (!fits) QVERIFY(name == shortest && shown == QStringLiteral("-0.123"));
             if (name > shortest) QVERIFY(fits && shown == QStringLiteral("-0.1235"));
             isCut = isCut || !fits;
             isWhole = isWhole || name > shortest;
         }
         QVERIFY(isCut && isWhole);
+    }
+
+    // However much is shown beside them.
+    void threeDigitsAreAlwaysSeen() {
+        document::Fractal named = withTriangle(maple());
+        named.mapLabels.set(document::system2(named)->maps[2].id, {QStringLiteral("left leaf"), false});
+        document::system2(named)->maps[1].map.linear(0, 1) = 0.0042317;
+        open(named);
+        for (const auto group : {MapsPanel::Columns::Names, MapsPanel::Columns::Code,
+                                 MapsPanel::Columns::Facts, MapsPanel::Columns::Effective})
+            m_panel->showColumns(group, true);
+        QCOMPARE(cell(0, MapsModel::A).data().toString(), QStringLiteral("-0.04"));
+        QCOMPARE(cell(1, MapsModel::B).data().toString(), QStringLiteral("0.00423"));
+        const auto& model = *m_panel->model();
+        for (int row = 0; row < model.rowCount(); ++row)
+            for (int column = 0; column < model.columnCount(); ++column) {
+                if (!model.isNumber(column)) continue;
+                const double exact = cell(row, column).data(Qt::EditRole).toDouble();
+                const QString shown = cell(row, column).data().toString();
+                QVERIFY2(std::abs(shown.toDouble() - exact) <= 0.005 * std::abs(exact), qPrintable(shown));
+                const QAbstractItemView& view = table(); // where the hint is public
+                QVERIFY(table().columnWidth(column) >= view.sizeHintForIndex(cell(row, column)).width());
+            }
     }
 
     // Where there are names; and all of the code still fits.

@@ -3,9 +3,11 @@
 #include "document/edits/maps_edits.h"
 #include "panels/maps/maps_model.h"
 #include "view/panels/maps_support.h"
+#include "widgets/number_field.h"
 
 #include <QAbstractItemModelTester>
 #include <QColor>
+#include <QGuiApplication>
 #include <QSignalSpy>
 
 using namespace maps_support;
@@ -45,6 +47,25 @@ private slots:
         m_document->undoStack()->undo();
         QVERIFY(model.headerData(1, Qt::Vertical, MapsModel::WarningRole).toString().isEmpty());
         QCOMPARE(header.size(), 1);
+    }
+
+    // Files may hold them; the map does not take part, which is said where it is seen.
+    void negativeWeightsAreSaid() {
+        MapsModel model(m_document.get());
+        const QModelIndex cell = model.index(1, MapsModel::Weight);
+        const auto sign = [&] {
+            return model.headerData(1, Qt::Vertical, MapsModel::WarningRole).toString();
+        };
+        QVERIFY(model.setData(cell, 0.0));
+        QVERIFY(sign().isEmpty() && model.remark(cell).isEmpty());
+        QVERIFY(model.setData(cell, -0.1));
+        QVERIFY2(sign().contains(QStringLiteral("negative")), qPrintable(sign()));
+        QCOMPARE(model.remark(cell), sign());
+        QCOMPARE(model.headerData(1, Qt::Vertical, Qt::ToolTipRole).toString(), sign());
+        QCOMPARE(cell.data(Qt::ForegroundRole).value<QColor>(), view::problemColour(qGuiApp->palette()));
+        QVERIFY(model.remark(model.index(1, MapsModel::A)).isEmpty());
+        QVERIFY(model.setData(model.index(1, MapsModel::A), 3.0)); // one does not hide the other
+        QCOMPARE(sign().count(u'\n'), 1);
     }
 
     void flagsSayWhatCanBeEdited() {

@@ -38,6 +38,15 @@ private slots:
         QCOMPARE(view::shortNumber(-1e-18), QStringLiteral("-1e-18"));
         QCOMPARE(view::shortNumber(12345.678901), QStringLiteral("12345.7"));
         QCOMPARE(view::shortNumber(2.5e9), QStringLiteral("2.5e+09"));
+        QCOMPARE(view::shortNumber(0.0042317), QStringLiteral("0.00423"));
+        // Three digits are more than a few decimals, and nothing but 0 reads 0.
+        QCOMPARE(view::roundedNumber(-0.04, 1), QStringLiteral("-0.04"));
+        QCOMPARE(view::roundedNumber(0.65432, 0), QStringLiteral("0.654"));
+        QCOMPARE(view::roundedNumber(-7.66666, 1), QStringLiteral("-7.67"));
+        QCOMPARE(view::roundedNumber(76.6666, 1), QStringLiteral("76.7"));
+        QCOMPARE(view::roundedNumber(7666.66, 0), QStringLiteral("7667"));
+        QCOMPARE(view::roundedNumber(0.99996, 0), QStringLiteral("1"));
+        QCOMPARE(view::roundedNumber(0, 0), QStringLiteral("0"));
     }
 
     // Neither sign is of a decimal anywhere.

@@ -56,7 +56,7 @@ private slots:
         QCOMPARE(coefficient(1, 0, 0), 0.61);
     }
 
-    // The table stays as it is under the hand, whatever the numbers become; cells show fewer decimals.
+    // The table stays as it is under the hand, whatever the numbers become.
     void columnsKeepTheirWidthsInADrag() {
         const QTableView* table = m_panel->table();
         std::vector<int> before;
@@ -74,6 +74,24 @@ private slots:
         for (int column = 0; column < MapsModel::ColumnCount; ++column)
             QCOMPARE(table->columnWidth(column), before[column]);
         gesture.commit();
+    }
+
+    // The figures become narrower instead.
+    void noDigitIsLostInADrag() {
+        document::EditGesture gesture = m_document->beginGesture(QStringLiteral("drag"));
+        document::Fractal moved = m_document->fractal();
+        const auto pictureOf = [&](double value) {
+            document::system2(moved)->maps[1].map.linear(0, 1) = value;
+            gesture.preview(moved);
+            QTableView* table = m_panel->table();
+            return table->viewport()
+                ->grab(table->visualRect(table->model()->index(1, MapsModel::B)))
+                .toImage();
+        };
+        QVERIFY(pictureOf(-0.1231) != pictureOf(-0.1242));
+        QVERIFY(pictureOf(-0.04) != pictureOf(0));
+        QVERIFY(pictureOf(-8.33e-17) != pictureOf(-8.34e-17));
+        gesture.cancel();
     }
 
     // a to f and p, with the marks, as the panel is in a window of 1440 pixels; and whatever the numbers are.
@@ -168,6 +186,16 @@ private slots:
         QTRY_VERIFY(m_document->fractal() == before);
         QCOMPARE(m_document->undoStack()->count(), 0);
         QCOMPARE(messages.size(), 1);
+    }
+
+    void aNegativeWeightIsTakenAndSaid() {
+        QSignalSpy messages(m_panel.get(), &MapsPanel::message);
+        QTest::keyClicks(openEditor(1, MapsModel::Weight), QStringLiteral("-0.5"));
+        QTest::keyClick(currentEditor(), Qt::Key_Return);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(systemOf(*m_document).maps[1].weight, -0.5);
+        QCOMPARE(messages.size(), 1);
+        QVERIFY(messages[0][0].toString().contains(QStringLiteral("negative")));
     }
 
     // With the entry: undo and redo lead back to what was typed, and the file has plain numbers.

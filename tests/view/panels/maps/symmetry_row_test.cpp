@@ -92,6 +92,25 @@ private slots:
         QCOMPARE(symmetry().order, 23);
     }
 
+    // As the nudges of a handle: within a second, they are one step.
+    void turnsOfTheWheelAreOneStep() {
+        choose(QStringLiteral("Rotation"));
+        const int before = steps();
+        QSpinBox* order = m_row->order();
+        order->setFocus();
+        QVERIFY(order->hasFocus());
+        const QPointF at = order->rect().center();
+        for (int i = 0; i < 3; ++i) {
+            QWheelEvent event(at, order->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                              Qt::NoScrollPhase, false);
+            QApplication::sendEvent(order, &event);
+        }
+        QCOMPARE(symmetry().order, 9);
+        QCOMPARE(steps(), before + 1);
+        m_document->undoStack()->undo();
+        QCOMPARE(symmetry().order, 6);
+    }
+
     void centreAndAngleAreTyped() {
         choose(QStringLiteral("Dihedral"));
         const int before = steps();
