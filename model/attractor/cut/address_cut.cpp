@@ -52,7 +52,7 @@ public:
     static constexpr bool bends = false;
     static constexpr std::size_t maxWords = 1U << 15; // words kept while refining
 
-    AffineView(const PreparedSystem& system, const Projection& projection, BendTable&)
+    AffineView(const PreparedSystem& system, const Projection& projection, CutMemory&)
         : m_system(system), m_projection(projection) {}
 
     // Of a part of the address tree that is shown through `change`.
@@ -106,10 +106,12 @@ public:
     static constexpr bool bends = true;
     static constexpr std::size_t maxWords = 1U << 17;
 
-    BentView(const PreparedSystem& system, const Projection& projection, BendTable& table)
-        : m_system(system), m_projection(projection), m_table(table) {
+    BentView(const PreparedSystem& system, const Projection& projection, CutMemory& memory)
+        : m_system(system), m_projection(projection), m_table(memory.bends) {
         m_table.follow(*projection.cage.bend(), system.centre, reach(system),
-                       maxBendError / 2 * projection.cellsPerPixel / projection.cellsPerUnit());
+                       maxBendError / 2 * projection.cellsPerPixel / projection.cellsPerUnit(),
+                       memory.bent == system.maps);
+        memory.bent = system.maps;
     }
 
     Node<double> root(const ifs::AffineMap<2>& change) const {
@@ -194,7 +196,7 @@ public:
           m_maxMiss(maxBendError * projection.cellsPerPixel),
           m_divided(std::clamp<std::size_t>(maxWaiting / system.maps.size(), 64, View::maxWords)),
           m_nodeMemory(&memory.nodes),
-          m_view(system, projection, memory.bends) {
+          m_view(system, projection, memory) {
         if (m_settings.colours.empty()) m_settings.colours = ColourCoordinates(system.maps.size());
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));

@@ -96,6 +96,7 @@ struct AddressCut {
 // What one cut can leave to the next: memory, and what is known of a cage that bends. Never changes a word.
 struct CutMemory {
     BendTable bends;
+    std::vector<ifs::AffineMap<2>> bent; // the maps whose words they were
     std::pmr::unsynchronized_pool_resource nodes{std::pmr::pool_options{1, 1U << 22}};
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/cut/bend_table.h"
 
+#include "attractor/arithmetic/arithmetic.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double safety = 2;              // errors are measured at a few points only
 constexpr double minHalf = 0x1p-40;       // of the first square
 constexpr std::size_t maxKept = 1U << 15; // coordinates, of all squares
+constexpr std::size_t maxKeptOfPieces = 1U << 20;
 
 // F″(a, b)
 Vector<2> second(const Expansion& e, const Vector<2>& a, const Vector<2>& b) {
@@ -32,10 +36,14 @@ Vector<2> third(const Expansion& e, const Vector<2>& a, const Vector<2>& b) {
            e.third[2] * (yy * b.x() + 2 * xy * b.y()) + e.third[3] * (yy * b.y());
 }
 
+Vector<2> valueAt(const Expansion& e, const Vector<2>& d) {
+    return e.value + e.linear * d + 0.5 * second(e, d, d) + third(e, d, d) / 6;
+}
+
 // The same polynomial about another point.
 Expansion movedBy(const Expansion& e, const Vector<2>& d) {
     Expansion result = e;
-    result.value = e.value + e.linear * d + 0.5 * second(e, d, d) + third(e, d, d) / 6;
+    result.value = valueAt(e, d);
     const Vector<2> unitX(1, 0);
     const Vector<2> unitY(0, 1);
     result.linear.col(0) += second(e, d, unitX) + 0.5 * third(e, d, unitX);
@@ -74,8 +82,16 @@ BendTable::Piece nowhere() {
 
 } // namespace
 
+std::size_t BendTable::Hash::operator()(const Parallelogram& piece) const {
+    std::uint64_t result = 0;
+    for (const double part : {piece.x.x(), piece.x.y(), piece.spread(0, 0), piece.spread(0, 1),
+                              piece.spread(1, 0), piece.spread(1, 1)})
+        result = mixed(result ^ std::bit_cast<std::uint64_t>(part));
+    return result;
+}
+
 void BendTable::follow(const ifs::PolygonDeformation& bend, const Vector<2>& centre, double halfSize,
-                       double tolerance) {
+                       double tolerance, bool samePieces) {
     // The first square depends on the corners, so that it stays while the system is edited.
     Vector<2> low = bend.from()[0];
     Vector<2> high = low;
@@ -95,6 +111,8 @@ void BendTable::follow(const ifs::PolygonDeformation& bend, const Vector<2>& cen
         restart(bend, middle, half);
     m_bend = &bend;
     m_tolerance = tolerance;
+    m_keepsPieces = samePieces;
+    if (!samePieces) forgetPieces();
     ++m_number;
 }
 
@@ -110,6 +128,7 @@ void BendTable::restart(const ifs::PolygonDeformation& bend, const Vector<2>& ce
     m_squares.clear();
     m_squares.emplace_back(centre, half);
     m_expanded = 0;
+    forgetPieces();
 }
 
 // Coordinates vary over the distance from the corners, and near them over the length of the edges: what is
@@ -158,12 +177,40 @@ void BendTable::measure(Square& square) {
     }
 }
 
+// Of the corners of a piece, one after the other.
+std::span<const double> BendTable::cornerCoordinates(const Vector<2>& x, const ifs::Matrix<2>& spread) {
+    const std::size_t number = corners * m_rest.size();
+    if (!m_keepsPieces)
+        m_cornerCoordinates.clear();
+    else if (m_cornerCoordinates.size() > maxKeptOfPieces)
+        forgetPieces();
+    const std::size_t first = m_cornerCoordinates.size();
+    if (m_keepsPieces) {
+        const auto [found, isNew] = m_pieces.try_emplace({x, spread}, first);
+        if (!isNew) return std::span(m_cornerCoordinates).subspan(found->second, number);
+    }
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        const auto there = ifs::generalizedCoordinates(m_kind, m_rest, x + spread * onEdge(corner));
+        m_cornerCoordinates.insert(m_cornerCoordinates.end(), there.begin(), there.end());
+    }
+    return std::span(m_cornerCoordinates).subspan(first, number);
+}
+
+void BendTable::forgetPieces() {
+    m_pieces.clear();
+    m_cornerCoordinates.clear();
+}
+
 // What the expansion misses at most in a piece, as found in its corners.
-double BendTable::missOf(const Square& square, const Vector<2>& x, const ifs::Matrix<2>& spread) const {
+double BendTable::missOf(const Square& square, const Vector<2>& x, const ifs::Matrix<2>& spread) {
+    auto coordinate = cornerCoordinates(x, spread).begin();
     double result = 0;
     for (std::size_t corner = 0; corner < corners; ++corner) {
         const Vector<2> at = x + spread * onEdge(corner);
-        const Vector<2> miss = (*m_bend)(at)-movedBy(square.expansion, at - square.centre).value;
+        Vector<2> shown = m_bend->fit()(at);
+        for (const Vector<2>& residual : m_bend->residuals())
+            shown += *coordinate++ * residual;
+        const Vector<2> miss = shown - valueAt(square.expansion, at - square.centre);
         result = std::max(result, safety * miss.cwiseAbs().maxCoeff());
     }
     return result;

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace attractor {
@@ -19,9 +21,10 @@ public:
 
     // From now on the pieces are those of this bend, which must outlive them, in the square
     // centre ± halfSize. Expansions are refined until they miss at most `tolerance` in displayed coordinates,
-    // or are small beside the piece.
+    // or are small beside the piece. Where most pieces are those of the bend before, what is measured in them
+    // is kept as well.
     void follow(const ifs::PolygonDeformation& bend, const ifs::Vector<2>& centre, double halfSize,
-                double tolerance);
+                double tolerance, bool samePieces = false);
 
     // The image of the parallelogram {x + a·spread₁ + b·spread₂ : |a|, |b| ≤ 1}:
     // value + linear·(a, b) + aa·a² + ab·ab + bb·b², but for `miss` at most; infinite where nothing is known.
@@ -55,7 +58,17 @@ private:
     void expand(Square& square);
     void measure(Square& square);
     double featureSize(const ifs::Vector<2>& x) const;
-    double missOf(const Square& square, const ifs::Vector<2>& x, const ifs::Matrix<2>& spread) const;
+    struct Parallelogram {
+        ifs::Vector<2> x;
+        ifs::Matrix<2> spread;
+        friend bool operator==(const Parallelogram&, const Parallelogram&) = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Parallelogram& piece) const;
+    };
+    std::span<const double> cornerCoordinates(const ifs::Vector<2>& x, const ifs::Matrix<2>& spread);
+    void forgetPieces();
+    double missOf(const Square& square, const ifs::Vector<2>& x, const ifs::Matrix<2>& spread);
     static double error(const Square& square, double distance, double radius);
     struct Found {
         std::size_t square = 0;
@@ -71,7 +84,10 @@ private:
     std::vector<ifs::Vector<2>> m_rest;
     std::vector<double> m_cornerSize; // half of the shorter edge at each corner
     std::vector<Square> m_squares;
-    std::size_t m_expanded = 0; // squares
+    std::size_t m_expanded = 0;                                    // squares
+    std::unordered_map<Parallelogram, std::size_t, Hash> m_pieces; // where their coordinates begin
+    std::vector<double> m_cornerCoordinates;
+    bool m_keepsPieces = false;
 };
 
 } // namespace attractor

@@ -324,6 +324,18 @@ template <class D> struct Table<Lookup::Registers16, D> {
                                                         _mm256_permutevar8x32_ps(high, index.raw), upper)});
     }
 };
+// Four registers' worth for every table: more than there are, but a load each is less than a gather.
+template <class D> struct Table<Lookup::Registers32, D> {
+    Table<Lookup::Registers16, D> low;
+    Table<Lookup::Registers16, D> high;
+
+    HWY_ATTR explicit Table(const hn::TFromD<D>* v, std::size_t) : low(v, 16), high(v + 16, 16) {}
+    HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
+        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 27)); // by the sign
+        const auto bits = [](hn::Vec<D> values) HWY_ATTR { return hn::BitCast(Float(), values).raw; };
+        return hn::BitCast(D(), FloatVector{_mm256_blendv_ps(bits(low(index)), bits(high(index)), upper)});
+    }
+};
 #endif
 
 HWY_ATTR static HWY_INLINE UnsignedVector nextRandom(UnsignedVector& s0, UnsignedVector& s1,

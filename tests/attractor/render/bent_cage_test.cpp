@@ -285,6 +285,12 @@ private slots:
             QVERIFY(drag.refine());
             QVERIFY(drag.frame().pixels == render(request).pixels);
         }
+        for (const double amount : {0.35, 0.45, 0.4}) { // the same words
+            request.cage = bentCage(request.system, 8, amount);
+            drag.restart(request);
+            QVERIFY(drag.refine());
+            QVERIFY(drag.frame().pixels == render(request).pixels);
+        }
         request.cage = bentCage(request.system, 5, 0.3); // another rest
         drag.restart(request);
         QVERIFY(drag.refine());
