@@ -237,6 +237,18 @@ attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, con
     return attractor::fitted(camera, reach, margin);
 }
 
+double angleOfView(const std::string& argument, const QString& fileName) {
+    constexpr double wide = 150;
+    const double angle = positiveArgument("--perspective", argument);
+    if (!(angle < 180)) throw UsageError{tr("--perspective must be an angle of view below 180 degrees.")};
+    if (angle > wide)
+        reportWarning(fileName,
+                      tr("With an angle of view of %1 degrees, nearly all of the picture shows what "
+                         "is beside the camera, and what is in front of it is tiny.")
+                          .arg(angle));
+    return angle;
+}
+
 attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& options,
                                 const attractor::PreparedSpace& system,
                                 const ifs::SupportFunction<3>* support,
@@ -246,9 +258,7 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     attractor::OrbitCamera camera = cameraAtRest(shown, options);
     if (options.perspective) {
         camera.projection = attractor::OrbitCamera::Projection::Perspective;
-        camera.fieldOfView = positiveArgument("--perspective", *options.perspective);
-        if (!(camera.fieldOfView < 180))
-            throw UsageError{tr("--perspective must be an angle of view below 180 degrees.")};
+        camera.fieldOfView = angleOfView(*options.perspective, fileName);
     }
     if (options.view) {
         refuseIf(options.margin.has_value(), "--margin", tr("--view already defines the view."));

@@ -278,11 +278,12 @@ void SpaceView::layOut() {
     m_cageItem->setVisible(isShown);
     m_slice->setVisible(isShown);
     m_symmetry->setVisible(isShown);
+    m_ball->layOut(camera);
     m_ball->setVisible(isShown && !m_isFixed);
+    m_note->avoid({}, m_ball->isVisible() ? m_ball->boundingRect() : QRectF());
     m_mapOutlines->setVisible(isShown && holdsMap());
     m_mapItem->setVisible(isShown && holdsMap());
     if (!isShown) return;
-    m_ball->layOut(camera);
     m_outlines->layOut(camera);
     layOutSlice();
     m_symmetry->setMarks(symmetryLayout(m_document->fractal(), camera));

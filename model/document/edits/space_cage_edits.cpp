@@ -180,7 +180,9 @@ std::optional<Fractal> withBoxFitted(const Fractal& fractal) {
     if (!support) return std::nullopt;
     const auto box = ifs::boundingBoxOfImage(placementOf(fractal), *support,
                                              extentTolerance(*system3(fractal)) * support->radius());
-    const ifs::Vector<3> low = box.min.array() - box.error, high = box.max.array() + box.error;
+    const auto known = [&box](double x) { return std::abs(x) <= 2 * box.error ? 0 : x; };
+    const ifs::Vector<3> low = (box.min.array() - box.error).unaryExpr(known);
+    const ifs::Vector<3> high = (box.max.array() + box.error).unaryExpr(known);
     return withCageThrough(
         fractal,
         {low, {high.x(), low.y(), low.z()}, {low.x(), high.y(), low.z()}, {low.x(), low.y(), high.z()}});

@@ -6,7 +6,8 @@
 #include <vector>
 
 // Cages around an attractor in space that have more than four vertices. docs/mathematics.md, "Hull cages in
-// space". All contain the attractor.
+// space". All contain the attractor, but for coordinates of the box that are 0 to within their error: they
+// are 0.
 namespace ifs {
 
 // The corners of its certified box, x changing fastest. Where the attractor is flat, the box has a thickness

@@ -27,6 +27,7 @@ private slots:
     void theFirstEntryMayLieInSpace();
     void aLargePictureHasNoHoles();
     void piecesThatAreMissingAreSaid();
+    void aVeryWideAngleIsSaid();
     void overlaysAreDrawn();
     void optionsThatMakeNoSenseAreRefused_data();
     void optionsThatMakeNoSenseAreRefused();
@@ -94,6 +95,13 @@ void CliSpaceTest::depthsAreThoseOfTheSystem() {
         across += wide.isEmpty(x, 30) ? 0 : 1;
     const double eye = 1 / std::tan(M_PI / 6);
     QVERIFY(std::abs(across - 30 * eye / (eye - 0.5)) < 2);
+}
+
+void CliSpaceTest::aVeryWideAngleIsSaid() {
+    const Result wide = run("render cube.ifs -o wide.png --size 40x30 --perspective 179.9");
+    QCOMPARE(wide.status, 0);
+    QVERIFY2(wide.err.contains("179.9 degrees"), wide.err.constData());
+    QCOMPARE(run("render cube.ifs -o wide.png --size 40x30 --perspective 120").err, QByteArray());
 }
 
 void CliSpaceTest::drawsACloud() {

@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/items/note_item.h"
 #include "document/space_geometry.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
@@ -35,6 +36,7 @@ private slots:
     void bothEyesAreShown_data();
     void bothEyesAreShown();
     void fourClicksDefineTheTetrahedron();
+    void notesLeaveTheBallFree();
     void aDoubleClickTakesThePointToTheMiddle();
     void theKeyboardMovesAVertex();
     void cursorsSayWhatCanBeHeld();
@@ -451,6 +453,25 @@ void SpaceViewTest::bothEyesAreShown() {
     window.view->setStereo(attractor::Stereo::None);
     QVERIFY(window.rests());
     if (look == attractor::LookInSpace::Stone) QVERIFY(window.view->picture() == alone);
+}
+
+// Also in a view that is hardly wider than the ball.
+void SpaceViewTest::notesLeaveTheBallFree() {
+    Window window;
+    QVERIFY(window.rests());
+    window.view->setTarget(SpaceView::Target::Definition);
+    QVERIFY(!window.view->note().isEmpty());
+    const auto isFree = [&] {
+        for (const QGraphicsItem* item : window.view->scene()->items())
+            if (const auto* note = dynamic_cast<const view::NoteItem*>(item))
+                if (note->boundingRect().intersects(window.view->ball().boundingRect())) return false;
+        return true;
+    };
+    for (const int width : {600, 330, 260}) {
+        window.view->resize(width, 500);
+        QTRY_COMPARE(window.camera().size.width, window.view->viewport()->width());
+        QVERIFY2(isFree(), qPrintable(QString::number(width)));
+    }
 }
 
 // Three in the plane of the target, the fourth in front of it; the picture stays.

@@ -47,6 +47,10 @@ std::optional<QLineF> partWithin(const QRectF& area, const QLineF& line) {
     return QLineF(line.pointAt(from), line.pointAt(to));
 }
 
+QRectF boxOf(const QString& text, const QPointF& at, const QFontMetricsF& metrics) {
+    return {at.x(), at.y() - metrics.ascent(), metrics.horizontalAdvance(text), metrics.height()};
+}
+
 QFont labelFont(const QPainter& painter) {
     QFont font = painter.font();
     font.setPointSizeF(std::max(7.0, font.pointSizeF() - 1.5));
@@ -157,13 +161,14 @@ void GridItem::paintLabels(QPainter& painter) const {
 }
 
 // What the labels are to be added to, where they are too long.
-void GridItem::paintBase(QPainter& painter) const {
+QRectF GridItem::paintBase(QPainter& painter) const {
     const CoordinateText abscissae(m_camera, 0), ordinates(m_camera, 1);
-    if (abscissae.base().isEmpty()) return;
+    if (abscissae.base().isEmpty()) return {};
     const QFontMetricsF metrics(painter.font());
     const QString text = QStringLiteral("x = %1   y = %2").arg(abscissae.base(), ordinates.base());
-    painter.drawText(QPointF(m_camera.width - metrics.horizontalAdvance(text) - 8, 2 * metrics.height()),
-                     text);
+    const QPointF at(m_camera.width - metrics.horizontalAdvance(text) - 8, 2 * metrics.height());
+    painter.drawText(at, text);
+    return boxOf(text, at, metrics);
 }
 
 // Where a coordinate is a multiple of the step: the lines in a view that is turned, each in the order of the
@@ -201,7 +206,7 @@ void GridItem::paintTurnedLines(QPainter& painter) const {
 }
 
 // The numbers stand by the axes; where an axis is out of sight, at an end of each line, with the name of the
-// coordinate, since lines of both may end at one edge.
+// coordinate, since lines of both may end at one edge. None stands on another.
 void GridItem::paintTurnedLabels(QPainter& painter) const {
     painter.setFont(labelFont(painter));
     painter.setPen(m_style.label);
@@ -209,6 +214,18 @@ void GridItem::paintTurnedLabels(QPainter& painter) const {
     const double step = gridSpacing(m_camera.pixelsPerUnit).major;
     const QRectF area = boundingRect();
     const QRectF room = area.adjusted(4, metrics.ascent() + 3, -4, -metrics.descent() - 3);
+    std::vector<QRectF> taken{paintBase(painter)};
+    const auto paint = [&](const QString& text, const QPointF& by) { // false where something stands already
+        const double right = std::max(room.left(), room.right() - metrics.horizontalAdvance(text));
+        const QPointF at(std::clamp(by.x() + 4, room.left(), right),
+                         std::clamp(by.y() - 3, room.top(), std::max(room.top(), room.bottom())));
+        const QRectF box = boxOf(text, at, metrics);
+        if (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(box); }))
+            return false;
+        painter.drawText(at, text);
+        taken.push_back(box);
+        return true;
+    };
     for (const int axis : {0, 1}) {
         const CoordinateText numbers(m_camera, axis);
         const bool isAxisSeen = std::ranges::any_of( // that on which this coordinate runs
@@ -219,19 +236,16 @@ void GridItem::paintTurnedLabels(QPainter& painter) const {
             const QPointF by = pixelOf(m_camera, onAxis);
             const QString number = numbers.label(index * step);
             if (isAxisSeen && (index == 0 || !area.contains(by))) continue;
-            const QPointF lowest = line.y1() > line.y2() ? line.p1() : line.p2();
-            const QPointF leftmost = line.x1() < line.x2() ? line.p1() : line.p2();
-            const QString text = isAxisSeen  ? number
-                                 : axis == 0 ? QStringLiteral("x ") + number
-                                             : QStringLiteral("y ") + number;
-            const QPointF at = (isAxisSeen ? by : axis == 0 ? lowest : leftmost) + QPointF(4, -3);
-            const double right = std::max(room.left(), room.right() - metrics.horizontalAdvance(text));
-            painter.drawText(QPointF(std::clamp(at.x(), room.left(), right),
-                                     std::clamp(at.y(), room.top(), std::max(room.top(), room.bottom()))),
-                             text);
+            if (isAxisSeen) {
+                paint(number, by);
+                continue;
+            }
+            // From the lowest end of a line of x, and from the leftmost of one of y, or else from the other.
+            const bool isFirst = axis == 0 ? line.y1() > line.y2() : line.x1() < line.x2();
+            const QString text = (axis == 0 ? QStringLiteral("x ") : QStringLiteral("y ")) + number;
+            if (!paint(text, isFirst ? line.p1() : line.p2())) paint(text, isFirst ? line.p2() : line.p1());
         }
     }
-    paintBase(painter);
 }
 
 void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

@@ -44,7 +44,7 @@ private:
     void paintLabels(QPainter& painter) const;
     void paintTurnedLines(QPainter& painter) const;
     void paintTurnedLabels(QPainter& painter) const;
-    void paintBase(QPainter& painter) const;
+    QRectF paintBase(QPainter& painter) const; // where it stands
     std::vector<TurnedLine> turnedLines(int axis, double step) const;
 
     attractor::Camera m_camera;

@@ -221,6 +221,10 @@ QWidget* CagePanel::makeVertices() {
     m_restToggle->setCheckable(true);
     m_restToggle->setAutoRaise(true);
     connect(m_restToggle, &QToolButton::toggled, this, &CagePanel::showRest);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_verticesTitle, 1);
+    top->addWidget(m_restToggle);
+    m_grid->addLayout(top, 0, 0, 1, 7);
     const auto name = [box](const QString& text) {
         auto* label = quietLabel(text, box);
         label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -263,25 +267,29 @@ void CagePanel::followDimension() {
 // The plane has two columns for the vertices and two for those at rest, space has three and three.
 void CagePanel::arrange() {
     const int axes = m_arrangedFor;
-    const auto put = [this](QWidget* widget, int row, int column, int columns, Qt::Alignment alignment = {}) {
+    const auto put = [this](QWidget* widget, int column) {
         m_grid->removeWidget(widget);
-        m_grid->addWidget(widget, row, column, 1, columns, alignment);
+        m_grid->addWidget(widget, 1, column);
     };
-    put(m_verticesTitle, 0, 0, axes + 1);
-    put(m_restToggle, 0, axes + 1, axes, Qt::AlignRight);
     for (int axis = 0; axis < 3; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
         const bool used = axis < axes;
         m_names[at]->setVisible(used);
         if (used) {
-            put(m_names[at], 1, 1 + axis, 1);
-            put(m_restNames[at], 1, 1 + axes + axis, 1);
+            put(m_names[at], 1 + axis);
+            put(m_restNames[at], 1 + axes + axis);
         }
     }
-    for (int column = 1; column <= 6; ++column)
-        m_grid->setColumnStretch(column, column <= 2 * axes ? 1 : 0);
+    stretchColumns();
     for (std::size_t vertex = 0; vertex < m_rows.size(); ++vertex)
         arrangeRow(vertex);
+}
+
+// Those that are shown share the width.
+void CagePanel::stretchColumns() {
+    const int shown = m_restShown ? 2 * m_arrangedFor : m_arrangedFor;
+    for (int column = 1; column <= 6; ++column)
+        m_grid->setColumnStretch(column, column <= shown ? 1 : 0);
 }
 
 QWidget* CagePanel::makeSimplex() {
@@ -383,6 +391,7 @@ NumberField* CagePanel::field(Vertices vertices, std::size_t vertex, int axis) c
 
 void CagePanel::showRest(bool shown) {
     m_restShown = shown;
+    stretchColumns();
     showCage();
 }
 

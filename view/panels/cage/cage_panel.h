@@ -83,6 +83,7 @@ private:
     void showNumber(NumberField* field, const QString& place, double value);
     void followDimension();
     void arrange();
+    void stretchColumns();
     void arrangeRow(std::size_t vertex);
     int dimension() const { return m_cage.index() == 0 ? 2 : 3; } // of the cage shown
     std::size_t vertexCount() const;

@@ -5,6 +5,7 @@
 #include "canvas/items/attractor_item.h"
 
 #include <QImage>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QTest>
 
@@ -14,11 +15,11 @@
 
 namespace {
 
-constexpr int width = 300;
-constexpr int height = 200;
+constexpr int viewWidth = 300;
+constexpr int viewHeight = 200;
 
 QImage painted(view::GridItem& grid, double ratio) {
-    QImage image(qRound(width * ratio), qRound(height * ratio), QImage::Format_RGB32);
+    QImage image(qRound(viewWidth * ratio), qRound(viewHeight * ratio), QImage::Format_RGB32);
     image.setDevicePixelRatio(ratio);
     image.fill(Qt::black);
     QPainter painter(&image);
@@ -34,6 +35,56 @@ std::vector<int> marked(const QImage& image, bool alongRow, int at) {
     return result;
 }
 
+// Keeps where which text is drawn.
+class TextRecorder : public QPaintDevice {
+public:
+    struct Text {
+        QString text;
+        QRectF box;
+    };
+    const std::vector<Text>& texts() const { return m_engine.texts; }
+
+    QPaintEngine* paintEngine() const override { return &m_engine; }
+
+protected:
+    int metric(PaintDeviceMetric metric) const override {
+        switch (metric) {
+        case PdmWidth:
+            return viewWidth;
+        case PdmHeight:
+            return viewHeight;
+        case PdmDepth:
+            return 32;
+        case PdmDpiX:
+        case PdmDpiY:
+        case PdmPhysicalDpiX:
+        case PdmPhysicalDpiY:
+            return 96;
+        default:
+            return QPaintDevice::metric(metric);
+        }
+    }
+
+private:
+    struct Engine : QPaintEngine {
+        Engine() : QPaintEngine(QPaintEngine::AllFeatures) {}
+        bool begin(QPaintDevice*) override { return true; }
+        bool end() override { return true; }
+        void updateState(const QPaintEngineState&) override {}
+        void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
+        void drawPath(const QPainterPath&) override {}
+        void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
+        void drawTextItem(const QPointF& at, const QTextItem& item) override {
+            texts.push_back({item.text(), QRectF(at.x(), at.y() - item.ascent(), item.width(),
+                                                 item.ascent() + item.descent())});
+        }
+        Type type() const override { return QPaintEngine::User; }
+
+        std::vector<Text> texts;
+    };
+    mutable Engine m_engine;
+};
+
 class GridItemTest : public QObject {
     Q_OBJECT
 
@@ -45,7 +96,7 @@ private slots:
         style.axis = Qt::white;
         m_grid.setStyle(style);
         // Lines every 0.2, the stronger ones every 1: 20.6 and 103 pixels. The origin is at (147.3, 101.63).
-        m_grid.setView({{2.7 / 103, 1.63 / 103}, 103, width, height, attractor::YAxis::Up});
+        m_grid.setView({{2.7 / 103, 1.63 / 103}, 103, viewWidth, viewHeight, attractor::YAxis::Up});
         m_grid.setAxesVisible(false);
         m_grid.setGridVisible(true);
     }
@@ -89,7 +140,7 @@ private slots:
     }
 
     void theGridTurnsWithTheView() {
-        attractor::Camera camera{{2.7 / 103, 1.63 / 103},  103, width, height, attractor::YAxis::Up,
+        attractor::Camera camera{{2.7 / 103, 1.63 / 103},  103, viewWidth, viewHeight, attractor::YAxis::Up,
                                  attractor::rotationOf(30)};
         m_grid.setView(camera);
         m_grid.setGridVisible(false);
@@ -151,9 +202,40 @@ private slots:
         m_grid.setVisible(true);
     }
 
+    // Far from both axes lines of x and of y end at the same edges, and the numbers stand at their ends.
+    void turnedNumbersDoNotLieOnEachOther_data() {
+        QTest::addColumn<double>("pixelsPerUnit");
+        for (const double pixelsPerUnit : {1e2, 1e5, 1e9, 1e12})
+            QTest::addRow("%g", pixelsPerUnit) << pixelsPerUnit;
+    }
+    void turnedNumbersDoNotLieOnEachOther() {
+        QFETCH(double, pixelsPerUnit);
+        m_grid.setAxesVisible(true);
+        for (int degrees = 3; degrees < 360; degrees += 7) {
+            m_grid.setView({{0.7438, 7.1318},
+                            pixelsPerUnit,
+                            viewWidth,
+                            viewHeight,
+                            attractor::YAxis::Up,
+                            attractor::rotationOf(degrees)});
+            TextRecorder recorder;
+            QPainter painter(&recorder);
+            m_grid.paint(&painter, nullptr, nullptr);
+            painter.end();
+            const auto& texts = recorder.texts();
+            QVERIFY2(texts.size() >= 2, qPrintable(QString::number(degrees)));
+            for (std::size_t i = 0; i < texts.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k)
+                    QVERIFY2(!texts[i].box.adjusted(1, 1, -1, -1).intersects(texts[k].box),
+                             qPrintable(QStringLiteral("%1 degrees: “%2” on “%3”")
+                                            .arg(degrees)
+                                            .arg(texts[i].text, texts[k].text)));
+        }
+    }
+
     // Far from the origin doubles have no room for lines between their neighbours.
     void nothingIsDrawnWhereNumbersAreTooCoarse() {
-        m_grid.setView({{1e17, 0}, 103, width, height, attractor::YAxis::Up});
+        m_grid.setView({{1e17, 0}, 103, viewWidth, viewHeight, attractor::YAxis::Up});
         const QImage image = painted(m_grid, 1);
         QVERIFY(marked(image, true, 0).empty());
         QCOMPARE(int(marked(image, false, 0).size()), 9);

@@ -140,6 +140,27 @@ private slots:
         QCOMPARE(document::spaceCage(m_document->fractal())->rest.size(), std::size_t(4));
     }
 
+    // Coordinates of a box are certain to some digits only; what these leave of a 0 is not shown.
+    void theCornersOfABoxCanBeRead() {
+        document::Fractal cube = fernInSpace();
+        document::Shape<3> eight;
+        for (int corner = 0; corner < 8; ++corner)
+            ifs::append<3>(eight.system, {0.5 * ifs::Matrix<3>::Identity(),
+                                          ifs::Vector<3>((corner & 1) / 2.0, (corner >> 1 & 1) / 2.0,
+                                                         (corner >> 2) / 2.0)});
+        cube.shape = eight;
+        m_document->setFile(document::fileOf(cube));
+        m_panel->fitPolyhedron(document::SpacePolyhedron::Box, 8);
+        QCOMPARE(cage().rest.size(), std::size_t(8));
+        m_panel->resize(320, 700);
+        for (std::size_t vertex = 0; vertex < 8; ++vertex)
+            for (int axis = 0; axis < 3; ++axis) {
+                const NumberField* field = m_panel->field(CagePanel::Vertices::Current, vertex, axis);
+                QCOMPARE(field->text(), QString::number(vertex >> axis & 1));
+                QTRY_VERIFY2(field->width() >= 320 / 4, qPrintable(QString::number(field->width())));
+            }
+    }
+
     void aFlatRestTetrahedronIsRefused() {
         QSignalSpy messages(m_panel.get(), &CagePanel::message);
         const document::Fractal before = m_document->fractal();
