@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/space_map_handles.h"
 #include "document/branch_as_map.h"
+#include "document/space_geometry.h"
 
 #include "ifs/cage/map_handles.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <utility>
@@ -55,6 +58,26 @@ Fractal SpaceMapHandles::withCornersMoved(std::size_t index, const Corners& offs
     for (std::size_t i = 0; i < offsets.size(); ++i)
         map = ifs::withHandleMoved(map, m_rest, i, m_back->linear * offsets[i]);
     return fractal;
+}
+
+Fractal SpaceMapHandles::withMapSwung(std::size_t index, const ifs::Vector<3>& root,
+                                      const ifs::Vector<3>& axis, double angle) const {
+    Fractal fractal = *m_fractal;
+    if (angle == 0 || !m_back) return fractal;
+    space(fractal)->cage = m_cage;
+    ifs::AffineMap<3>& map = system3(fractal)->maps[index].map;
+    const ifs::Vector<3> pivot = m_placed(map(root));
+    const ifs::Matrix<3> turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    map = *m_back * (ifs::AffineMap<3>{turn, pivot - turn * pivot} * (m_placed * map));
+    return fractal;
+}
+
+std::optional<ifs::Vector<3>> rootInSpace(const Fractal& fractal, const ifs::Vector<3>& up) {
+    const auto cage = isSpaceExtentKnown(fractal) ? knownSpaceCage(fractal) : std::nullopt;
+    const auto attractor = cage ? spaceSupport(fractal) : nullptr;
+    if (!attractor) return std::nullopt;
+    const ifs::Vector<3> down = -(ifs::displayMap(*cage).linear.transpose() * up);
+    return (*attractor)(down, 1e-9 * attractor->radius() * down.norm()).point;
 }
 
 std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<const Fractal>& fractal,

@@ -37,6 +37,11 @@ public:
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
     // the fractal as it is. Maps must be movable.
     Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
+    // One map turned by an angle about the image of `root`, a point in coordinates of the code, which stays:
+    // a branch that swings. Counter-clockwise for the one to whom `axis`, of length 1, points. Otherwise as
+    // above.
+    Fractal withMapSwung(std::size_t index, const ifs::Vector<3>& root, const ifs::Vector<3>& axis,
+                         double angle) const;
 
 private:
     SpaceMapHandles() = default;
@@ -47,6 +52,10 @@ private:
     ifs::AffineMap<3> m_placed;              // what displays a map
     std::optional<ifs::AffineMap<3>> m_back; // of m_placed
 };
+
+// The lowest point of what is displayed in space, in coordinates of the code: where a plant stands. nullopt
+// without an attractor, and where it or the cage is not known.
+std::optional<ifs::Vector<3>> rootInSpace(const Fractal& fractal, const ifs::Vector<3>& up);
 
 // A branch in space, a word of indices in the system, as a map that can be moved.
 struct SpaceBranchHandles {

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace document;
 using ifs::Vector;
@@ -89,9 +90,9 @@ private slots:
         QVERIFY(attractor::mapColour(after.appearance, maps[0].id, 0) == (attractor::Rgba{1, 2, 3}));
         double sum = 0, before = 0;
         for (const auto& map : maps)
-            sum += map.weight;
+            sum += map.weight.value_or(0);
         for (const auto& map : system3(fractal)->maps)
-            before += map.weight;
+            before += map.weight.value_or(0);
         QVERIFY(std::abs(sum - 1) < 1e-12 && std::abs(before - 1) < 1e-12);
         // With the branch where it was, the attractor is that of before.
         Fractal unmoved = after;
@@ -141,6 +142,30 @@ private slots:
         const auto maps = ifs::mapsOf(*system3(after));
         QCOMPARE(moved[0].word.front(), 0);
         QVERIFY((maps[std::size_t(moved[0].word.back())].linear - old[3].map.linear).norm() < 1e-15);
+    }
+
+    // A map turns about the image of the lowest point, as it is seen.
+    void aMapSwingsAboutItsRoot() {
+        const Fractal fractal = fourPieces();
+        const Vector<3> up = Vector<3>(0, 1, 0), axis = Vector<3>(1, 2, 2) / 3;
+        const auto root = rootInSpace(fractal, up);
+        QVERIFY(root);
+        const Extent height = extentAlong(fractal, up);
+        const ifs::AffineMap<3> placed = ifs::displayMap(cageOf(fractal));
+        QVERIFY(std::abs(placed(*root).y() - height.low) < 1e-6);
+        const auto handles = SpaceMapHandles::of(held(fractal), cageOf(fractal));
+        const Fractal swung = handles->withMapSwung(2, *root, axis, 0.3);
+        const ifs::AffineMap<3>& was = system3(fractal)->maps[2].map;
+        const ifs::AffineMap<3>& is = system3(swung)->maps[2].map;
+        QVERIFY((is(*root) - was(*root)).norm() < 1e-12);
+        const Vector<3> before = placed(was({1, 1, 0})) - placed(was(*root));
+        const Vector<3> after = placed(is({1, 1, 0})) - placed(is(*root));
+        QVERIFY(std::abs(after.norm() - before.norm()) < 1e-12);
+        QVERIFY(std::abs((after - before).dot(axis)) < 1e-12);
+        const Vector<3> across = before - before.dot(axis) * axis;
+        QVERIFY(std::abs(axis.dot(before.cross(after)) - std::sin(0.3) * across.squaredNorm()) < 1e-12);
+        QVERIFY(handles->withMapSwung(2, *root, axis, 0) == fractal);
+        QVERIFY(system3(swung)->maps[1].map == system3(fractal)->maps[1].map);
     }
 
     void whatCannotBeMoved() {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 
+#include "canvas/geometry/canvas_note.h"
 #include "document/addresses.h"
 #include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
+#include "document/space_map_handles.h"
+#include "ifs/cage/map_handles.h"
+#include "space/space_view.h"
+#include "widgets/elided_label.h"
 #include "widgets/number_box.h"
 
 #include <QApplication>
@@ -21,6 +27,7 @@
 #include <array>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 namespace view {
 
@@ -48,6 +55,13 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
     connect(document, &document::Document::changed, this, [this] {
         m_swinging.isOpen() ? follow() : centre(); // another edit has ended ours
     });
+    follow();
+}
+
+void BranchBar::setSpace(const SpaceView* space, const QString& hint) {
+    m_space = space;
+    m_hintInSpace = hint;
+    connect(space, &SpaceView::mapHeld, this, &BranchBar::endSwing);
     follow();
 }
 
@@ -127,7 +141,8 @@ QWidget* BranchBar::makeSwing() {
     layout->addWidget(label);
     layout->addWidget(m_swing, 1);
     layout->addWidget(m_angle);
-    layout->addStretch();
+    m_swingHint = new ElidedLabel(row);
+    layout->addWidget(m_swingHint, 1);
     connect(m_swing, &QSlider::valueChanged, this, &BranchBar::swingTo);
     connect(m_swing, &QSlider::sliderReleased, this, &BranchBar::endSwing);
     return row;
@@ -157,8 +172,10 @@ void BranchBar::follow() {
     const bool canPutBack = shape && !shape->moved.empty();
     if (!canPutBack) takeFocusFrom(m_putBack);
     m_putBack->setVisible(canPutBack);
-    const std::size_t selected = m_canvas->selectedMaps().size();
-    m_swing->setEnabled(selected > 0);
+    const bool isHeld = m_space && m_space->heldMap();
+    m_swing->setEnabled(document::space(fractal) ? isHeld : !m_canvas->selectedMaps().empty());
+    m_swingHint->setText(document::space(fractal) ? m_hintInSpace : QString());
+    m_swingHint->setToolTip(m_swingHint->text());
     m_angle->setText(tr("%1°").arg(m_swing->value()));
 }
 
@@ -190,29 +207,74 @@ void BranchBar::putBack() {
                      fractal);
 }
 
-// Counted from where the slider left the middle.
-void BranchBar::swingTo(int degrees) {
-    const document::Fractal before = m_swinging.before();
+BranchBar::Swung BranchBar::swungInPlane() {
+    const document::Fractal& before = m_swinging.before();
     const auto root = document::root(before);
-    if (!document::system2(before) || !root) return;
-    const document::MapHandles handles(std::make_shared<const document::Fractal>(before),
-                                       document::effectiveCage(before));
+    if (!document::system2(before) || !root) return nullptr;
     std::vector<std::size_t> indices = m_canvas->canvas().selection().mapIndices();
     const QString locked = document::lockObstacle(before, indices);
     std::erase_if(indices, [&](std::size_t index) { return document::isLocked(before, index); });
     if (indices.empty()) {
         emit m_canvas->message(locked);
-        return centre();
+        return nullptr;
     }
-    document::Fractal swung;
-    const auto swing = [&](double angle) -> const document::Fractal& {
-        return swung = handles.withMapsSwung(indices, *root, angle * std::numbers::pi / 180);
+    const document::MapHandles handles(std::make_shared<const document::Fractal>(before),
+                                       document::effectiveCage(before));
+    return [handles, indices, root = *root](double angle) {
+        return handles.withMapsSwung(indices, root, angle);
     };
+}
+
+// As it is seen: about the line of sight.
+BranchBar::Swung BranchBar::swungInSpace() {
+    const auto before = std::make_shared<const document::Fractal>(m_swinging.before());
+    const auto map = m_space ? m_space->heldMap() : std::nullopt;
+    if (!map) return nullptr;
+    const attractor::Orientation turned = m_space->navigation().camera().orientation;
+    const auto root = document::rootInSpace(*before, attractor::standing(m_space->navigation().upAxis()) *
+                                                         ifs::Vector<3>::UnitY());
+    const auto cage = document::knownSpaceCage(*before);
+    const auto handles = cage ? document::SpaceMapHandles::of(before, *cage) : std::nullopt;
+    const QString locked = document::lockObstacle(*before, std::vector{*map});
+    if (!locked.isEmpty() || !root || !handles || !handles->canBeMoved()) {
+        emit m_canvas->message(
+            !locked.isEmpty()
+                ? locked
+                : tr("Maps cannot swing while the cage is flat or bends the picture. First open "
+                     "or reset the cage."));
+        return nullptr;
+    }
+    return [handles = *handles, map = *map, root = *root,
+            axis = ifs::Vector<3>(turned * ifs::Vector<3>::UnitZ())](double angle) {
+        return handles.withMapSwung(map, root, axis, angle);
+    };
+}
+
+double BranchBar::shareToShow(const Swung& shareOf) {
+    MapsTool& plane = m_canvas->tools().mapsTool();
+    document::Fractal shown;
+    if (document::plane(m_swinging.before()))
+        return plane.shareToShow(
+            [&](double share) -> const document::Fractal& { return shown = shareOf(share); });
+    if (plane.allowsNoAttractor()) return 1;
+    const auto way = ifs::safeWay<3>(
+        [&](double share) { return ifs::activeMaps(*document::system3(shown = shareOf(share))).maps; });
+    if (way.share < 1) {
+        shown = shareOf(way.share);
+        emit m_canvas->message(stopNote<3>(*document::system3(shown), way));
+    }
+    return way.share;
+}
+
+// Counted from where the slider left the middle.
+void BranchBar::swingTo(int degrees) {
+    const Swung swung = document::space(m_swinging.before()) ? swungInSpace() : swungInPlane();
+    if (!swung) return centre();
+    constexpr double degree = std::numbers::pi / 180;
     // Whole degrees, up to where the attractor would be lost.
-    const double share = m_canvas->tools().mapsTool().shareToShow(
-        [&](double part) -> const document::Fractal& { return swing(degrees * part); });
-    degrees = int(degrees * share);
-    m_swinging.preview(tr("Swing maps"), [&](document::Fractal& fractal) { fractal = swing(degrees); });
+    degrees = int(degrees * shareToShow([&](double share) { return swung(degrees * share * degree); }));
+    m_swinging.preview(tr("Swing maps"),
+                       [&](document::Fractal& fractal) { fractal = swung(degrees * degree); });
     const QSignalBlocker quiet(m_swing);
     m_swing->setValue(degrees);
     follow();

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -15,6 +17,9 @@ class QStackedWidget;
 
 namespace view {
 
+class ElidedLabel;
+class SpaceView;
+
 // The options of the tools that take maps and branches: how deep a branch is and what changing
 // it changes, and a slider that lets the selected maps swing about their roots.
 class BranchBar : public QWidget {
@@ -22,6 +27,9 @@ class BranchBar : public QWidget {
 
 public:
     BranchBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
+
+    // Of the window into space, whose held map swings about the line of sight; `hint` is shown beside it.
+    void setSpace(const SpaceView* space, const QString& hint);
 
     QSpinBox* depth() const { return m_depth; }
     QComboBox* edit() const { return m_edit; }
@@ -39,6 +47,10 @@ private:
     void showRow(QWidget* row);
     BranchChoice& choice() const;
     void putBack(); // the branch, where it is moved; else all branches
+    using Swung = std::function<document::Fractal(double)>; // by an angle, in radians
+    Swung swungInPlane();                                   // nullptr where nothing swings, which is said
+    Swung swungInSpace();
+    double shareToShow(const Swung& shareOf); // as much as leaves an attractor
     void swingTo(int degrees);
     void endSwing();
     void centre();
@@ -54,6 +66,9 @@ private:
     QPushButton* m_putBack = nullptr;
     QSlider* m_swing = nullptr;
     QLabel* m_angle = nullptr;
+    ElidedLabel* m_swingHint = nullptr;
+    QString m_hintInSpace;
+    const SpaceView* m_space = nullptr;
     document::LiveEdit m_swinging;
 };
 

@@ -23,9 +23,6 @@ ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas,
     m_space =
         addHint(tr("Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
                    "scales  ·  drag anywhere else to turn the view"));
-    m_mapsInSpace =
-        addHint(tr("Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z "
-                   "keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));
     connect(canvas, &CanvasView::toolChanged, this, &ToolOptionsBar::follow);
     follow();
 }
@@ -47,6 +44,12 @@ QString ToolOptionsBar::hint() const {
     return label ? label->text() : QString();
 }
 
+void ToolOptionsBar::setSpaceView(const SpaceView* space) {
+    m_branches->setSpace(
+        space, tr("Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z "
+                  "keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));
+}
+
 void ToolOptionsBar::setSpace(bool isSpace) {
     m_isSpace = isSpace;
     follow();
@@ -57,10 +60,7 @@ void ToolOptionsBar::follow() {
     const Tool tool = m_canvas->tool();
     QWidget* page = tool == Tool::Cage ? m_cage : tool == Tool::DefineTriangle ? m_define : m_branches;
     if (m_isSpace)
-        page = tool == Tool::DefineTriangle ? m_defineInSpace
-               : tool == Tool::Maps         ? m_mapsInSpace
-               : tool == Tool::Branch       ? m_branches
-                                            : m_space;
+        page = tool == Tool::DefineTriangle ? m_defineInSpace : tool == Tool::Cage ? m_space : m_branches;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();
     if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it

@@ -8,6 +8,7 @@
 namespace view {
 
 class BranchBar;
+class SpaceView;
 
 // One row under the canvas with the options of the tool that is chosen, or what it does where it has none. It
 // keeps its height whatever the tool, so that the picture stays where it is.
@@ -17,6 +18,7 @@ class ToolOptionsBar : public QStackedWidget {
 public:
     ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
+    void setSpaceView(const SpaceView* space);
     void setSpace(bool isSpace); // the window into space is shown
     QString hint() const;        // what is said of a tool without options; empty for the others
 
@@ -31,7 +33,6 @@ private:
     QWidget* m_define;
     QWidget* m_defineInSpace;
     QWidget* m_space;
-    QWidget* m_mapsInSpace;
 };
 
 } // namespace view

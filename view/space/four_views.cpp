@@ -18,7 +18,15 @@ FourViews::FourViews(document::Document* document, SolidBridge* bridge, QWidget*
     m_grid->setSpacing(1);
     m_grid->addWidget(m_main, 0, 1);
     setFocusProxy(m_main);
-    connect(m_main, &SpaceView::defined, this, &FourViews::defined);
+    follow(m_main);
+}
+
+void FourViews::follow(SpaceView* view) {
+    connect(view, &SpaceView::defined, this, &FourViews::defined);
+    connect(view, &SpaceView::mapHeld, this, [this](std::size_t index) {
+        for (SpaceView* each : all())
+            each->holdMap(index);
+    });
 }
 
 void FourViews::makeOthers() {
@@ -42,12 +50,13 @@ void FourViews::makeOthers() {
         view->setOverlaysVisible(m_areOverlaysVisible);
         view->setBranchChoice(m_branch);
         view->setTarget(m_target);
+        view->holdMap(m_main->heldMap().value_or(0));
         view->setAllowsNoAttractor(m_allowsNoAttractor);
         view->showOutlines(m_outlines);
         connect(view, &SpaceView::pointerMoved, m_main, &SpaceView::pointerMoved);
         connect(view, &SpaceView::pointerLeft, m_main, &SpaceView::pointerLeft);
         connect(view, &SpaceView::message, m_main, &SpaceView::message);
-        connect(view, &SpaceView::defined, this, &FourViews::defined);
+        follow(view);
         m_grid->addWidget(view, row, column);
         m_others.push_back(view);
     }

@@ -44,6 +44,7 @@ signals:
 
 private:
     void makeOthers();
+    void follow(SpaceView* view);
     std::vector<SpaceView*> all() const;
 
     document::Document* m_document;

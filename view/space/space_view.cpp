@@ -81,7 +81,10 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     connect(&m_navigation, &SpaceNavigation::changed, &m_input, &SpaceInput::reportAgain,
             Qt::QueuedConnection);
     connect(&m_input, &SpaceInput::changed, this, &SpaceView::refreshMarks);
-    connect(&m_input, &SpaceInput::mapSelected, this, &SpaceView::layOut);
+    connect(&m_input, &SpaceInput::mapSelected, this, [this] {
+        layOut();
+        if (const auto map = heldMap()) emit mapHeld(*map);
+    });
     connect(&m_input, &SpaceInput::stopped, this, [this](const QString& why) {
         m_stop = why;
         showNote();
@@ -140,6 +143,12 @@ void SpaceView::setBranchChoice(BranchChoice* choice) {
         showNote();
         layOut();
     });
+}
+
+void SpaceView::holdMap(std::size_t index) {
+    if (heldMap() == index) return;
+    m_maps.select(index);
+    layOut();
 }
 
 void SpaceView::fixDirection(const attractor::Direction& direction, const QString& title) {

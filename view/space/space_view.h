@@ -23,6 +23,7 @@ public:
     ~SpaceView() override;
 
     SpaceNavigation& navigation() { return m_navigation; }
+    const SpaceNavigation& navigation() const { return m_navigation; }
     void setOverlaysVisible(bool visible);
     // What the pointer holds: the cage, the maps, a branch, or nothing while clicks define another
     // tetrahedron.
@@ -30,6 +31,8 @@ public:
     void setTarget(Target target);
     void setBranchChoice(BranchChoice* choice); // which branch; without one, none can be chosen
     void setStereo(attractor::Stereo stereo);   // side by side, nothing is held on the canvas
+    std::optional<std::size_t> heldMap() const { return m_maps.selected(); } // while it holds maps
+    void holdMap(std::size_t index);
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
     // Always looks from there, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
@@ -48,6 +51,7 @@ signals:
     void pointerLeft();
     void message(const QString& sentence); // for the status bar
     void defined();                        // a tetrahedron, or given up
+    void mapHeld(std::size_t index);       // by the user
 
 protected:
     bool event(QEvent* event) override;
