@@ -71,13 +71,21 @@ private:
             m_share = 1.0 / double(files.size());
             const ExitStatus done = write(files[i], notes);
             if (m_interrupt.token().stop_requested() && done == m_interrupt.status()) {
+                if (const io::Failure failure = m_drawing->finish()) return failed(*failure);
                 m_bar.clear();
                 reportError(QStringLiteral("barycage-cli"),
                             tr("Interrupted; %1 of %2 frames are complete.").arg(i).arg(files.size()));
             }
             if (done != ExitStatus::Done) return done;
         }
-        return ExitStatus::Done;
+        const io::Failure failure = m_drawing ? m_drawing->finish() : std::nullopt;
+        return failure ? failed(*failure) : ExitStatus::Done;
+    }
+
+    ExitStatus failed(const QString& reason) {
+        m_bar.clear();
+        reportError(m_drawing->failedPath(), reason);
+        return ExitStatus::CannotReadOrWrite;
     }
 
     ExitStatus write(int number, FrameNotes& notes) {
@@ -96,11 +104,7 @@ private:
         const io::ExportOutcome outcome =
             m_drawing->writePng(frame, path, hash, progress, m_interrupt.token());
         if (outcome.stopped) return m_interrupt.status();
-        if (outcome.failure) {
-            m_bar.clear();
-            reportError(path, *outcome.failure);
-            return ExitStatus::CannotReadOrWrite;
-        }
+        if (outcome.failure) return failed(*outcome.failure);
         notes.add(frame, outcome.note);
         return ExitStatus::Done;
     }

@@ -254,6 +254,9 @@ void readSums(const QByteArray& bytes) {
         if (const auto picture = io::pictureOf(reader.header().request))
             promise(io::pictureOf(io::pictureRequest(*picture)).has_value(),
                     "the request of a picture that was read can be read");
+        if (const auto picture = io::spacePictureOf(reader.header().request))
+            promise(io::spacePictureOf(io::pictureRequest(*picture)).has_value(),
+                    "the request of a picture in space that was read can be read");
     }
 }
 

@@ -132,6 +132,7 @@ ExportOutcome writePictures(const AnimationExport& what, const QString& path, co
         all.stopped = one.stopped || stop.stop_requested();
         if (all.failure || all.stopped) return all;
     }
+    all.failure = drawing.finish();
     return all;
 }
 

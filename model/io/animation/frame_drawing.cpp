@@ -2,9 +2,11 @@
 #include "io/animation/frame_drawing.h"
 
 #include "attractor/shutter/motion_steps.h"
+#include "io/fractint/entry_writer.h"
 
 #include <algorithm>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace io {
@@ -12,6 +14,35 @@ namespace io {
 namespace {
 
 constexpr int looks = 8; // at how far things move while the shutter is open
+
+PictureFormat formatOf(const PngExport& picture) {
+    const attractor::RenderRequest& request = picture.request;
+    PictureFormat format;
+    format.width = request.camera.width;
+    format.height = request.camera.height;
+    if (request.appearance.background.alpha < 255) format.pixels = PictureFormat::Pixels::Transparent;
+    format.depth = picture.depth;
+    format.dotsPerInch = picture.dotsPerInch;
+    format.systemText = writeEntry(picture.fractal);
+    format.texts = picture.texts;
+    return format;
+}
+
+// Whether its pixels may wait in memory.
+bool isLight(const PictureFormat& format) {
+    constexpr std::int64_t most = std::int64_t{1} << 24;
+    return format.depth == PictureFormat::Depth::Bits8 && std::int64_t(format.width) * format.height <= most;
+}
+
+// Into the file, which is whole then.
+Failure encoded(NewFile& file, const PictureFormat& format, const QImage& image) {
+    PngWriter writer(file, format);
+    writer.writeRows({reinterpret_cast<const std::uint32_t*>(image.constBits()),
+                      std::size_t(image.width()) * std::size_t(image.height())});
+    const Failure failure = writer.finish();
+    if (file.failure()) return file.failure();
+    return failure ? failure : file.commit();
+}
 
 } // namespace
 
@@ -88,13 +119,55 @@ ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const QByte
     if (isPlane()) {
         PngExport picture = planeFrame(frame, stop);
         picture.texts = {{frameRequestKeyword, hash}};
-        return exportPng(picture, path, progress, stop);
+        if (isLight(formatOf(picture)))
+            return encodeLater(
+                path, formatOf(picture), [&] { return drawPicture(picture, progress, stop); }, stop);
+        const Failure before = startOf(path);
+        return before ? ExportOutcome{before} : exportPng(picture, path, progress, stop);
     }
     SpaceExport picture = spaceFrame(frame, stop);
     picture.texts = {{frameRequestKeyword, hash}};
+    if (isLight(formatOf(picture)))
+        return encodeLater(
+            path, formatOf(picture), [&] { return drawSpacePicture(picture, progress, stop); }, stop);
+    ExportOutcome outcome;
+    outcome.failure = startOf(path);
+    if (outcome.failure) return outcome;
     QByteArray png;
-    ExportOutcome outcome = drawSpacePng(picture, png, progress, stop);
+    outcome = drawSpacePng(picture, png, progress, stop);
     if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, png);
+    return outcome;
+}
+
+Failure FrameDrawing::finish() {
+    return m_written.valid() ? m_written.get() : std::nullopt;
+}
+
+// The failure of the picture before, or else what is written next is this one.
+Failure FrameDrawing::startOf(const QString& path) {
+    Failure before = finish();
+    if (!before) m_path = path;
+    return before;
+}
+
+ExportOutcome FrameDrawing::encodeLater(const QString& path, const PictureFormat& format,
+                                        const std::function<Picture()>& draw, const std::stop_token& stop) {
+    const auto file = std::make_shared<NewFile>(path);
+    const Picture picture = file->failure() ? Picture() : draw();
+    ExportOutcome outcome;
+    outcome.note = picture.note;
+    outcome.failure = startOf(path);
+    if (!outcome.failure) outcome.failure = file->failure();
+    if (outcome.failure) return outcome;
+    outcome.stopped = picture.image.isNull() && stop.stop_requested();
+    if (outcome.stopped) return outcome;
+    if (picture.image.isNull()) throw std::bad_alloc();
+    const auto encode = [file, format, image = picture.image] { return encoded(*file, format, image); };
+    try {
+        m_written = std::async(std::launch::async, encode);
+    } catch (const std::system_error&) { // no thread is to be had
+        outcome.failure = encode();
+    }
     return outcome;
 }
 

@@ -8,6 +8,8 @@
 #include <QByteArray>
 #include <QString>
 
+#include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,9 +47,12 @@ class FrameDrawing {
 public:
     FrameDrawing(std::unique_ptr<FrameSource> source, const FrameOptions& options);
 
-    // A PNG picture that carries the hash of its request; `path` appears whole or not at all.
+    // A PNG picture that carries the hash of its request; `path` appears whole or not at all. It is encoded
+    // while the next one is drawn, so that its failure may be that of the next call, or of finish().
     ExportOutcome writePng(int frame, const QString& path, const QByteArray& hash, const Progress& progress,
                            const std::stop_token& stop);
+    Failure finish();                                    // waits for the last picture
+    const QString& failedPath() const { return m_path; } // of the picture that cannot be written
     // The same pixels with 8 bits per channel; null when stopped. Throws bad_alloc where there is no room for
     // it.
     Picture draw(int frame, const Progress& progress, const std::stop_token& stop);
@@ -58,6 +63,9 @@ public:
 
 private:
     bool isPlane() const { return document::plane(m_source->entry()) != nullptr; }
+    Failure startOf(const QString& path);
+    ExportOutcome encodeLater(const QString& path, const PictureFormat& format,
+                              const std::function<Picture()>& draw, const std::stop_token& stop);
     PngExport planeFrame(int frame, const std::stop_token& stop);
     SpaceExport spaceFrame(int frame, const std::stop_token& stop);
     template <class Request, class RequestAt>
@@ -71,6 +79,8 @@ private:
     document::AnimationFacts m_facts;
     std::vector<animation::Moment> m_pilots;
     std::map<std::size_t, attractor::Exposure> m_exposures; // of pilots
+    QString m_path;                                         // of the newest picture
+    std::future<Failure> m_written;                         // while it is encoded
 };
 
 } // namespace io

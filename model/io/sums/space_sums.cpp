@@ -7,6 +7,8 @@
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_writing.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <span>
 
@@ -19,7 +21,12 @@ using attractor::CellSums;
 using attractor::LookInSpace;
 using attractor::Rgba16;
 
-constexpr int bandRows = 16 * TileGrid::tileRows; // of a solid, drawn or put together at a time
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Text)
+};
+
+constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
+constexpr int bandRows = 16 * TileGrid::tileRows;          // of a solid, drawn or put together at a time
 
 bool isCloud(const SpaceSums& sums) {
     return attractor::showsCloud(sums.picture.look);
@@ -213,6 +220,9 @@ LoadedSpaceSums spaceSumsIn(const std::shared_ptr<SumFiles>& files, int threads)
     const SumHeader own = headerOf(sums);
     if (!picture || own.columns != header.columns || own.rows != header.rows || own.kind != header.kind)
         loaded.failure = otherPixels(files->name());
+    else if (memoryFor(sums.picture) > maxBytes)
+        loaded.failure =
+            Text::tr("The picture in “%1” needs more than 4 GB of memory in space.").arg(files->name());
     return loaded;
 }
 

@@ -10,6 +10,8 @@
 #include "io/video/video_text.h"
 
 #include <algorithm>
+#include <future>
+#include <system_error>
 #endif
 
 namespace io {
@@ -99,6 +101,30 @@ struct VideoWriter::State {
         if (!failure) failure = file.failure() ? file.failure() : encoder->failure();
     }
 
+    // Waits for the frame that is being encoded; all else is done by one thread at a time.
+    void await() {
+        if (pending.valid()) pending.get();
+    }
+    // Encodes the frame while the caller draws the next one.
+    void begin(const QImage& frame) {
+        await();
+        if (failure) return;
+        try {
+            pending = std::async(std::launch::async, [this, frame] { take(frame); });
+        } catch (const std::system_error&) { // no thread is to be had
+            take(frame);
+        }
+    }
+    void take(const QImage& frame) {
+        const QImage picture = straight(frame);
+        if (picture.isNull())
+            failure = VideoTexts::tr("There is not enough memory for a frame of the video.");
+        else if (spool)
+            failure = spool->add(picture);
+        else
+            add(picture);
+    }
+
     void add(const QImage& image) {
         const libav::Frame picture = pictureOf(image, settings);
         if (picture)
@@ -117,6 +143,7 @@ struct VideoWriter::State {
     Failure failure;
     std::unique_ptr<libav::Encoder> encoder;
     std::unique_ptr<FrameSpool> spool; // of a GIF
+    std::future<void> pending;         // last: works with all the rest
 };
 
 // Null after a failure, which is remembered, or when stopped.
@@ -183,20 +210,18 @@ VideoWriter::VideoWriter(const QString& path, const VideoSettings& settings)
     : m_state(std::make_unique<State>(path, settings)) {}
 
 Failure VideoWriter::writeFrame(const QImage& frame) {
-    State& state = *m_state;
-    if (state.failure) return state.failure;
-    const QImage picture = straight(frame);
-    if (picture.isNull())
-        state.failure = VideoTexts::tr("There is not enough memory for a frame of the video.");
-    else if (state.spool)
-        state.failure = state.spool->add(picture);
-    else
-        state.add(picture);
-    return state.failure;
+    m_state->begin(frame);
+    return m_state->pending.valid() ? std::nullopt : m_state->failure;
 }
 
 Failure VideoWriter::finish(const Progress& progress, const std::stop_token& stop) {
+    m_state->await();
     if (!m_state->failure) m_state->finish({progress, stop});
+    return m_state->failure;
+}
+
+const Failure& VideoWriter::failure() const {
+    m_state->await();
     return m_state->failure;
 }
 
@@ -223,12 +248,12 @@ Failure VideoWriter::finish(const Progress&, const std::stop_token&) {
     return m_state->failure;
 }
 
-#endif
-
-VideoWriter::~VideoWriter() = default;
-
 const Failure& VideoWriter::failure() const {
     return m_state->failure;
 }
+
+#endif
+
+VideoWriter::~VideoWriter() = default;
 
 } // namespace io

@@ -2,6 +2,8 @@
 #include "app/cli/command_line.h"
 #include "support/patient_tries.h"
 
+#include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QProcess>
 #include <QRegularExpression>
@@ -17,6 +19,8 @@ private slots:
     void everyOptionInSpaceIsAnotherRequest();
     void framesHave16Bits();
     void theTimeLeftIsSaid();
+    void aFullDiskNamesTheFrame_data();
+    void aFullDiskNamesTheFrame();
 
 private:
     void verifyAllDiffer(const QByteArray& file, std::initializer_list<const char*> options);
@@ -115,6 +119,35 @@ void CliFramesTest::theTimeLeftIsSaid() {
     QVERIFY(process.state() == QProcess::Running);
     process.kill();
     process.waitForFinished();
+}
+
+void CliFramesTest::aFullDiskNamesTheFrame_data() {
+    QTest::addColumn<QByteArray>("frames");
+    QTest::addColumn<QByteArray>("failed");
+    QTest::newRow("the first of many") << QByteArray("1-4") << QByteArray("f.1.png");
+    QTest::newRow("the last one") << QByteArray("3") << QByteArray("f.3.png");
+}
+
+// A frame is encoded while the next one is drawn: what fails then is said of the frame that it is about.
+void CliFramesTest::aFullDiskNamesTheFrame() {
+    QFETCH(const QByteArray, frames);
+    QFETCH(const QByteArray, failed);
+    const QByteArray command =
+        "animate wind.ifs --size 320x240 --points 300000 -o full/f.#.png --frames " + frames;
+    QProcess limited;
+    limited.setWorkingDirectory(path(""));
+    limited.start(QStringLiteral("bash"),
+                  {QStringLiteral("-c"),
+                   QStringLiteral("ulimit -f 4 && exec \"$0\" ") + QString::fromUtf8(command),
+                   QStringLiteral(BARYCAGE_CLI)});
+    QVERIFY(limited.waitForFinished(60'000));
+    const QByteArray said = limited.readAllStandardError();
+    QCOMPARE(limited.exitStatus(), QProcess::NormalExit);
+    QVERIFY2(limited.exitCode() == 3, said.constData());
+    QVERIFY2(said.contains(failed) && said.count("error:") == 1, said.constData());
+    QVERIFY(QDir(path("full")).entryList(QDir::Files | QDir::Hidden).isEmpty());
+    QCOMPARE(run(command).status, 0); // and where there is room, all is well
+    QVERIFY(QFile::exists(path("full/" + failed)));
 }
 
 QTEST_GUILESS_MAIN(CliFramesTest)

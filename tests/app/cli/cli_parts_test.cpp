@@ -33,10 +33,10 @@ private slots:
 namespace {
 const QByteArray maple = "systems.ifs --entry maple --size 240x180 --points 20M ";
 const QByteArray pyramid = "pyramid (3D) {\n"
-                           ".5 0 0 0 .5 0 0 0 .5 0 0 0 1\n"
-                           ".5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n"
-                           ".5 0 0 0 .5 0 0 0 .5 0 .5 0 1\n"
-                           ".5 0 0 0 .5 0 0 0 .5 0 0 .5 1\n"
+                           ".5 0 0 0 .5 0 0 0 .5 0 0 0 .25\n"
+                           ".5 0 0 0 .5 0 0 0 .5 .5 0 0 .25\n"
+                           ".5 0 0 0 .5 0 0 0 .5 0 .5 0 .25\n"
+                           ".5 0 0 0 .5 0 0 0 .5 0 0 .5 .25\n"
                            "}\n";
 } // namespace
 

@@ -81,6 +81,7 @@ private slots:
     void aChunkTakesNoMoreMemoryThanItHas();
     void fullDiskIsReported();
     void bandsGiveTheSameBytes();
+    void grainTakesLittleRoom();
     void sixteenBitsComeBack();
 };
 
@@ -206,6 +207,22 @@ void PngWriterTest::bandsGiveTheSameBytes() {
     QVERIFY(!writer.writeRows({pixels + 64 * 5, 64 * 59}));
     QVERIFY(!writer.finish());
     QCOMPARE(bytes, written(picture, {}));
+}
+
+// The grain of a density has few colours: no more than twice what they take.
+void PngWriterTest::grainTakesLittleRoom() {
+    constexpr int side = 256, colours = 16;
+    QRandomGenerator random(5);
+    QImage picture(side, side, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const int tone = int(random.bounded(colours));
+            picture.setPixel(x, y, qRgb(tone * 16, 255 - tone * 5, tone * tone));
+        }
+    const QByteArray bytes = written(picture, {});
+    QCOMPARE(readBack(bytes), picture.convertToFormat(readBack(bytes).format()));
+    const qsizetype needed = side * side * 4 / 8;
+    QVERIFY2(bytes.size() < 2 * needed, qPrintable(QString::number(bytes.size())));
 }
 
 void PngWriterTest::sixteenBitsComeBack() {

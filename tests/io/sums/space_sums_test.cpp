@@ -29,6 +29,7 @@ private slots:
     void nothingIsCountedTwice();
     void anotherPictureIsRefused();
     void anIncompletePictureIsRefused();
+    void aHugePictureIsRefused();
     void resumingAddsAPass();
 
 private:
@@ -239,6 +240,22 @@ void SpaceSumsTest::anIncompletePictureIsRefused() {
     const Failure failure = merge({part(cloud(), 0, 2)}, QStringLiteral("half.png"));
     QVERIFY(failure && failure->contains(QLatin1String("50 %")));
     QVERIFY(!QFile::exists(path(QStringLiteral("half.png"))));
+}
+
+// A damaged or hostile file may ask for any size: it is refused before there is memory for it.
+void SpaceSumsTest::aHugePictureIsRefused() {
+    SumHeader header;
+    SpaceExport what = cloud();
+    what.request.camera.size = {900'000, 900'000};
+    header.request = pictureRequest(what);
+    header.columns = header.rows = 900'000;
+    header.passes = {1};
+    QFile file(path(QStringLiteral("huge.sum")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    SumWriter(file, header).finish();
+    file.close();
+    const Failure failure = merge({file.fileName()}, QStringLiteral("huge.png"));
+    QVERIFY(failure && failure->contains(QLatin1String("4 GB")));
 }
 
 void SpaceSumsTest::resumingAddsAPass() {

@@ -21,6 +21,7 @@ class TimelinePlayingTest : public TimelineFixture {
 private slots:
     void draggedKeysSnap();
     void timeIsNeverLate();
+    void itStopsWithinAFrame();
     void theRateIsShown();
     void undoLeavesTheRowsInPlace();
     void playingDoesNotScrollTheRows();
@@ -113,6 +114,41 @@ void TimelinePlayingTest::timeIsNeverLate() {
     timeline().playback().setPlaying(false);
     QVERIFY2(flaw.isEmpty(), qPrintable(flaw));
     QVERIFY(timeline().frame() >= 60); // 100 a second, and not one for each picture
+}
+
+// Asked to stop while a picture is drawn that takes as long as seven frames, it shows at most one more
+// moment, comes to rest there, and stays.
+void TimelinePlayingTest::itStopsWithinAFrame() {
+    key(0, 10);
+    timeline().setTiming(QStringLiteral("fast"), {{100, 1}, 100'000, animation::Loop::Off});
+    timeline().setFrame(0);
+    view::Playback& playback = timeline().playback();
+    bool isAsked = false;
+    int before = 0, running = 0, resting = 0; // moments shown
+    QObject scope;
+    connect(m_document.get(), &document::Document::changed, &scope, [&](const document::Change& change) {
+        if (!(change.parts & document::Change::Time)) return;
+        if (!playback.isPlaying()) {
+            ++resting;
+            return;
+        }
+        ++(isAsked ? running : before);
+        QThread::msleep(70); // as long as drawing takes
+        if (before < 5 || isAsked) return;
+        isAsked = true;
+        QMetaObject::invokeMethod(
+            &scope, [&] { m_panel->transport()->play()->click(); }, Qt::QueuedConnection);
+    });
+    playback.setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(!playback.isPlaying(), 60'000);
+    QVERIFY(isAsked);
+    QVERIFY2(running <= 1, qPrintable(QString::number(running)));
+    QCOMPARE(resting, 1);
+    const int frame = timeline().frame();
+    QTest::qWait(100); // ten frames, of which none may come
+    QCOMPARE(timeline().frame(), frame);
+    QCOMPARE(resting, 1);
+    QCOMPARE(before, 5);
 }
 
 void TimelinePlayingTest::theRateIsShown() {
