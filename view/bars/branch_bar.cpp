@@ -78,6 +78,9 @@ QWidget* BranchBar::makeBranch() {
         tr("The system keeps its number of maps. All branches that this map makes change in the same way."));
     add(tr("Only here"), tr("The code does not change. Only this branch is shown in another position; the "
                             "same change does not appear at other scales."));
+    add(tr("Here and inside it"),
+        tr("The code does not change. This branch is shown in another position, and so is the same branch "
+           "inside it, again and again: a frond curls up. Nothing beside it changes."));
     m_edit->setAccessibleName(tr("What editing the branch changes"));
     for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})
         yields->setMinimumWidth(minLetters * fontMetrics().averageCharWidth());
@@ -100,7 +103,7 @@ QWidget* BranchBar::makeBranch() {
     connect(m_depth, &QSpinBox::valueChanged, &m_canvas->tools().branchTool(), &BranchTool::setDepth);
     connect(m_edit, &QComboBox::currentIndexChanged, this, [this](int index) {
         constexpr std::array edits{document::BranchEdit::OwnMap, document::BranchEdit::LastMap,
-                                   document::BranchEdit::Display};
+                                   document::BranchEdit::Display, document::BranchEdit::Inside};
         m_canvas->tools().branchTool().setEdit(edits.at(std::size_t(index)));
         m_edit->setWhatsThis(m_edit->itemData(index, Qt::ToolTipRole).toString());
     });

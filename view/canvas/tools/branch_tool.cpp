@@ -4,6 +4,7 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/addresses.h"
 #include "document/edits/map_locks.h"
+#include "ifs/cage/map_handles.h"
 
 #include <QKeyEvent>
 
@@ -21,7 +22,8 @@ constexpr std::size_t maxSelected = 200; // a hundred drags
 
 // The sentence of the map that would change, or be divided, if it is locked.
 QString lockObstacle(const document::Fractal& fractal, const ifs::Word& branch, document::BranchEdit edit) {
-    if (branch.empty() || edit == document::BranchEdit::Display) return {};
+    using document::BranchEdit;
+    if (branch.empty() || edit == BranchEdit::Display || edit == BranchEdit::Inside) return {};
     const bool isFirst = edit == document::BranchEdit::OwnMap;
     return document::lockObstacle(fractal,
                                   std::vector{std::size_t(isFirst ? branch.front() : branch.back())});
@@ -94,6 +96,16 @@ void BranchTool::selectAt(const QPointF& position) {
     selection().setFocused({});
     select(address);
     say();
+}
+
+double BranchTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
+    if (m_edit != document::BranchEdit::Inside || allowsNoAttractor()) return MapsTool::shareToShow(after);
+    const auto way = ifs::safeWay<2>(
+        [&](double share) { return std::vector{document::recurringMap(after(share), handles().branch())}; });
+    scene().notes().setPrompt(
+        way.share < 1 ? tr("Stopped: beyond this, the branch would not become smaller inside itself.")
+                      : QString());
+    return way.share;
 }
 
 void BranchTool::press(const Pointer& pointer) {

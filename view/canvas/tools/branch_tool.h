@@ -22,6 +22,7 @@ public:
     // The whole address of the point that was clicked, of which the branch is the beginning.
     const ifs::Word& address() const { return m_address; }
 
+    double shareToShow(const std::function<const document::Fractal&(double)>& after) override;
     void press(const Pointer& pointer) override;
     void walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;
