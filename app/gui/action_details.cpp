@@ -31,7 +31,8 @@ constexpr Detail details[] = {
      QT_TRANSLATE_NOOP(
          "ActionDetails",
          "Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag "
-         "changes: a new map for this branch, the last map of its address, or only this branch.")},
+         "changes: a new map for this branch, the last map of its address, only this branch, or this branch "
+         "and the same one inside it.")},
     {"animate",
      QT_TRANSLATE_NOOP("ActionDetails",
                        "Choose a motion, which needs no keys, or set keys. A change to something that has "

@@ -213,7 +213,7 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
     const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(*fractal));
     auto letters = ifs::overMaps(branch, active.index);
     if (!letters) return std::nullopt;
-    if (edit == BranchEdit::Display || edit == BranchEdit::Inside)
+    if (keepsCode(edit))
         return BranchHandles{MapHandles::ofBranch(fractal, cage, branch, edit == BranchEdit::Inside), 0};
     const std::vector<ifs::MovedBranch<2>> branches = movedBranches(*fractal);
     const AffineMap<2> moved = changeAround(branches, branch) * shownChange(branches, branch);

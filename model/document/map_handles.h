@@ -75,6 +75,9 @@ enum class BranchEdit {
     LastMap, // the last map of its address, as it is seen there: all branches that it makes change alike
     Inside,  // as Display, and again inside the branch: recurring_branches.h
 };
+inline bool keepsCode(BranchEdit edit) {
+    return edit == BranchEdit::Display || edit == BranchEdit::Inside;
+}
 
 // A branch σ, a word of indices in the system, as a map that can be moved.
 struct BranchHandles {

@@ -84,7 +84,7 @@ std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<con
                                                        const ifs::ControlCage<3>& cage,
                                                        const ifs::Word& branch, BranchEdit edit) {
     const System3* system = system3(*fractal);
-    if (!system || branch.empty() || edit == BranchEdit::Display) return std::nullopt;
+    if (!system || branch.empty() || keepsCode(edit)) return std::nullopt;
     const ifs::ActiveMaps<3> active = ifs::activeMaps(*system);
     auto letters = ifs::overMaps(branch, active.index);
     const bool divides = edit == BranchEdit::OwnMap && branch.size() > 1;

@@ -62,8 +62,8 @@ struct SpaceBranchHandles {
     SpaceMapHandles handles;
     std::size_t index = 0;
 };
-// nullopt when the word is empty or names a map that takes no part; for BranchEdit::Display, since solids are
-// shown where their maps put them; and for BranchEdit::OwnMap of more than one symbol where maps are linked.
+// nullopt when the word is empty or names a map that takes no part; where keepsCode(), since solids are shown
+// where their maps put them; and for BranchEdit::OwnMap of more than one symbol where maps are linked.
 std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<const Fractal>& fractal,
                                                        const ifs::ControlCage<3>& cage,
                                                        const ifs::Word& branch, BranchEdit edit);

@@ -92,6 +92,9 @@ QWidget* BranchBar::makeBranch() {
         tr("The system keeps its number of maps. All branches that this map makes change in the same way."));
     add(tr("Only here"), tr("The code does not change. Only this branch is shown in another position; the "
                             "same change does not appear at other scales."));
+    add(tr("Here and inside it"),
+        tr("The code does not change. This branch is shown in another position, and so is the same branch "
+           "inside it, again and again: a frond curls up. Nothing beside it changes."));
     m_edit->setAccessibleName(tr("What editing the branch changes"));
     for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})
         yields->setMinimumWidth(minLetters * fontMetrics().averageCharWidth());
@@ -114,7 +117,7 @@ QWidget* BranchBar::makeBranch() {
     connect(m_depth, &QSpinBox::valueChanged, &choice(), &BranchChoice::setDepth);
     connect(m_edit, &QComboBox::currentIndexChanged, this, [this](int index) {
         constexpr std::array edits{document::BranchEdit::OwnMap, document::BranchEdit::LastMap,
-                                   document::BranchEdit::Display};
+                                   document::BranchEdit::Display, document::BranchEdit::Inside};
         choice().setEdit(edits.at(std::size_t(index)));
         m_edit->setWhatsThis(m_edit->itemData(index, Qt::ToolTipRole).toString());
     });
@@ -167,7 +170,8 @@ void BranchBar::follow() {
                               : tr("Shows all branches in their original positions, given by their maps"));
     // Solids are shown where their maps put them.
     if (auto* edits = qobject_cast<QStandardItemModel*>(m_edit->model()))
-        edits->item(m_edit->count() - 1)->setEnabled(!document::space(fractal));
+        for (const int last : {1, 2})
+            edits->item(m_edit->count() - last)->setEnabled(!document::space(fractal));
     const document::Shape<2>* shape = document::plane(fractal);
     const bool canPutBack = shape && !shape->moved.empty();
     if (!canPutBack) takeFocusFrom(m_putBack);

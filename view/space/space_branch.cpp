@@ -58,7 +58,7 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     const ifs::Word branch = m_choice->branch();
     const auto cage = document::knownSpaceCage(m_document->fractal());
     if (branch.empty() || !cage) return std::nullopt;
-    const bool isElsewhere = m_choice->edit() == document::BranchEdit::Display;
+    const bool isElsewhere = document::keepsCode(m_choice->edit());
     obstacle = isElsewhere
                    ? tr("In space a branch is always shown where its maps put it. Choose “New map for "
                         "this branch” or “Last map of the address” below.")

@@ -65,7 +65,7 @@ QString BranchChoice::text() const {
 
 QString BranchChoice::lockObstacle() const {
     const ifs::Word word = branch();
-    if (word.empty() || m_edit == document::BranchEdit::Display) return {};
+    if (word.empty() || document::keepsCode(m_edit)) return {};
     const bool isFirst = m_edit == document::BranchEdit::OwnMap;
     return document::lockObstacle(m_document.fractal(),
                                   std::vector{std::size_t(isFirst ? word.front() : word.back())});

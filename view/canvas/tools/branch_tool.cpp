@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/addresses.h"
+#include "ifs/cage/map_handles.h"
 
 #include <QKeyEvent>
 
@@ -51,6 +52,17 @@ void BranchTool::selectAt(const QPointF& position) {
     selection().setFocused({});
     m_choice.choose(address);
     say();
+}
+
+double BranchTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
+    if (m_choice.edit() != document::BranchEdit::Inside || allowsNoAttractor())
+        return MapsTool::shareToShow(after);
+    const auto way = ifs::safeWay<2>(
+        [&](double share) { return std::vector{document::recurringMap(after(share), handles().branch())}; });
+    scene().notes().setPrompt(
+        way.share < 1 ? tr("Stopped: beyond this, the branch would not become smaller inside itself.")
+                      : QString());
+    return way.share;
 }
 
 void BranchTool::press(const Pointer& pointer) {

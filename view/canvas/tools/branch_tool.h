@@ -16,6 +16,7 @@ public:
     // Which branch it is. The window into space has the same.
     BranchChoice& choice() { return m_choice; }
 
+    double shareToShow(const std::function<const document::Fractal&(double)>& after) override;
     void press(const Pointer& pointer) override;
     void walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;

@@ -19,7 +19,7 @@ public:
     bool allowsNoAttractor() const { return m_allowsNoAttractor; }
     // How much of a change, after(0) to after(1), may be shown: all of it, or as much as leaves an attractor.
     // Then the canvas says why. What `after` returns must live until it is called again.
-    double shareToShow(const std::function<const document::Fractal&(double)>& after);
+    virtual double shareToShow(const std::function<const document::Fractal&(double)>& after);
     void dismissStop(); // takes that sentence away
 
     void walk(int step) override;

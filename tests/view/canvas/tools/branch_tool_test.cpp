@@ -2,6 +2,7 @@
 #include "bars/branch_bar.h"
 #include "canvas/marks/address_walk.h"
 #include "document/fractal_geometry.h"
+#include "document/map_handles.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/system/branch.h"
@@ -263,6 +264,53 @@ private slots:
         click(pointOf({0, 0})); // another branch: the button is for all
         m_bar->putBackButton()->click();
         QVERIFY(m_document->fractal() == before);
+    }
+
+    // The branch inside the branch moves with it, and so on, as one step that can be put back.
+    void orItChangesInsideItself() {
+        m_bar->edit()->setCurrentIndex(3);
+        const document::Fractal before = m_document->fractal();
+        click(pointOf({2, 1, 2, 1, 0}));
+        QCOMPARE(scene().handles().branch(), (Word{2, 1}));
+        const QPointF corner = at({Kind::Vertex, 0, 0});
+        drag(at({Kind::Inside, 0, 0}) * 0.55 + at({Kind::Vertex, 2, 0}) * 0.45, {90, -40});
+        QCOMPARE(steps(), 1);
+        QVERIFY(system() == *document::system2(before));
+        QVERIFY(QLineF(corner + QPointF(90, -40), at({Kind::Vertex, 0, 0})).length() < 1e-6);
+        const ifs::AffineMap<2> step = document::recurringMap(m_document->fractal(), {2, 1});
+        QVERIFY(step != document::recurringMap(before, {2, 1}));
+        // A point of the branch in the branch, twice moved, has its address; where it was there is nothing.
+        const Vector<2> point = *ifs::addressPoint<2>(ifs::mapsOf(system()), {0}, {0});
+        const Word address = read(pixel(step(step(point)))).address;
+        QVERIFY(address.size() > 4 &&
+                std::equal(address.begin(), address.begin() + 5, Word{2, 1, 2, 1, 0}.begin()));
+        m_bar->putBackButton()->click();
+        QVERIFY(m_document->fractal() == before);
+    }
+
+    // It cannot be made so large that it does not get smaller inside itself.
+    void itStopsWhereItWouldNotGetSmallerInside() {
+        m_bar->edit()->setCurrentIndex(3);
+        m_bar->depth()->setValue(1);
+        click(pointOf({1, 2, 0}));
+        QCOMPARE(scene().handles().branch(), Word{1});
+        const QPointF corner = at({Kind::Vertex, 1, 0}), far = corner + QPointF(3000, 0);
+        press(corner);
+        move(corner + QPointF(30, 0));
+        QVERIFY(stopNote().isEmpty());
+        move(far);
+        QVERIFY2(stopNote().contains(QStringLiteral("smaller inside itself")), qPrintable(stopNote()));
+        const auto radius = [&] {
+            return ifs::spectralRadius<2>(document::recurringMap(m_document->fractal(), {1}).linear);
+        };
+        QVERIFY(radius() < 1 && radius() > 0.9);
+        release(far);
+        QVERIFY(stopNote().isEmpty());
+        QCOMPARE(steps(), 1);
+        m_document->undoStack()->undo();
+        m_canvas->tools().setAllowsNoAttractor(true);
+        drag(corner, {3000, 0});
+        QVERIFY(radius() > 1);
     }
 
     void theSelectedMapsSwingAboutTheirRoots() {
