@@ -160,6 +160,24 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
     return result;
 }
 
+// Whether the file begins with an entry whose name looks like a tag, “<flame>a {”.
+bool beginsWithEntry(const QByteArray& bytes) {
+    constexpr qsizetype longest = 4096;
+    QByteArray head = bytes.left(longest).trimmed();
+    if (head.startsWith("\xef\xbb\xbf")) head = head.sliced(3).trimmed();
+    if (!head.startsWith('<') || head.startsWith("<?") || head.startsWith("<!") || head.contains("<style"))
+        return false;
+    QByteArray outside; // of quotation marks, on the first line, after the last tag
+    bool isQuoted = false;
+    for (const char c : head) {
+        if (c == '\n' || c == '\r') break;
+        if (c == '"') isQuoted = !isQuoted;
+        if (c == '>') outside.clear();
+        if (!isQuoted) outside += c;
+    }
+    return outside.contains('{');
+}
+
 // Nothing that could be an entry was found.
 bool isUnknown(const document::FractalFile& file, const QByteArray& bytes) {
     return file.entries.isEmpty() && !file.problems.isEmpty() && !bytes.trimmed().isEmpty() &&
@@ -174,8 +192,10 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
         return {format, fileOf(readVideoSystem(bytes)), false};
     if (const QString format = rasterFormat(bytes); !format.isEmpty())
         return {format, fileOf(readRasterSystem(bytes)), false};
-    if (looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
-    if (looksLikeFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes, options.axis), false};
+    const bool isMarkup = !beginsWithEntry(bytes);
+    if (isMarkup && looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
+    if (isMarkup && looksLikeFlame(bytes))
+        return {QStringLiteral("flame"), readFlame(bytes, options.axis), false};
     if (looksLikeAifs(bytes)) return {QStringLiteral("aifs"), readAifs(bytes), false};
     constexpr qsizetype sample = 4000; // bytes, enough for five lines of a matrix
     const bool isTable = options.columns || isTableToFractintUnknown(QString::fromUtf8(bytes.left(sample)));

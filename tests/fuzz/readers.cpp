@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/readers.h"
 
+#include "fuzz/handled.h"
+
 #include "document/journal.h"
 #include "io/collection_reader.h"
 #include "io/fractint/entry_writer.h"
@@ -26,8 +28,6 @@
 #include <zlib.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 namespace fuzz {
@@ -35,12 +35,6 @@ namespace fuzz {
 namespace {
 
 using document::Problem;
-
-void promise(bool kept, const char* what) {
-    if (kept) return;
-    std::fprintf(stderr, "broken promise: %s\n", what);
-    std::abort();
-}
 
 template <int Dim> void checkNumbers(const ifs::IteratedFunctionSystem<Dim>& system) {
     for (const auto& map : system.maps)
@@ -137,6 +131,7 @@ void readFractint(const QByteArray& bytes) {
     promise(io::writeFractint(file) == bytes, "a file nobody touched is written byte for byte");
     if (!file.entries.isEmpty()) checkRewritten(*file.entries.first().fractal);
     checkEdited(file);
+    checkHandled(file);
 }
 
 // What the program opens, whatever it is.
@@ -145,6 +140,7 @@ void readCollection(const QByteArray& bytes) {
     check(collection.file);
     promise(!collection.file.entries.isEmpty() || !collection.file.problems.isEmpty(),
             "nothing to show is a problem");
+    checkHandled(collection.file);
 }
 
 void readFlame(const QByteArray& bytes) {
@@ -162,6 +158,7 @@ void readFlame(const QByteArray& bytes) {
         for (std::size_t k = 0; k < a.size(); ++k)
             promise(a[k].map == b[k].map, "a flame that is written keeps its numbers");
     }
+    checkHandled(file);
 }
 
 void readTable(const QByteArray& bytes) {
@@ -178,6 +175,7 @@ void readTable(const QByteArray& bytes) {
         for (std::size_t i = 0; i < table.rows.size(); ++i)
             promise(back.rows[i].map == table.rows[i].map, "a table that is copied keeps its numbers");
     }
+    checkHandled(io::readCollection(bytes, QStringLiteral("some.csv")).file);
 }
 
 void readPalettes(const QByteArray& bytes) {
@@ -211,6 +209,7 @@ void readPng(const QByteArray& bytes) {
         const io::EmbeddedSystem system = io::readPngSystem(png);
         promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
         promise(system.failure || png.startsWith("\x89PNG"), "only pictures carry systems");
+        checkHandled(io::readFractint(system.text));
     }
 }
 
@@ -218,6 +217,7 @@ void readRaster(const QByteArray& bytes) {
     if (io::rasterFormat(bytes).isEmpty()) return;
     const io::EmbeddedSystem system = io::readRasterSystem(bytes);
     promise(bool(system.failure) == system.text.isEmpty(), "a text or a failure");
+    checkHandled(io::readFractint(system.text));
     const io::DecodedPicture picture = io::decodedPicture(bytes);
     promise(picture.flaw.has_value() == picture.image.isNull(), "a picture or a sentence");
 }
@@ -264,6 +264,7 @@ void readSvg(const QByteArray& bytes) {
     const io::EmbeddedSystem system = io::readSvgSystem(bytes);
     promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
     promise(system.text.size() <= bytes.size() * 3, "no entity is expanded");
+    checkHandled(io::readFractint(system.text));
 }
 
 void readVideo(const QByteArray& bytes) {
@@ -271,6 +272,7 @@ void readVideo(const QByteArray& bytes) {
     promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
     promise(system.failure || !io::looksLikeVideo(bytes).isEmpty(), "only videos carry systems");
     promise(system.text.size() <= bytes.size() * 3, "no text is longer than the file");
+    checkHandled(io::readFractint(system.text));
 }
 
 void readJournal(const QByteArray& bytes) {
@@ -343,8 +345,8 @@ std::span<const Reader> readers() {
         {"fractint", readFractint, {"ifs", "par"}},
         {"collection",
          readCollection,
-         {"ifs", "par", "flame", "flam3", "xml", "csv", "tsv", "txt", "svg", "png", "jpg", "webp", "tiff",
-          "exr"}},
+         {"ifs", "par", "flame", "flam3", "xml", "aifs", "json", "csv", "tsv", "txt", "svg", "png", "jpg",
+          "webp", "tiff", "exr"}},
         {"flame", readFlame, {"flame", "flam3", "xml"}},
         {"table", readTable, {"csv", "tsv", "txt"}},
         {"lesson", readLesson, {"lesson"}},

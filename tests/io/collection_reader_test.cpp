@@ -76,6 +76,11 @@ void CollectionReaderTest::formats_data() {
     row("a bad first row", "a,b,c,d,e,f,p\nO.5,0,0,.5,0,0,.5\n.5,0,0,.5,1,0,.5\n", "table", 0);
     row("bad rows alone", ".5,0,0,.5,0,0,nan\n", "table", 0);
     row("flame", "<flame><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>", "flame", 1);
+    row("braces in a flame",
+        "<flame name=\"{a\"><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 0\"/></flame>", "flame", 1);
+    row("braces in a drawing", "<svg><style>.a{fill:red}\n.b{fill:red}</style></svg>", "svg", 0);
+    row("an entry named like a tag", "<flame>a {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n", "fractint", 2);
+    row("an entry named like a drawing", "<svg {\n .5 0 0 .5 0 0 1\n}\n", "fractint", 1);
     row("expressions are no table", "0, 0.16*y;0.5\r\n0.5*x, y/2;0.5\r\n", "unknown", 0);
     row("prose", "Once upon a time\nthere were 6 maps\n", "unknown", 0);
     row("binary", "\x01\x02\x03\x04\x05\x06\x07\x08", "unknown", 0);
