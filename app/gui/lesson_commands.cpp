@@ -46,9 +46,23 @@ QByteArray resource(const QString& name) {
 struct Reading {
     bool isOrdinary = false; // else it is not read
     io::Failure failure;
-    io::LessonFile lesson;   // when there is no failure
-    bool isFileGone = false; // that of its fractals
+    io::LessonFile lesson; // when there is no failure
+    QString fractals;      // their path; empty when they are gone
 };
+
+QString referenceTo(const QString& fractals, const QString& lesson) {
+    return QFileInfo(lesson).absoluteDir().relativeFilePath(QFileInfo(fractals).absoluteFilePath());
+}
+
+// Where the lesson says, or beside it when both have been moved. Empty: they are in neither place.
+QString fractalsOf(const QString& lesson, const QString& reference) {
+    const QDir folder = QFileInfo(lesson).absoluteDir();
+    for (const QString& file : {reference, QFileInfo(reference).fileName()}) {
+        const QString path = QDir::cleanPath(folder.filePath(file));
+        if (QFileInfo::exists(path)) return path;
+    }
+    return {};
+}
 
 QFuture<Reading> readBeside(const QString& path) {
     return io::inBackground<Reading>([path](QPromise<Reading>& promise) {
@@ -59,8 +73,8 @@ QFuture<Reading> readBeside(const QString& path) {
             const io::Loaded loaded = io::loadFile(path);
             reading.failure = loaded.failure;
             if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
-            const QString& fractals = reading.lesson.lesson.file;
-            reading.isFileGone = !fractals.isEmpty() && !QFileInfo::exists(info.dir().filePath(fractals));
+            const QString& reference = reading.lesson.lesson.file;
+            if (!reference.isEmpty()) reading.fractals = fractalsOf(path, reference);
         }
         promise.addResult(std::move(reading));
     });
@@ -100,11 +114,15 @@ void LessonCommands::createActions() {
     add({"add", tr("&Add Step"), {}, tr("Add a step to the lesson, with the current state of the window")},
         [this] { addStep(); });
     QAction* save =
-        add({"save", tr("Save &Lesson…"), {}, tr("Save the lesson in the same folder as its fractals")},
+        add({"save", tr("Save &Lesson…"), {}, tr("Save the lesson as a text that refers to its fractals")},
             [this] { this->save(); });
-    const auto update = [this, play, next, back, save] {
+    QAction* saveAs = add(
+        {nullptr, tr("Sa&ve Lesson As…"), {}, tr("Save the lesson under another name or in another folder")},
+        [this] { this->saveAs(); });
+    const auto update = [this, play, next, back, save, saveAs] {
         play->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
-        save->setEnabled(!m_notebook->isEmpty() && !m_player->isPlaying());
+        for (QAction* saving : {save, saveAs})
+            saving->setEnabled(!m_notebook->isEmpty() && !m_player->isPlaying());
         next->setEnabled(m_player->isPlaying());
         back->setEnabled(m_player->isPlaying());
     };
@@ -181,18 +199,17 @@ bool LessonCommands::adopt(const LessonPlace& place, const QString& name, io::Le
     };
     if (read.lesson.steps.isEmpty()) return fail(read.problems.first().message);
     if (read.lesson.file.isEmpty())
-        return fail(tr("The lesson names no file of fractals in its folder (“file: name.ifs”)."));
+        return fail(tr("The lesson names no file of fractals (“file: name.ifs”)."));
     const QScopedValueRollback<bool> opening(m_isOpening, true);
     if (place.lesson.isEmpty()) {
         m_file->startFrom(io::readFractint(resource(read.lesson.file)), document::EntryId::None);
-    } else {
-        const QString beside = QFileInfo(place.lesson).dir().filePath(read.lesson.file);
-        if (!m_commands->open(place.fractals.isEmpty() ? beside : place.fractals)) return false;
+    } else if (!m_commands->open(place.fractals)) {
+        return false;
     }
     m_filePath = m_file->path();
     const document::Problems problems = read.problems;
     m_notebook->open(std::move(read.lesson), place.lesson);
-    if (!place.fractals.isEmpty()) m_notebook->moveTo(QFileInfo(place.fractals).fileName());
+    if (place.isOther) m_notebook->moveTo(referenceTo(place.fractals, place.lesson));
     if (!problems.isEmpty()) context().messages->say(document::toText(problems.first(), name));
     return true;
 }
@@ -210,11 +227,12 @@ bool LessonCommands::open(const QString& path) {
         context().messages->fail(tr("%1 could not be opened").arg(name), *failure);
         return false;
     }
-    if (reading.isFileGone && !reading.lesson.lesson.steps.isEmpty()) {
+    const document::Lesson& lesson = reading.lesson.lesson;
+    if (reading.fractals.isEmpty() && !lesson.file.isEmpty() && !lesson.steps.isEmpty()) {
         offerToFind(path, std::move(reading.lesson));
         return false;
     }
-    if (!adopt({path, {}}, name, std::move(reading.lesson))) return false;
+    if (!adopt({path, reading.fractals}, name, std::move(reading.lesson))) return false;
     recent_files::add(path);
     showPanel();
     return true;
@@ -232,8 +250,8 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
     auto* box =
         new QMessageBox(QMessageBox::Warning, QApplication::applicationDisplayName(),
                         tr("%1 could not be opened").arg(name) + u'.', QMessageBox::Cancel, m_parts.window);
-    box->setInformativeText(tr("The file of its fractals, “%1”, is not in the folder of the lesson. It may "
-                               "have been renamed or moved.")
+    box->setInformativeText(tr("The file of its fractals, “%1”, was not found. It may have been renamed or "
+                               "moved.")
                                 .arg(lesson.lesson.file));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* find = box->addButton(tr("&Find…"), QMessageBox::AcceptRole);
@@ -243,7 +261,8 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
         const QString found =
             view::chooseFileToOpen(m_parts.window, tr("Find “%1”").arg(lesson.lesson.file),
                                    tr("Fractint collections (*.ifs *.par)"), QFileInfo(path).path());
-        if (found.isEmpty() || !self || !adopt({path, found}, QFileInfo(path).fileName(), lesson)) return;
+        if (found.isEmpty() || !self || !adopt({path, found, true}, QFileInfo(path).fileName(), lesson))
+            return;
         recent_files::add(path);
         showPanel();
         context().messages->say(tr("The lesson now refers to %1. Save the lesson to keep this change.")
@@ -301,37 +320,40 @@ bool LessonCommands::maybeSave() {
     }
 }
 
-bool LessonCommands::save() {
+// The lesson refers to the file of its fractals.
+bool LessonCommands::isReadyToSave() {
     if (m_notebook->isEmpty() || m_player->isPlaying()) return false;
-    if (m_file->path().isEmpty() && !m_commands->saveAs()) return false; // the lesson stands beside it
+    return !m_file->path().isEmpty() || m_commands->saveAs();
+}
+
+bool LessonCommands::save() {
+    if (m_notebook->path().isEmpty()) return saveAs();
+    return isReadyToSave() && saveTo(m_notebook->path());
+}
+
+bool LessonCommands::saveAs() {
+    if (!isReadyToSave()) return false;
     const QFileInfo fractals(m_file->path());
-    const QString name = fractals.fileName();
-    if (!document::isLessonFileName(name)) {
-        context().messages->fail(tr("The lesson was not saved"),
-                                 tr("A lesson cannot refer to a file named “%1”. Save the fractals under a "
-                                    "name without : * ? \" < > | first.")
-                                     .arg(name));
-        return false;
-    }
-    QString path = m_notebook->path();
-    if (path.isEmpty() || QFileInfo(path).dir() != fractals.dir())
-        path = view::chooseFileToSave(
-            m_parts.window, tr("Save Lesson in the Folder of “%1”").arg(name),
-            fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson")),
-            tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
-    if (path.isEmpty()) return false;
-    if (QFileInfo(path).absoluteDir() != fractals.absoluteDir()) {
-        context().messages->fail(tr("The lesson was not saved"),
-                                 tr("A lesson must be in the folder of its fractals, “%1”.")
-                                     .arg(QDir::toNativeSeparators(fractals.absolutePath())));
-        return false;
-    }
-    m_notebook->setFile(name);
-    return saveTo(path);
+    QString suggestion = m_notebook->path();
+    if (suggestion.isEmpty())
+        suggestion = fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson"));
+    const QString path = view::chooseFileToSave(m_parts.window, tr("Save Lesson"), suggestion,
+                                                tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
+    return !path.isEmpty() && saveTo(path);
 }
 
 bool LessonCommands::saveTo(const QString& path) {
     const QString name = QFileInfo(path).fileName();
+    const QString reference = referenceTo(m_file->path(), path);
+    if (!document::isLessonFile(reference)) {
+        context().messages->fail(tr("The lesson was not saved"),
+                                 tr("A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, "
+                                    "with no : * ? \" < > | in "
+                                    "its name and folders.")
+                                     .arg(QDir::toNativeSeparators(reference)));
+        return false;
+    }
+    m_notebook->setFile(reference);
     const QPointer<LessonCommands> self(this);
     const view::Saving saving = view::saveBeside(path, io::writeLesson(m_notebook->lesson()), m_parts.window);
     if (!self || saving.isCancelled) return false;

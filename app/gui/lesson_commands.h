@@ -40,13 +40,16 @@ private:
     void createActions();
     void connectPanel();
     struct LessonPlace {
-        QString lesson;   // its path; empty for one that comes with the program
-        QString fractals; // their path, when it is not the one that the lesson names
+        QString lesson;       // its path; empty for one that comes with the program
+        QString fractals;     // their path
+        bool isOther = false; // than the lesson says, as the user has found them
     };
     bool adopt(const LessonPlace& place, const QString& name, io::LessonFile read);
     void offerToFind(const QString& path, io::LessonFile lesson);
     void showPanel();
     bool save();
+    bool saveAs();
+    bool isReadyToSave();
     bool saveTo(const QString& path);
     void addStep();
     void play();

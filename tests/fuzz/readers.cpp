@@ -296,8 +296,8 @@ void readLesson(const QByteArray& bytes) {
     const document::Lesson& lesson = file.lesson;
     promise(!lesson.steps.isEmpty() || !file.problems.isEmpty(), "a lesson without steps is a problem");
     promise(lesson.steps.size() <= document::maxLessonSteps, "a lesson has an end");
-    promise(lesson.file.isEmpty() || document::isLessonFileName(lesson.file),
-            "a lesson names a file in its folder");
+    promise(lesson.file.isEmpty() || document::isLessonFile(lesson.file),
+            "a lesson names a file of fractals");
     for (const document::LessonStep& step : lesson.steps) {
         promise(step.text.size() <= document::maxLessonText && step.title.size() <= document::maxLessonTitle,
                 "a text is short");

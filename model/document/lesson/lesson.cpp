@@ -19,6 +19,17 @@ QString cut(const QString& text, int limit) {
     return kept;
 }
 
+constexpr int maxPath = 4096;
+
+bool isPortable(const QString& name) {
+    return !name.isEmpty() &&
+           std::ranges::none_of(name, [](QChar c) { return QStringLiteral("\\:*?\"<>|").contains(c); });
+}
+
+bool hasSuffix(const QString& name, const char* suffix) {
+    return name.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+}
+
 } // namespace
 
 attractor::Camera cameraOf(const LessonArea& area, attractor::RasterSize size) {
@@ -31,11 +42,17 @@ LessonArea areaOf(const attractor::Camera& camera) {
     return {attractor::viewOf(camera), camera.width / camera.pixelsPerUnit};
 }
 
-bool isLessonFileName(const QString& name) {
-    if (name.isEmpty() || name.size() > 255 || name.startsWith(u'.') || name != lessonLine(name, 255))
+bool isLessonFile(const QString& path) {
+    if (path.size() > maxPath || path != lessonLine(path, maxPath)) return false;
+    QStringList folders = path.split(u'/');
+    const QString name = folders.takeLast();
+    if (!isPortable(name) || name.size() > 255 || name.startsWith(u'.') || hasSuffix(name, ".lesson"))
         return false;
-    if (name.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive)) return false; // it could name itself
-    return std::ranges::none_of(name, [](QChar c) { return QStringLiteral("/\\:*?\"<>|").contains(c); });
+    if (folders.isEmpty()) return true;
+    const QString& root = folders.front();
+    const bool isDrive = root.size() == 2 && root[0].isLetter() && root[1] == u':';
+    if (root.isEmpty() || isDrive) folders.removeFirst();
+    return (hasSuffix(name, ".ifs") || hasSuffix(name, ".par")) && std::ranges::all_of(folders, isPortable);
 }
 
 QString lessonLine(const QString& text, int limit) {

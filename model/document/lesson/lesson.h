@@ -106,15 +106,16 @@ struct LessonStep {
 
 struct Lesson {
     QString title; // one line
-    QString file;  // the name of the .ifs file in the same folder
+    QString file;  // of its fractals, seen from the folder of the lesson; isLessonFile()
     QList<LessonStep> steps;
     QStringList unknown; // as above
 
     friend bool operator==(const Lesson&, const Lesson&) = default;
 };
 
-// Whether it is the name of a file in the same folder and nothing else: no path, no drive, no device.
-bool isLessonFileName(const QString& name);
+// Whether a lesson may refer to that file: any in its own folder, but for another lesson; elsewhere, by a
+// relative or an absolute path with slashes, only a Fractint collection. No other machine, no device.
+bool isLessonFile(const QString& path);
 
 // The text as it can be kept: without control characters and marks that reorder text, blanks at the ends of
 // lines and empty lines around, and not longer than `limit` characters.

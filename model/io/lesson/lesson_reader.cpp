@@ -396,10 +396,11 @@ void Reader::setInHead(const QString& key, const QString& value) {
         lesson.title = value == QLatin1String("-") ? QString() : document::lessonLine(value);
     } else if (key != QLatin1String("file")) {
         keep(lesson.unknown, key + QLatin1String(": ") + value);
-    } else if (document::isLessonFileName(value)) {
+    } else if (document::isLessonFile(value)) {
         lesson.file = value;
     } else {
-        warn(Text::tr("“%1” is not the name of a file in the folder of the lesson.")
+        warn(Text::tr("A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs "
+                      "or .par file in another one.")
                  .arg(document::lessonLine(value)));
     }
 }

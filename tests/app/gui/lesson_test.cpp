@@ -40,6 +40,7 @@ private slots:
     void theTextCoversNothing();
     void theFileIsNotSavedMeanwhile();
     void lessonsAreSavedAndOpened();
+    void lessonsMayStandElsewhere();
     void unsavedStepsAreAskedFor();
     void unsavedStepsAreRecovered();
     void fractalsThatAreGoneAreFound();
@@ -82,6 +83,22 @@ private:
                 if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible())
                     box->button(button)->click();
         });
+    }
+    // In the dialog that will ask for one.
+    void chooseFile(QTimer& answering, const QString& path) {
+        connect(&answering, &QTimer::timeout, this, [path] {
+            QWidget* shown = QApplication::activeModalWidget();
+            auto* files = qobject_cast<QFileDialog*>(shown);
+            auto* complaint = qobject_cast<QMessageBox*>(shown); // of a folder that is not read yet
+            if (complaint && qobject_cast<QFileDialog*>(complaint->parentWidget()))
+                return complaint->reject();
+            if (!files) return;
+            // Once more until it has been taken.
+            files->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(path);
+            // Not at once: while the complaint that may follow is shown, this timer is to go on.
+            QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+        });
+        answering.start(50);
     }
     QStringList failures() const {
         QStringList said;
@@ -363,6 +380,41 @@ void LessonTest::lessonsAreSavedAndOpened() {
     QTRY_VERIFY(notebook()->isEmpty());
 }
 
+void LessonTest::lessonsMayStandElsewhere() {
+    const QTemporaryDir folder;
+    for (const QString& name : {u"course"_s, u"fractals"_s, u"moved"_s})
+        QVERIFY(QDir(folder.path()).mkdir(name));
+    const QString fractals = folder.filePath(u"fractals/a.ifs"_s);
+    const QString path = folder.filePath(u"course/my.lesson"_s);
+    write(fractals, "a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n");
+    QVERIFY(m_window->openPath(fractals));
+    action(u"Add Step"_s)->trigger();
+    {
+        QTimer answering;
+        chooseFile(answering, path);
+        action(u"Save Lesson As…"_s)->trigger();
+    }
+    QVERIFY(!notebook()->isModified());
+    QCOMPARE(notebook()->path(), path);
+    QFile saved(path);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QVERIFY(saved.readAll().contains("\nfile: ../fractals/a.ifs\n"));
+    // It stays there without another question.
+    notebook()->setText(u"More."_s);
+    action(u"Save Lesson…"_s)->trigger();
+    QVERIFY(!notebook()->isModified() && !QFile::exists(folder.filePath(u"fractals/my.lesson"_s)));
+    QVERIFY(m_window->openPath(path));
+    QCOMPARE(m_window->path(), fractals);
+    QCOMPARE(notebook()->lesson().steps.value(0).text, u"More."_s);
+    // Both were moved into one folder.
+    const QString moved = folder.filePath(u"moved/my.lesson"_s);
+    QVERIFY(QFile::rename(path, moved));
+    QVERIFY(QFile::rename(fractals, folder.filePath(u"moved/a.ifs"_s)));
+    QVERIFY(m_window->openPath(moved));
+    QCOMPARE(m_window->path(), folder.filePath(u"moved/a.ifs"_s));
+    QVERIFY(!notebook()->isModified());
+}
+
 void LessonTest::unsavedStepsAreAskedFor() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(u"a.ifs"_s);
@@ -431,18 +483,7 @@ void LessonTest::fractalsThatAreGoneAreFound() {
         if (button->text() == u"&Find…"_s) find = button;
     QVERIFY(find);
     QTimer answering;
-    connect(&answering, &QTimer::timeout, this, [&] {
-        QWidget* shown = QApplication::activeModalWidget();
-        auto* files = qobject_cast<QFileDialog*>(shown);
-        auto* complaint = qobject_cast<QMessageBox*>(shown); // of a folder that is not read yet
-        if (complaint && qobject_cast<QFileDialog*>(complaint->parentWidget())) return complaint->reject();
-        if (!files) return;
-        // Once more until it has been taken.
-        files->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(renamed);
-        // Not at once: while the complaint that may follow is shown, this timer is to go on.
-        QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
-    });
-    answering.start(50);
+    chooseFile(answering, renamed);
     find->click();
     QTRY_COMPARE(m_window->path(), renamed);
     QTRY_COMPARE(notebook()->lesson().file, u"renamed.ifs"_s);
@@ -464,7 +505,8 @@ void LessonTest::filesThatCannotBePlayed() {
           {"lesson: a\nfile: a.ifs\n", u"no steps"_s},
           {"lesson: a\n\n## one\n", u"names no file"_s},
           {"lesson: a\nfile: a.lesson\n\n## one\n", u"names no file"_s},
-          {"lesson: a\nfile: ../a.ifs\n\n## one\n", u"names no file"_s},
+          {"lesson: a\nfile: ../a.txt\n\n## one\n", u"names no file"_s},
+          {"lesson: a\nfile: ../gone/b.ifs\n\n## one\n", u"b.ifs"_s},
           {"lesson: a\nfile: gone.ifs\n\n## one\n", u"gone.ifs"_s}}) {
         write(path, bytes);
         QVERIFY(!m_window->openPath(path));

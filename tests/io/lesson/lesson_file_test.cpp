@@ -24,8 +24,8 @@ private slots:
     void settingsAreReadLeniently_data();
     void settingsAreReadLeniently();
     void aLaterVersionsSettingsAreKept();
-    void onlyFilesBesideTheLessonAreNamed_data();
-    void onlyFilesBesideTheLessonAreNamed();
+    void onlyFilesOfFractalsAreNamed_data();
+    void onlyFilesOfFractalsAreNamed();
     void hostileFiles_data();
     void hostileFiles();
     void textsArePlain();
@@ -178,20 +178,23 @@ void LessonFileTest::aLaterVersionsSettingsAreKept() {
     QCOMPARE(io::writeLesson(file.lesson), bytes);
 }
 
-void LessonFileTest::onlyFilesBesideTheLessonAreNamed_data() {
+void LessonFileTest::onlyFilesOfFractalsAreNamed_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("isAllowed");
     QTest::newRow("plain") << u"maple.ifs"_s << true;
     QTest::newRow("letters") << u"Größe (2).ifs"_s << true;
-    for (const char* name : {"", "..", "../a.ifs", "/etc/passwd", "a/b.ifs", "C:\\a.ifs", "\\\\host\\a.ifs",
-                             ".hidden", "a|b", "con:", "self.lesson", "SELF.LESSON"})
+    for (const char* path : {"../a.ifs", "a/b.ifs", "../../Größe 2/.c/b.PAR", "/home/me/a.ifs", "C:/a.ifs"})
+        QTest::newRow(path) << QString::fromUtf8(path) << true;
+    for (const char* name : {"", "..", "/etc/passwd", "../a", "../a.txt", "a/", "/", "C:\\a.ifs",
+                             "a/c:/b.ifs", "\\\\host\\a.ifs", "//host/a.ifs", "a//b.ifs", ".hidden",
+                             "../.ifs", "a|b", "con:", "self.lesson", "../self.lesson", "SELF.LESSON"})
         QTest::newRow(name) << QString::fromUtf8(name) << false;
 }
 
-void LessonFileTest::onlyFilesBesideTheLessonAreNamed() {
+void LessonFileTest::onlyFilesOfFractalsAreNamed() {
     QFETCH(QString, name);
     QFETCH(bool, isAllowed);
-    QCOMPARE(document::isLessonFileName(name), isAllowed);
+    QCOMPARE(document::isLessonFile(name), isAllowed);
     const Lesson lesson = io::readLesson("lesson: a\nfile: " + name.toUtf8() + "\n\n## one\n").lesson;
     QCOMPARE(lesson.file, isAllowed ? name : QString());
 }

@@ -99,7 +99,7 @@ void LessonPanel::createFields() {
     m_text->setTabChangesFocus(true);
     m_play->setToolTip(
         tr("Play the lesson in full screen, from the step you selected or from the beginning"));
-    m_save->setToolTip(tr("Save the lesson in the same folder as its fractals"));
+    m_save->setToolTip(tr("Save the lesson as a text that refers to its fractals"));
     connect(m_title, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setTitle);
     connect(m_stepTitle, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setStepTitle);
     connect(m_text, &QPlainTextEdit::textChanged, this, &LessonPanel::takeText);
