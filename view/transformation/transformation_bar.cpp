@@ -30,6 +30,7 @@ using document::TheftMode;
 constexpr int fewLetters = 10; // of a combo box in a narrow window
 constexpr int moreLetters = 16;
 constexpr int mostLetters = 20; // of the name of an entry
+constexpr int narrowest = 60;   // pixels of a combo box where the window is as narrow as can be
 
 // The names of entries, which may be long, end in dots where there is no room for all of them.
 class NamesBox : public QComboBox {
@@ -68,9 +69,9 @@ MenuButton* menuButton(const QString& text, const QString& tip, QWidget* parent)
     return made;
 }
 
-template <class Box = QComboBox>
 QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
-    auto* made = new Box(parent);
+    auto* made = new NamesBox(parent);
+    made->setMinimumWidth(narrowest);
     made->setAccessibleName(name);
     made->setToolTip(tip);
     made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -83,7 +84,7 @@ QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
 TransformationBar::TransformationBar(QWidget* parent)
     : QWidget(parent),
       m_from(new QLabel(this)),
-      m_partner(comboBox<NamesBox>(tr("Partner"), tr("The entry on which the picture is placed"), this)),
+      m_partner(comboBox(tr("Partner"), tr("The entry on which the picture is placed"), this)),
       m_mode(comboBox(tr("Mode"), tr("What the fractal transformation does with the picture"), this)),
       m_status(new ElidedLabel(this)) {
     setAccessibleName(tr("Fractal transformation"));
@@ -109,15 +110,16 @@ TransformationBar::TransformationBar(QWidget* parent)
     m_status->setAccessibleName(tr("State of the fractal transformation"));
 
     auto* first = new QHBoxLayout;
-    for (QWidget* widget : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner),
-                            static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_picture),
-                            static_cast<QWidget*>(m_starters), static_cast<QWidget*>(m_export)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner), static_cast<QWidget*>(m_mode),
+          static_cast<QWidget*>(m_picture), static_cast<QWidget*>(m_starters)})
         first->addWidget(widget, widget == m_partner ? 1 : 0);
     auto* last = new QHBoxLayout;
     last->addWidget(m_status, 1);
     last->addWidget(m_remedy);
     last->addWidget(m_overlay);
     last->addWidget(m_stack);
+    last->addWidget(m_export);
     last->addStrut(m_remedy->sizeHint().height()); // the bar is as high with a message as without
     m_rows = new QVBoxLayout(this);
     m_rows->setContentsMargins(8, 4, 8, 4);

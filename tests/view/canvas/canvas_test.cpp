@@ -89,7 +89,8 @@ private slots:
         const QRect card(14, 280, 300, 120);
         const QString text =
             QStringLiteral("Drag a corner of the triangle. Or press D and click the three points "
-                           "that are to become the corners of another triangle.");
+                           "that are to become the corners of another triangle. The picture stays "
+                           "where it is, and so does the code of its maps until you bake the cage.");
         m_canvas->setCovered(card);
         m_canvas->setHint(text);
         QTRY_COMPARE(m_canvas->viewport()->size(), QSize(330, 460));

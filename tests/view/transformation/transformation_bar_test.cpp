@@ -8,6 +8,7 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QTest>
+#include <QTranslator>
 
 #include <memory>
 
@@ -42,6 +43,29 @@ private slots:
         QTRY_VERIFY(partner->view()->isVisible());
         QVERIFY(partner->view()->viewport()->width() >= partner->view()->sizeHintForColumn(0));
         partner->hidePopup();
+    }
+
+    void itFitsASmallWindow_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "es", "fr", "mk"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+
+    // As wide as the canvas in a window of 800 by 600 pixels, whatever is offered.
+    void itFitsASmallWindow() {
+        QFETCH(QString, language);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+        QVERIFY(QCoreApplication::installTranslator(&translator));
+        m_bar = std::make_unique<TransformationBar>();
+        m_bar->show(m_file, m_file.entries.at(1).id, m_file.entries.at(2).id, {});
+        for (const auto remedy :
+             {TransformationBar::Remedy::DivideWords, TransformationBar::Remedy::ResetOrder,
+              TransformationBar::Remedy::FindPicture}) {
+            m_bar->showProblem(QStringLiteral("?"), remedy);
+            QVERIFY2(m_bar->minimumSizeHint().width() <= 480,
+                     qPrintable(QString::number(m_bar->minimumSizeHint().width())));
+        }
     }
 
     void sentencesHaveTwoLines() {
