@@ -31,10 +31,6 @@
         <translation>Jede Abbildung erscheint als Bild des Käfigs in ihrer Farbe. Eine Ecke ändert eine Abbildung, das Innere bewegt alle gewählten. Ein Zug hält an, wo der Attraktor verloren ginge.</translation>
     </message>
     <message>
-        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
-        <translation>Umschalt + Mausrad wählt, wie tief der Zweig liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Zweig, die letzte Abbildung seiner Adresse oder nur diesen Zweig.</translation>
-    </message>
-    <message>
         <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>Das Bild bleibt, wo es ist: Von nun an wird es am neuen Dreieck gehalten. Die Rücktaste nimmt die letzte Ecke zurück, Esc bricht ab.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Nur der Teil des Attraktors, den die Abbildung erzeugt, wird gezeichnet. Die Datei ändert sich nicht, und ein anderer Eintrag erscheint wieder ganz.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
+        <translation>Umschalt + Mausrad wählt, wie tief der Zweig liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Zweig, die letzte Abbildung seiner Adresse, nur diesen Zweig oder diesen Zweig und denselben in ihm.</translation>
     </message>
 </context>
 <context>
@@ -424,6 +424,42 @@
     <message>
         <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
         <translation>Volumen der berechneten Hülle, deren Ecken Punkte des Attraktors sind. Die exakte konvexe Hülle ist höchstens um den Fehler größer.</translation>
+    </message>
+    <message>
+        <source>There is no value, because it is not proved that there is an attractor.</source>
+        <translation>Es gibt keinen Wert, weil nicht bewiesen ist, dass es einen Attraktor gibt.</translation>
+    </message>
+    <message>
+        <source>There is no value, because there is no attractor.</source>
+        <translation>Es gibt keinen Wert, weil es keinen Attraktor gibt.</translation>
+    </message>
+    <message>
+        <source>There is no value: for these maps, none could be computed.</source>
+        <translation>Es gibt keinen Wert: für diese Abbildungen ließ sich keiner berechnen.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not all similarities in the same coordinates.</source>
+        <translation>Es gibt keinen Wert, weil nicht alle Abbildungen in denselben Koordinaten Ähnlichkeiten sind.</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(obere Schranke: die Offene-Mengen-Bedingung gilt nicht)</translation>
+    </message>
+    <message>
+        <source>No overlaps were found.</source>
+        <translation>Es wurden keine Überlappungen gefunden.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
+        <translation>Es gibt keinen Wert: Es ist nicht bewiesen, dass der Attraktor die Ebene auf diese Weise pflastert.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not of this kind.</source>
+        <translation>Es gibt keinen Wert, weil diese Abbildungen nicht von dieser Art sind.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps are linked: the equation is another.</source>
+        <translation>Es gibt keinen Wert, weil die Abbildungen verknüpft sind: Die Gleichung ist eine andere.</translation>
     </message>
 </context>
 <context>
@@ -893,16 +929,16 @@
         <translation>Der Text von Schritt %1 ist länger als %2 Zeichen und wurde gekürzt.</translation>
     </message>
     <message>
-        <source>“%1” is not the name of a file in the folder of the lesson.</source>
-        <translation>„%1“ ist kein Name einer Datei im Ordner der Lektion.</translation>
-    </message>
-    <message>
         <source>“%1: %2” was not understood.</source>
         <translation>„%1: %2“ wurde nicht verstanden.</translation>
     </message>
     <message>
         <source>“%1” is unknown to this version and is kept.</source>
         <translation>„%1“ ist dieser Version unbekannt und bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Eine Lektion kann nicht auf „%1“ verweisen, nur auf eine Datei in ihrem eigenen Ordner oder auf eine Datei .ifs oder .par in einem anderen.</translation>
     </message>
 </context>
 <context>
@@ -2194,20 +2230,12 @@
         <translation>Lektion &amp;speichern…</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
-    </message>
-    <message>
         <source>The step now has the current state of the window.</source>
         <translation>Der Schritt hat nun den Zustand des Fensters.</translation>
     </message>
     <message>
         <source>End the lesson before you save (Esc).</source>
         <translation>Beenden Sie vor dem Speichern die Lektion (Esc).</translation>
-    </message>
-    <message>
-        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
-        <translation>Die Lektion nennt keine Datei mit Fraktalen in ihrem Ordner („file: name.ifs“).</translation>
     </message>
     <message>
         <source>“%1” is not a regular file and cannot be opened.</source>
@@ -2230,16 +2258,8 @@
         <translation>Die Lektion wurde nicht gespeichert</translation>
     </message>
     <message>
-        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
-        <translation>Eine Lektion kann keine Datei namens „%1“ nennen. Speichern Sie die Fraktale zuerst unter einem Namen ohne : * ? &quot; &lt; &gt; |.</translation>
-    </message>
-    <message>
         <source>Lessons (*.lesson)</source>
         <translation>Lektionen (*.lesson)</translation>
-    </message>
-    <message>
-        <source>A lesson must be in the folder of its fractals, “%1”.</source>
-        <translation>Eine Lektion muss im Ordner ihrer Fraktale sein, „%1“.</translation>
     </message>
     <message>
         <source>The fractals have unsaved changes.</source>
@@ -2454,10 +2474,6 @@
         <translation>Kopiert.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
-        <translation>Die Datei mit ihren Fraktalen, „%1“, ist nicht im Ordner der Lektion. Vielleicht wurde sie umbenannt oder verschoben.</translation>
-    </message>
-    <message>
         <source>&amp;Find…</source>
         <translation>&amp;Suchen …</translation>
     </message>
@@ -2506,10 +2522,6 @@
         <translation>Die Lektion auf dem ganzen Bildschirm abspielen, vom gewählten Schritt an oder von Anfang an</translation>
     </message>
     <message>
-        <source>Save Lesson in the Folder of “%1”</source>
-        <translation>Lektion im Ordner von „%1“ speichern</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
     </message>
@@ -2520,6 +2532,34 @@
     <message>
         <source>The lesson has unsaved changes.</source>
         <translation>Die Lektion hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Die Lektion als Text speichern, der auf ihre Fraktale verweist</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve Lesson As…</source>
+        <translation>Lektion speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save the lesson under another name or in another folder</source>
+        <translation>Die Lektion unter einem anderen Namen oder in einem anderen Ordner speichern</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals (“file: name.ifs”).</source>
+        <translation>Die Lektion nennt keine Datei mit Fraktalen („file: name.ifs“).</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, was not found. It may have been renamed or moved.</source>
+        <translation>Die Datei mit ihren Fraktalen, „%1“, wurde nicht gefunden. Vielleicht wurde sie umbenannt oder verschoben.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
+        <translation>Eine Lektion kann nicht auf „%1“ verweisen. Speichern Sie die Fraktale zuerst als Datei .ifs, deren Name und Ordner kein : * ? &quot; &lt; &gt; | enthalten.</translation>
     </message>
 </context>
 <context>
@@ -2973,6 +3013,41 @@
     </message>
 </context>
 <context>
+    <name>SpaceBranch</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Klicken Sie auf einen Punkt des Attraktors, um seinen Ast zu wählen.</translation>
+    </message>
+    <message>
+        <source>No branch can be selected here: the address of this point is not known.</source>
+        <translation>Hier lässt sich kein Ast wählen: Die Adresse dieses Punktes ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
+        <translation>Im Raum steht ein Ast immer dort, wohin ihn seine Abbildungen bringen. Wählen Sie unten „Neue Abbildung für diesen Ast“ oder „Letzte Abbildung der Adresse“.</translation>
+    </message>
+    <message>
+        <source>A branch cannot be dragged while it or the cage is flat.</source>
+        <translation>Ein Ast lässt sich nicht ziehen, solange er oder der Käfig flach ist.</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Ast %1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Ast %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Ast %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Ecke %1 des Astes %2 bewegen</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -3028,6 +3103,13 @@
     <message>
         <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
         <translation>Klicken Sie die vierte Ecke, vor den anderen drei. Das Rad schiebt sie weg, und die rechte Taste dreht die Ansicht.</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMaps</name>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -3492,10 +3574,6 @@
         <translation>Der Eintrag hat keine aktive Abbildung und wird weggelassen.</translation>
     </message>
     <message>
-        <source>%1 inactive maps are omitted.</source>
-        <translation>%1 inaktive Abbildungen werden weggelassen.</translation>
-    </message>
-    <message>
         <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>Der Eintrag wird unter dem Namen „%1“ geschrieben: Andere Programme nehmen 18 einfache Zeichen, und jeden Namen einmal.</translation>
     </message>
@@ -3836,10 +3914,6 @@
         <translation>Ein gespeicherter Ort eines Astes ist nicht brauchbar (seine Abbildung ist unvollständig, seine Adresse nennt Abbildungen, die es nicht gibt, oder kommt zweimal vor, oder es sind zu viele) und wird nicht angewandt.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
-        <translation>%1 Zeilen von Blöcken, die keine iterierten Funktionensysteme sind, werden weggelassen.</translation>
-    </message>
-    <message>
         <source>A cell of this row is empty.</source>
         <translation>Eine Zelle dieser Zeile ist leer.</translation>
     </message>
@@ -4133,10 +4207,6 @@
     <message>
         <source>animation</source>
         <translation>Animation</translation>
-    </message>
-    <message>
-        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
-        <translation>%1 Bilder, %2 pro Sekunde, %3; %4 Spuren, %5 Bewegungen</translation>
     </message>
     <message>
         <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
@@ -4597,6 +4667,34 @@
     <message>
         <source>the words %1 and %2 are the same map within rounding error</source>
         <translation>die Wörter %1 und %2 sind bis auf Rundung dieselbe Abbildung</translation>
+    </message>
+    <message>
+        <source>Omitted lines of blocks that are not iterated function systems: %1.</source>
+        <translation>Ausgelassene Zeilen von Blöcken, die keine iterierten Funktionensysteme sind: %1.</translation>
+    </message>
+    <message>
+        <source>Omitted inactive maps: %1.</source>
+        <translation>Ausgelassene inaktive Abbildungen: %1.</translation>
+    </message>
+    <message>
+        <source>a point; exact</source>
+        <translation>ein Punkt; exakt</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(obere Schranke: die Offene-Mengen-Bedingung gilt nicht)</translation>
+    </message>
+    <message>
+        <source>%1, and inside itself</source>
+        <translation>%1, und in sich selbst</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>%1 Bilder, %2 pro Sekunde, %3; Spuren: %4, Bewegungen: %5</translation>
+    </message>
+    <message>
+        <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
+        <translation>Das Bild in „%1“ braucht im Raum mehr als 4 GB Speicher.</translation>
     </message>
 </context>
 <context>
@@ -5253,6 +5351,14 @@
     <message>
         <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
         <translation>Die Hüllen aller Teile mit gleich langer Adresse zeichnen, in der Farbe ihrer ersten Abbildung; ein Klick auf eine zeigt ihre Adresse</translation>
+    </message>
+    <message>
+        <source>This value is still being computed.</source>
+        <translation>Dieser Wert wird noch berechnet.</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -5964,16 +6070,31 @@
         <source>What changes in the code when you drag the branch</source>
         <translation>Was sich im Code ändert, wenn Sie den Ast ziehen</translation>
     </message>
+    <message>
+        <source>Here and inside it</source>
+        <translation>Hier und darin</translation>
+    </message>
+    <message>
+        <source>The code does not change. This branch is shown in another position, and so is the same branch inside it, again and again: a frond curls up. Nothing beside it changes.</source>
+        <translation>Der Code ändert sich nicht. Dieser Zweig wird an anderer Stelle gezeigt, und ebenso derselbe Zweig in ihm, immer wieder: Ein Wedel rollt sich ein. Daneben ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Abbildungen können nicht schwingen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchChoice</name>
+    <message>
+        <source>Branch %1</source>
+        <translation>Ast %1</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Klicken Sie auf einen Punkt des Attraktors, um seinen Ast zu wählen.</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Ast %1</translation>
     </message>
     <message>
         <source>Move corner %1 of branch %2</source>
@@ -5994,6 +6115,10 @@
     <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Dieser Ast ist jetzt Abbildung 1. Zahlen in der Tabelle ändern ihn weiter.</translation>
+    </message>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Angehalten: Darüber hinaus würde der Zweig in sich selbst nicht kleiner.</translation>
     </message>
 </context>
 <context>
@@ -6455,12 +6580,12 @@
         <translation>Ob dieses System einen Attraktor hat, ist nicht entschieden.</translation>
     </message>
     <message>
-        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
-    </message>
-    <message>
         <source>This system has no attractor, so the picture may be incomplete or empty.</source>
         <translation>Dieses System hat keinen Attraktor, deshalb kann das Bild unvollständig oder leer sein.</translation>
+    </message>
+    <message>
+        <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
+        <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen können. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
     </message>
 </context>
 <context>
@@ -9439,10 +9564,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Steht neben dem Bild; eine leere Zeile beginnt einen Absatz</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Die Lektion neben der Datei ihrer Fraktale speichern</translation>
-    </message>
-    <message>
         <source>Panels</source>
         <translation>Felder</translation>
     </message>
@@ -9470,6 +9591,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
         <translation>Die Lektion auf dem ganzen Bildschirm abspielen, vom gewählten Schritt an oder von Anfang an</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Die Lektion als Text speichern, der auf ihre Fraktale verweist</translation>
     </message>
 </context>
 <context>
@@ -10432,8 +10557,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Nummern der Abbildungen</translation>
     </message>
     <message>
-        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
-        <translation>Ziehen Sie eine Nummer, um die Abbildung anderswohin zu setzen. Ein Zeichen warnt vor einer Abbildung, die nicht kontrahiert.</translation>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract, or that a negative weight switches off.</source>
+        <translation>Ziehen Sie eine Nummer, um die Abbildung anderswohin zu setzen. Ein Zeichen warnt vor einer Abbildung, die nicht kontrahiert oder die ein negatives Gewicht ausschaltet.</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12424,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schnitt verschieben</translation>
     </message>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
-    </message>
-    <message>
         <source>Move Face %1</source>
         <translation>Seite %1 bewegen</translation>
     </message>
@@ -12325,6 +12446,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Mittelpunkt der Symmetrie verschieben</translation>
+    </message>
+    <message>
+        <source>This branch is now map 1. You can change it further in the table.</source>
+        <translation>Dieser Ast ist jetzt Abbildung 1. Zahlen in der Tabelle ändern ihn weiter.</translation>
     </message>
 </context>
 <context>
@@ -12511,6 +12636,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Abbildung %5, Ecke %1 bei %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Corner %1 of the branch at %2, %3, %4</source>
+        <translation>Ecke %1 des Astes bei %2, %3, %4</translation>
     </message>
 </context>
 <context>

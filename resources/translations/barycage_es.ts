@@ -31,10 +31,6 @@
         <translation>Cada aplicación se muestra como imagen de la jaula en su color. Un vértice cambia una aplicación; el interior mueve todas las seleccionadas. El arrastre se detiene donde se perdería el atractor.</translation>
     </message>
     <message>
-        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
-        <translation>Mayús + rueda elige la profundidad de la rama. La barra bajo el lienzo dice qué cambia el arrastre: una aplicación nueva para esta rama, la última aplicación de su dirección o solo esta rama.</translation>
-    </message>
-    <message>
         <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>La imagen se queda donde está: desde ahora la sujeta el nuevo triángulo. Retroceso quita el último vértice, Esc cancela.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Solo se dibuja la parte del atractor que produce la aplicación. El archivo no cambia, y otra entrada se muestra de nuevo entera.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
+        <translation>Mayús + rueda elige la profundidad de la rama. La barra bajo el lienzo dice qué cambia el arrastre: una aplicación nueva para esta rama, la última aplicación de su dirección, solo esta rama, o esta rama y la misma dentro de ella.</translation>
     </message>
 </context>
 <context>
@@ -424,6 +424,42 @@
     <message>
         <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
         <translation>Volumen de la envolvente calculada, cuyos vértices son puntos del atractor. La envolvente convexa exacta es mayor como mucho en el error.</translation>
+    </message>
+    <message>
+        <source>There is no value, because it is not proved that there is an attractor.</source>
+        <translation>No hay valor, porque no está demostrado que exista un atractor.</translation>
+    </message>
+    <message>
+        <source>There is no value, because there is no attractor.</source>
+        <translation>No hay valor, porque no hay atractor.</translation>
+    </message>
+    <message>
+        <source>There is no value: for these maps, none could be computed.</source>
+        <translation>No hay valor: para estas aplicaciones no se pudo calcular ninguno.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not all similarities in the same coordinates.</source>
+        <translation>No hay valor, porque no todas estas aplicaciones son semejanzas en las mismas coordenadas.</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(cota superior: no se cumple la condición del conjunto abierto)</translation>
+    </message>
+    <message>
+        <source>No overlaps were found.</source>
+        <translation>No se encontraron solapamientos.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
+        <translation>No hay valor: no está demostrado que el atractor tesele el plano de esta manera.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not of this kind.</source>
+        <translation>No hay valor, porque estas aplicaciones no son de este tipo.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps are linked: the equation is another.</source>
+        <translation>No hay valor, porque las aplicaciones están enlazadas: la ecuación es otra.</translation>
     </message>
 </context>
 <context>
@@ -893,16 +929,16 @@
         <translation>El texto del paso %1 tiene más de %2 caracteres y se ha cortado.</translation>
     </message>
     <message>
-        <source>“%1” is not the name of a file in the folder of the lesson.</source>
-        <translation>«%1» no es el nombre de un archivo de la carpeta de la lección.</translation>
-    </message>
-    <message>
         <source>“%1: %2” was not understood.</source>
         <translation>No se ha entendido «%1: %2».</translation>
     </message>
     <message>
         <source>“%1” is unknown to this version and is kept.</source>
         <translation>Esta versión no conoce «%1» y lo conserva.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Una lección no puede referirse a «%1», sino solo a un archivo de su propia carpeta o a un archivo .ifs o .par de otra.</translation>
     </message>
 </context>
 <context>
@@ -2194,20 +2230,12 @@
         <translation>Guardar la l&amp;ección…</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Guardar la lección junto al archivo de sus fractales</translation>
-    </message>
-    <message>
         <source>The step now has the current state of the window.</source>
         <translation>El paso tiene ahora el estado de la ventana.</translation>
     </message>
     <message>
         <source>End the lesson before you save (Esc).</source>
         <translation>Termine la lección antes de guardar (Esc).</translation>
-    </message>
-    <message>
-        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
-        <translation>La lección no nombra ningún archivo de fractales de su carpeta («file: nombre.ifs»).</translation>
     </message>
     <message>
         <source>“%1” is not a regular file and cannot be opened.</source>
@@ -2230,16 +2258,8 @@
         <translation>No se guardó la lección</translation>
     </message>
     <message>
-        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
-        <translation>Una lección no puede referirse a un archivo llamado «%1». Guarde antes los fractales con un nombre sin : * ? &quot; &lt; &gt; |.</translation>
-    </message>
-    <message>
         <source>Lessons (*.lesson)</source>
         <translation>Lecciones (*.lesson)</translation>
-    </message>
-    <message>
-        <source>A lesson must be in the folder of its fractals, “%1”.</source>
-        <translation>Una lección debe estar en la carpeta de sus fractales, «%1».</translation>
     </message>
     <message>
         <source>The fractals have unsaved changes.</source>
@@ -2454,10 +2474,6 @@
         <translation>Copiado.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
-        <translation>El archivo de sus fractales, «%1», no está en la carpeta de la lección. Quizá se le ha cambiado el nombre o se ha movido.</translation>
-    </message>
-    <message>
         <source>&amp;Find…</source>
         <translation>&amp;Buscar…</translation>
     </message>
@@ -2506,10 +2522,6 @@
         <translation>Reproducir la lección en toda la pantalla, desde el paso que eligió o desde el principio</translation>
     </message>
     <message>
-        <source>Save Lesson in the Folder of “%1”</source>
-        <translation>Guardar la lección en la carpeta de «%1»</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Descartar</translation>
     </message>
@@ -2520,6 +2532,34 @@
     <message>
         <source>The lesson has unsaved changes.</source>
         <translation>La lección tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Guardar la lección como un texto que se refiere a sus fractales</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve Lesson As…</source>
+        <translation>Guardar la lección c&amp;omo…</translation>
+    </message>
+    <message>
+        <source>Save the lesson under another name or in another folder</source>
+        <translation>Guardar la lección con otro nombre o en otra carpeta</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals (“file: name.ifs”).</source>
+        <translation>La lección no nombra ningún archivo de fractales («file: nombre.ifs»).</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, was not found. It may have been renamed or moved.</source>
+        <translation>No se encontró el archivo de sus fractales, «%1». Quizá se le ha cambiado el nombre o se ha movido.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Guardar la lección</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
+        <translation>Una lección no puede referirse a «%1». Guarde antes los fractales como archivo .ifs, sin : * ? &quot; &lt; &gt; | en su nombre ni en sus carpetas.</translation>
     </message>
 </context>
 <context>
@@ -2973,6 +3013,41 @@
     </message>
 </context>
 <context>
+    <name>SpaceBranch</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Pulse en un punto del atractor para elegir su rama.</translation>
+    </message>
+    <message>
+        <source>No branch can be selected here: the address of this point is not known.</source>
+        <translation>Aquí no se puede elegir ninguna rama: no se conoce la dirección de este punto.</translation>
+    </message>
+    <message>
+        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
+        <translation>En el espacio, una rama está siempre donde la ponen sus aplicaciones. Elija abajo «Una aplicación nueva para esta rama» o «La última aplicación de la dirección».</translation>
+    </message>
+    <message>
+        <source>A branch cannot be dragged while it or the cage is flat.</source>
+        <translation>Una rama no se puede arrastrar mientras ella o la jaula sea plana.</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Girar la rama %1</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Escalar la rama %1</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Mover la rama %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Mover la esquina %1 de la rama %2</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -3028,6 +3103,13 @@
     <message>
         <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
         <translation>Haga clic en el cuarto vértice, delante de los otros tres. La rueda lo aleja y el botón derecho gira la vista.</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMaps</name>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
     </message>
 </context>
 <context>
@@ -3492,10 +3574,6 @@
         <translation>La entrada no tiene ninguna aplicación que intervenga y se omite.</translation>
     </message>
     <message>
-        <source>%1 inactive maps are omitted.</source>
-        <translation>Se omiten %1 aplicaciones que no intervienen.</translation>
-    </message>
-    <message>
         <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>La entrada se escribe con el nombre «%1»: otros programas admiten 18 caracteres simples, y cada nombre una sola vez.</translation>
     </message>
@@ -3836,10 +3914,6 @@
         <translation>Un lugar guardado de una rama no es utilizable (su aplicación está incompleta, su dirección nombra aplicaciones que no existen o aparece dos veces, o hay demasiados) y no se aplica.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
-        <translation>Se omiten %1 líneas de bloques que no son sistemas de funciones iteradas.</translation>
-    </message>
-    <message>
         <source>A cell of this row is empty.</source>
         <translation>Una celda de esta fila está vacía.</translation>
     </message>
@@ -4133,10 +4207,6 @@
     <message>
         <source>animation</source>
         <translation>animación</translation>
-    </message>
-    <message>
-        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
-        <translation>%1 fotogramas a %2 por segundo, %3; %4 pistas, %5 movimientos</translation>
     </message>
     <message>
         <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
@@ -4597,6 +4667,34 @@
     <message>
         <source>the words %1 and %2 are the same map within rounding error</source>
         <translation>las palabras %1 y %2 son la misma aplicación salvo redondeo</translation>
+    </message>
+    <message>
+        <source>Omitted lines of blocks that are not iterated function systems: %1.</source>
+        <translation>Líneas omitidas de bloques que no son sistemas de funciones iteradas: %1.</translation>
+    </message>
+    <message>
+        <source>Omitted inactive maps: %1.</source>
+        <translation>Aplicaciones que no intervienen y se omiten: %1.</translation>
+    </message>
+    <message>
+        <source>a point; exact</source>
+        <translation>un punto; exacta</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(cota superior: no se cumple la condición del conjunto abierto)</translation>
+    </message>
+    <message>
+        <source>%1, and inside itself</source>
+        <translation>%1, y dentro de sí misma</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>%1 fotogramas a %2 por segundo, %3; pistas: %4, movimientos: %5</translation>
+    </message>
+    <message>
+        <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
+        <translation>La imagen de «%1» necesita más de 4 GB de memoria en el espacio.</translation>
     </message>
 </context>
 <context>
@@ -5253,6 +5351,14 @@
     <message>
         <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
         <translation>Dibujar las envolventes de todas las partes con dirección de igual longitud, en el color de su primera aplicación; haga clic en una para ver su dirección</translation>
+    </message>
+    <message>
+        <source>This value is still being computed.</source>
+        <translation>Este valor todavía se está calculando.</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>calculando…</translation>
     </message>
 </context>
 <context>
@@ -5964,16 +6070,31 @@
         <source>What changes in the code when you drag the branch</source>
         <translation>Qué cambia en el código al arrastrar la rama</translation>
     </message>
+    <message>
+        <source>Here and inside it</source>
+        <translation>Aquí y en su interior</translation>
+    </message>
+    <message>
+        <source>The code does not change. This branch is shown in another position, and so is the same branch inside it, again and again: a frond curls up. Nothing beside it changes.</source>
+        <translation>El código no cambia. Esta rama se muestra en otra posición, y también la misma rama dentro de ella, una y otra vez: una fronda se enrosca. Nada cambia a su lado.</translation>
+    </message>
+    <message>
+        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Las aplicaciones no pueden oscilar mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchChoice</name>
+    <message>
+        <source>Branch %1</source>
+        <translation>Rama %1</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Pulse en un punto del atractor para elegir su rama.</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Rama %1</translation>
     </message>
     <message>
         <source>Move corner %1 of branch %2</source>
@@ -5994,6 +6115,10 @@
     <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Esta rama es ahora la aplicación 1. Los números de la tabla la siguen cambiando.</translation>
+    </message>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Detenido: más allá, la rama no se haría más pequeña dentro de sí misma.</translation>
     </message>
 </context>
 <context>
@@ -6455,12 +6580,12 @@
         <translation>No se ha decidido si este sistema tiene un atractor.</translation>
     </message>
     <message>
-        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>Se superponen tantas piezas que faltan partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
-    </message>
-    <message>
         <source>This system has no attractor, so the picture may be incomplete or empty.</source>
         <translation>Este sistema no tiene atractor, por lo que la imagen puede estar incompleta o vacía.</translation>
+    </message>
+    <message>
+        <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
+        <translation>Se superponen tantas piezas que pueden faltar partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
     </message>
 </context>
 <context>
@@ -9439,10 +9564,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Aparece junto a la imagen; una línea vacía empieza un párrafo</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Guardar la lección junto al archivo de sus fractales</translation>
-    </message>
-    <message>
         <source>Panels</source>
         <translation>Paneles</translation>
     </message>
@@ -9470,6 +9591,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
         <translation>Reproducir la lección en toda la pantalla, desde el paso que eligió o desde el principio</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Guardar la lección como un texto que se refiere a sus fractales</translation>
     </message>
 </context>
 <context>
@@ -10432,8 +10557,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Números de las aplicaciones</translation>
     </message>
     <message>
-        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
-        <translation>Arrastre un número para poner la aplicación en otro lugar. Una marca avisa de que una aplicación no es contractiva.</translation>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract, or that a negative weight switches off.</source>
+        <translation>Arrastre un número para poner la aplicación en otro lugar. Una marca avisa de que una aplicación no es contractiva o de que un peso negativo la desactiva.</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12424,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Mover el corte</translation>
     </message>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
-    </message>
-    <message>
         <source>Move Face %1</source>
         <translation>Mover la cara %1</translation>
     </message>
@@ -12325,6 +12446,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Mover el centro de la simetría</translation>
+    </message>
+    <message>
+        <source>This branch is now map 1. You can change it further in the table.</source>
+        <translation>Esta rama es ahora la aplicación 1. Los números de la tabla la siguen cambiando.</translation>
     </message>
 </context>
 <context>
@@ -12511,6 +12636,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Aplicación %5, esquina %1 en %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Corner %1 of the branch at %2, %3, %4</source>
+        <translation>Esquina %1 de la rama en %2, %3, %4</translation>
     </message>
 </context>
 <context>

@@ -31,10 +31,6 @@
         <translation>Chaque application est montrée comme image de la cage dans sa couleur. Un coin modifie une application, l’intérieur déplace toutes celles qui sont sélectionnées. Le glissement s’arrête là où l’attracteur serait perdu.</translation>
     </message>
     <message>
-        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
-        <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie&#x202f;: une nouvelle application pour cette branche, la dernière application de son adresse, ou cette branche seule.</translation>
-    </message>
-    <message>
         <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>L’image reste où elle est&#x202f;: elle est désormais tenue par le nouveau triangle. Retour arrière reprend le dernier coin, Échap annule.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Seule la partie de l’attracteur que produit l’application est dessinée. Le fichier ne change pas, et une autre entrée est de nouveau affichée entière.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
+        <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie : une nouvelle application pour cette branche, la dernière application de son adresse, cette branche seule, ou cette branche et la même à l’intérieur.</translation>
     </message>
 </context>
 <context>
@@ -424,6 +424,42 @@
     <message>
         <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
         <translation>Volume de l’enveloppe calculée, dont les sommets sont des points de l’attracteur. L’enveloppe convexe exacte est plus grande d’au plus l’erreur.</translation>
+    </message>
+    <message>
+        <source>There is no value, because it is not proved that there is an attractor.</source>
+        <translation>Il n’y a pas de valeur, car il n’est pas prouvé qu’il existe un attracteur.</translation>
+    </message>
+    <message>
+        <source>There is no value, because there is no attractor.</source>
+        <translation>Il n’y a pas de valeur, car il n’y a pas d’attracteur.</translation>
+    </message>
+    <message>
+        <source>There is no value: for these maps, none could be computed.</source>
+        <translation>Il n’y a pas de valeur : pour ces applications, aucune n’a pu être calculée.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not all similarities in the same coordinates.</source>
+        <translation>Il n’y a pas de valeur, car ces applications ne sont pas toutes des similitudes dans les mêmes coordonnées.</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(majorant : la condition de l’ensemble ouvert n’est pas remplie)</translation>
+    </message>
+    <message>
+        <source>No overlaps were found.</source>
+        <translation>Aucun recouvrement n’a été trouvé.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
+        <translation>Il n’y a pas de valeur : il n’est pas prouvé que l’attracteur pave le plan de cette façon.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not of this kind.</source>
+        <translation>Il n’y a pas de valeur, car ces applications ne sont pas de ce genre.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps are linked: the equation is another.</source>
+        <translation>Il n’y a pas de valeur, car les applications sont liées : l’équation est une autre.</translation>
     </message>
 </context>
 <context>
@@ -893,16 +929,16 @@
         <translation>Le texte de l’étape %1 dépasse %2 caractères et a été coupé.</translation>
     </message>
     <message>
-        <source>“%1” is not the name of a file in the folder of the lesson.</source>
-        <translation>«&#x202f;%1&#x202f;» n’est pas le nom d’un fichier du dossier de la leçon.</translation>
-    </message>
-    <message>
         <source>“%1: %2” was not understood.</source>
         <translation>«&#x202f;%1: %2&#x202f;» n’a pas été compris.</translation>
     </message>
     <message>
         <source>“%1” is unknown to this version and is kept.</source>
         <translation>«&#x202f;%1&#x202f;» est inconnu de cette version et reste conservé.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Une leçon ne peut pas désigner « %1 », mais seulement un fichier de son propre dossier, ou un fichier .ifs ou .par d’un autre.</translation>
     </message>
 </context>
 <context>
@@ -2194,20 +2230,12 @@
         <translation>&amp;Enregistrer la leçon…</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
-    </message>
-    <message>
         <source>The step now has the current state of the window.</source>
         <translation>L’étape a maintenant l’état de la fenêtre.</translation>
     </message>
     <message>
         <source>End the lesson before you save (Esc).</source>
         <translation>Terminez la leçon avant d’enregistrer (Échap).</translation>
-    </message>
-    <message>
-        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
-        <translation>La leçon ne nomme aucun fichier de fractales de son dossier («&#x202f;file: nom.ifs&#x202f;»).</translation>
     </message>
     <message>
         <source>“%1” is not a regular file and cannot be opened.</source>
@@ -2230,16 +2258,8 @@
         <translation>La leçon n’a pas été enregistrée</translation>
     </message>
     <message>
-        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
-        <translation>Une leçon ne peut pas désigner un fichier nommé «&#x202f;%1&#x202f;». Enregistrez les fractales sous un nom sans : * ? &quot; &lt; &gt; | d’abord.</translation>
-    </message>
-    <message>
         <source>Lessons (*.lesson)</source>
         <translation>Leçons (*.lesson)</translation>
-    </message>
-    <message>
-        <source>A lesson must be in the folder of its fractals, “%1”.</source>
-        <translation>Une leçon doit se trouver dans le dossier de ses fractales, «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>The fractals have unsaved changes.</source>
@@ -2454,10 +2474,6 @@
         <translation>Copié.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
-        <translation>Le fichier de ses fractales, «&#x202f;%1&#x202f;», n’est pas dans le dossier de la leçon. Il a peut-être été renommé ou déplacé.</translation>
-    </message>
-    <message>
         <source>&amp;Find…</source>
         <translation>&amp;Retrouver…</translation>
     </message>
@@ -2506,10 +2522,6 @@
         <translation>Jouer la leçon sur tout l’écran, à partir de l’étape choisie ou du début</translation>
     </message>
     <message>
-        <source>Save Lesson in the Folder of “%1”</source>
-        <translation>Enregistrer la leçon dans le dossier de «&#x202f;%1&#x202f;»</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Abandonner</translation>
     </message>
@@ -2520,6 +2532,34 @@
     <message>
         <source>The lesson has unsaved changes.</source>
         <translation>La leçon a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Enregistrer la leçon comme un texte qui désigne ses fractales</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve Lesson As…</source>
+        <translation>Enregistrer la leçon so&amp;us…</translation>
+    </message>
+    <message>
+        <source>Save the lesson under another name or in another folder</source>
+        <translation>Enregistrer la leçon sous un autre nom ou dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals (“file: name.ifs”).</source>
+        <translation>La leçon ne nomme aucun fichier de fractales (« file: nom.ifs »).</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, was not found. It may have been renamed or moved.</source>
+        <translation>Le fichier de ses fractales, « %1 », est introuvable. Il a peut-être été renommé ou déplacé.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Enregistrer la leçon</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
+        <translation>Une leçon ne peut pas désigner « %1 ». Enregistrez d’abord les fractales dans un fichier .ifs, sans : * ? &quot; &lt; &gt; | dans son nom ni dans ses dossiers.</translation>
     </message>
 </context>
 <context>
@@ -2973,6 +3013,41 @@
     </message>
 </context>
 <context>
+    <name>SpaceBranch</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Cliquez sur un point de l’attracteur pour choisir sa branche.</translation>
+    </message>
+    <message>
+        <source>No branch can be selected here: the address of this point is not known.</source>
+        <translation>Aucune branche ne peut être choisie ici : l’adresse de ce point n’est pas connue.</translation>
+    </message>
+    <message>
+        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
+        <translation>Dans l’espace, une branche est toujours là où ses applications la placent. Choisissez en bas « Nouvelle application pour cette branche » ou « Dernière application de l’adresse ».</translation>
+    </message>
+    <message>
+        <source>A branch cannot be dragged while it or the cage is flat.</source>
+        <translation>On ne peut pas faire glisser une branche tant qu’elle ou la cage est plate.</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Tourner la branche %1</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Mettre à l’échelle la branche %1</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Déplacer la branche %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Déplacer le coin %1 de la branche %2</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -3028,6 +3103,13 @@
     <message>
         <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
         <translation>Cliquez le quatrième sommet, devant les trois autres. La molette l’éloigne et le bouton droit tourne la vue.</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMaps</name>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>On ne peut pas faire glisser d’applications tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
     </message>
 </context>
 <context>
@@ -3492,10 +3574,6 @@
         <translation>L’entrée n’a aucune application active et est omise.</translation>
     </message>
     <message>
-        <source>%1 inactive maps are omitted.</source>
-        <translation>%1 applications inactives sont omises.</translation>
-    </message>
-    <message>
         <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>L’entrée est écrite sous le nom «&#x202f;%1&#x202f;»&#x202f;: d’autres programmes acceptent 18 caractères simples, et chaque nom une seule fois.</translation>
     </message>
@@ -3836,10 +3914,6 @@
         <translation>Une place enregistrée d’une branche n’est pas utilisable (son application est incomplète, son adresse nomme des applications qui n’existent pas ou apparaît deux fois, ou il y en a trop) et n’est pas appliquée.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
-        <translation>%1 lignes de blocs qui ne sont pas des systèmes de fonctions itérées sont omises.</translation>
-    </message>
-    <message>
         <source>A cell of this row is empty.</source>
         <translation>Une cellule de cette ligne est vide.</translation>
     </message>
@@ -4133,10 +4207,6 @@
     <message>
         <source>animation</source>
         <translation>animation</translation>
-    </message>
-    <message>
-        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
-        <translation>%1 images à %2 par seconde, %3&#x202f;; %4 pistes, %5 mouvements</translation>
     </message>
     <message>
         <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
@@ -4597,6 +4667,34 @@
     <message>
         <source>the words %1 and %2 are the same map within rounding error</source>
         <translation>les mots %1 et %2 sont la même application à l’arrondi près</translation>
+    </message>
+    <message>
+        <source>Omitted lines of blocks that are not iterated function systems: %1.</source>
+        <translation>Lignes omises de blocs qui ne sont pas des systèmes de fonctions itérées : %1.</translation>
+    </message>
+    <message>
+        <source>Omitted inactive maps: %1.</source>
+        <translation>Applications inactives omises : %1.</translation>
+    </message>
+    <message>
+        <source>a point; exact</source>
+        <translation>un point ; exacte</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(majorant : la condition de l’ensemble ouvert n’est pas remplie)</translation>
+    </message>
+    <message>
+        <source>%1, and inside itself</source>
+        <translation>%1, et en elle-même</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>%1 images à %2 par seconde, %3 ; pistes : %4, mouvements : %5</translation>
+    </message>
+    <message>
+        <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
+        <translation>L’image de « %1 » demande plus de 4 Go de mémoire dans l’espace.</translation>
     </message>
 </context>
 <context>
@@ -5253,6 +5351,14 @@
     <message>
         <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
         <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application ; cliquez sur l’une d’elles pour voir son adresse</translation>
+    </message>
+    <message>
+        <source>This value is still being computed.</source>
+        <translation>Cette valeur est encore en cours de calcul.</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>calcul en cours…</translation>
     </message>
 </context>
 <context>
@@ -5964,16 +6070,31 @@
         <source>What changes in the code when you drag the branch</source>
         <translation>Ce qui change dans le code quand vous faites glisser la branche</translation>
     </message>
+    <message>
+        <source>Here and inside it</source>
+        <translation>Ici et à l’intérieur</translation>
+    </message>
+    <message>
+        <source>The code does not change. This branch is shown in another position, and so is the same branch inside it, again and again: a frond curls up. Nothing beside it changes.</source>
+        <translation>Le code ne change pas. Cette branche est affichée dans une autre position, et de même la même branche à l’intérieur, encore et encore : une fronde s’enroule. Rien ne change à côté.</translation>
+    </message>
+    <message>
+        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Les applications ne peuvent pas osciller tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchChoice</name>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Cliquez sur un point de l’attracteur pour choisir sa branche.</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Branche %1</translation>
     </message>
     <message>
         <source>Move corner %1 of branch %2</source>
@@ -5994,6 +6115,10 @@
     <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Cette branche est maintenant l’application 1. Les nombres du tableau continuent de la modifier.</translation>
+    </message>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Arrêté : au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
     </message>
 </context>
 <context>
@@ -6455,12 +6580,12 @@
         <translation>On ne sait pas si ce système a un attracteur.</translation>
     </message>
     <message>
-        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>Tant de morceaux se superposent que des parties de ce solide manquent. L’aspect « Nuage » le montre en entier.</translation>
-    </message>
-    <message>
         <source>This system has no attractor, so the picture may be incomplete or empty.</source>
         <translation>Ce système n’a pas d’attracteur ; l’image peut être incomplète ou vide.</translation>
+    </message>
+    <message>
+        <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
+        <translation>Tant de morceaux se superposent que des parties de ce solide peuvent manquer. L’aspect « Nuage » le montre en entier.</translation>
     </message>
 </context>
 <context>
@@ -9439,10 +9564,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Affiché à côté de l’image&#x202f;; une ligne vide commence un paragraphe</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Enregistrer la leçon à côté du fichier de ses fractales</translation>
-    </message>
-    <message>
         <source>Panels</source>
         <translation>Panneaux</translation>
     </message>
@@ -9470,6 +9591,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
         <translation>Jouer la leçon sur tout l’écran, à partir de l’étape choisie ou du début</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Enregistrer la leçon comme un texte qui désigne ses fractales</translation>
     </message>
 </context>
 <context>
@@ -10432,8 +10557,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Numéros des applications</translation>
     </message>
     <message>
-        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
-        <translation>Faites glisser un numéro pour placer l’application ailleurs. Une marque signale une application qui n’est pas contractante.</translation>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract, or that a negative weight switches off.</source>
+        <translation>Faites glisser un numéro pour placer l’application ailleurs. Une marque signale une application qui n’est pas contractante ou qu’un poids négatif désactive.</translation>
     </message>
 </context>
 <context>
@@ -12299,10 +12424,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Déplacer la coupe</translation>
     </message>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>On ne peut pas faire glisser d’applications tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
-    </message>
-    <message>
         <source>Move Face %1</source>
         <translation>Déplacer la face %1</translation>
     </message>
@@ -12325,6 +12446,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Déplacer le centre de la symétrie</translation>
+    </message>
+    <message>
+        <source>This branch is now map 1. You can change it further in the table.</source>
+        <translation>Cette branche est maintenant l’application 1. Les nombres du tableau continuent de la modifier.</translation>
     </message>
 </context>
 <context>
@@ -12511,6 +12636,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Application %5, coin %1 en %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Corner %1 of the branch at %2, %3, %4</source>
+        <translation>Coin %1 de la branche en %2, %3, %4</translation>
     </message>
 </context>
 <context>

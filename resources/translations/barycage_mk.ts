@@ -31,10 +31,6 @@
         <translation>Секое пресликување е прикажано како слика на кафезот во своја боја. Теме менува едно пресликување, внатрешноста ги поместува сите избрани. Влечењето запира таму каде што атракторот би се изгубил.</translation>
     </message>
     <message>
-        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, or only this branch.</source>
-        <translation>Shift + тркалце избира колку длабока е гранката. Лентата под платното кажува што менува влечењето: ново пресликување за гранката, последното пресликување од нејзината адреса или само оваа гранка.</translation>
-    </message>
-    <message>
         <source>The picture stays where it is and follows the new triangle from now on. Backspace removes the last point, Esc cancels.</source>
         <translation>Сликата останува каде што е: отсега ја држи новиот триаголник. Backspace го враќа последното теме, Esc откажува.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Draws only the part of the attractor that this map makes. The file does not change. If you select another entry, its whole attractor is shown.</source>
         <translation>Се црта само делот од атракторот што го создава пресликувањето. Датотеката не се менува, а друг запис пак се прикажува цел.</translation>
+    </message>
+    <message>
+        <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
+        <translation>Shift + тркалце избира колку длабока е гранката. Лентата под платното кажува што менува влечењето: ново пресликување за гранката, последното пресликување од нејзината адреса, само оваа гранка, или оваа гранка и истата внатре во неа.</translation>
     </message>
 </context>
 <context>
@@ -425,6 +425,42 @@
     <message>
         <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
         <translation>Волумен на пресметаната обвивка, чии темиња се точки од атракторот. Точната конвексна обвивка е поголема најмногу за грешката.</translation>
+    </message>
+    <message>
+        <source>There is no value, because it is not proved that there is an attractor.</source>
+        <translation>Нема вредност, бидејќи не е докажано дека постои атрактор.</translation>
+    </message>
+    <message>
+        <source>There is no value, because there is no attractor.</source>
+        <translation>Нема вредност, бидејќи нема атрактор.</translation>
+    </message>
+    <message>
+        <source>There is no value: for these maps, none could be computed.</source>
+        <translation>Нема вредност: за овие пресликувања не можеше да се пресмета.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not all similarities in the same coordinates.</source>
+        <translation>Нема вредност, бидејќи овие пресликувања не се сите сличности во исти координати.</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(горна граница: условот на отворено множество не важи)</translation>
+    </message>
+    <message>
+        <source>No overlaps were found.</source>
+        <translation>Не се најдени преклопувања.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
+        <translation>Нема вредност: не е докажано дека атракторот ја поплочува рамнината на овој начин.</translation>
+    </message>
+    <message>
+        <source>There is no value, because these maps are not of this kind.</source>
+        <translation>Нема вредност, бидејќи овие пресликувања не се од тој вид.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps are linked: the equation is another.</source>
+        <translation>Нема вредност, бидејќи пресликувањата се поврзани: равенката е друга.</translation>
     </message>
 </context>
 <context>
@@ -898,16 +934,16 @@
         <translation>Текстот на чекорот %1 е подолг од %2 знаци и е скратен.</translation>
     </message>
     <message>
-        <source>“%1” is not the name of a file in the folder of the lesson.</source>
-        <translation>„%1“ не е име на датотека во папката на лекцијата.</translation>
-    </message>
-    <message>
         <source>“%1: %2” was not understood.</source>
         <translation>„%1: %2“ не е разбрано.</translation>
     </message>
     <message>
         <source>“%1” is unknown to this version and is kept.</source>
         <translation>„%1“ ѝ е непознато на оваа верзија и се задржува.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Лекција не може да упати на „%1“, туку само на датотека во својата папка или на датотека .ifs или .par во друга.</translation>
     </message>
 </context>
 <context>
@@ -2202,20 +2238,12 @@
         <translation>&amp;Зачувај ја лекцијата…</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
-    </message>
-    <message>
         <source>The step now has the current state of the window.</source>
         <translation>Чекорот сега ја има состојбата на прозорецот.</translation>
     </message>
     <message>
         <source>End the lesson before you save (Esc).</source>
         <translation>Завршете ја лекцијата пред да зачувате (Esc).</translation>
-    </message>
-    <message>
-        <source>The lesson names no file of fractals in its folder (“file: name.ifs”).</source>
-        <translation>Лекцијата не именува датотека со фрактали во својата папка („file: ime.ifs“).</translation>
     </message>
     <message>
         <source>“%1” is not a regular file and cannot be opened.</source>
@@ -2238,16 +2266,8 @@
         <translation>Лекцијата не е зачувана</translation>
     </message>
     <message>
-        <source>A lesson cannot refer to a file named “%1”. Save the fractals under a name without : * ? &quot; &lt; &gt; | first.</source>
-        <translation>Лекција не може да упати на датотека со име „%1“. Прво зачувајте ги фракталите под име без : * ? &quot; &lt; &gt; |.</translation>
-    </message>
-    <message>
         <source>Lessons (*.lesson)</source>
         <translation>Лекции (*.lesson)</translation>
-    </message>
-    <message>
-        <source>A lesson must be in the folder of its fractals, “%1”.</source>
-        <translation>Лекцијата мора да биде во папката на своите фрактали, „%1“.</translation>
     </message>
     <message>
         <source>The fractals have unsaved changes.</source>
@@ -2462,10 +2482,6 @@
         <translation>Копирано.</translation>
     </message>
     <message>
-        <source>The file of its fractals, “%1”, is not in the folder of the lesson. It may have been renamed or moved.</source>
-        <translation>Датотеката со нејзините фрактали, „%1“, не е во папката на лекцијата. Можеби е преименувана или преместена.</translation>
-    </message>
-    <message>
         <source>&amp;Find…</source>
         <translation>&amp;Најди…</translation>
     </message>
@@ -2514,10 +2530,6 @@
         <translation>Пушти ја лекцијата на целиот екран, од избраниот чекор или од почеток</translation>
     </message>
     <message>
-        <source>Save Lesson in the Folder of “%1”</source>
-        <translation>Зачувај ја лекцијата во папката на „%1“</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Отфрли</translation>
     </message>
@@ -2528,6 +2540,34 @@
     <message>
         <source>The lesson has unsaved changes.</source>
         <translation>Лекцијата има незачувани промени.</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Зачувај ја лекцијата како текст што упатува на нејзините фрактали</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve Lesson As…</source>
+        <translation>Зачувај ја лекцијата к&amp;ако…</translation>
+    </message>
+    <message>
+        <source>Save the lesson under another name or in another folder</source>
+        <translation>Зачувај ја лекцијата под друго име или во друга папка</translation>
+    </message>
+    <message>
+        <source>The lesson names no file of fractals (“file: name.ifs”).</source>
+        <translation>Лекцијата не именува датотека со фрактали („file: ime.ifs“).</translation>
+    </message>
+    <message>
+        <source>The file of its fractals, “%1”, was not found. It may have been renamed or moved.</source>
+        <translation>Датотеката со нејзините фрактали, „%1“, не е најдена. Можеби е преименувана или преместена.</translation>
+    </message>
+    <message>
+        <source>Save Lesson</source>
+        <translation>Зачувување на лекцијата</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
+        <translation>Лекција не може да упати на „%1“. Прво зачувајте ги фракталите како датотека .ifs, без : * ? &quot; &lt; &gt; | во името и во папките.</translation>
     </message>
 </context>
 <context>
@@ -2981,6 +3021,41 @@
     </message>
 </context>
 <context>
+    <name>SpaceBranch</name>
+    <message>
+        <source>Click a point of the attractor to select its branch.</source>
+        <translation>Кликнете на точка од атракторот за да ја изберете нејзината гранка.</translation>
+    </message>
+    <message>
+        <source>No branch can be selected here: the address of this point is not known.</source>
+        <translation>Тука не може да се избере гранка: адресата на оваа точка не е позната.</translation>
+    </message>
+    <message>
+        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
+        <translation>Во просторот гранката секогаш е таму каде што ја ставаат нејзините пресликувања. Изберете долу „Ново пресликување за оваа гранка“ или „Последното пресликување од адресата“.</translation>
+    </message>
+    <message>
+        <source>A branch cannot be dragged while it or the cage is flat.</source>
+        <translation>Гранката не може да се влече додека таа или кафезот е рамен.</translation>
+    </message>
+    <message>
+        <source>Rotate branch %1</source>
+        <translation>Ротирај ја гранката %1</translation>
+    </message>
+    <message>
+        <source>Scale branch %1</source>
+        <translation>Скалирај ја гранката %1</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Помести ја гранката %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Помести го аголот %1 на гранката %2</translation>
+    </message>
+</context>
+<context>
     <name>SpaceCageEdits</name>
     <message>
         <source>No map is active, so there is nothing to enclose.</source>
@@ -3036,6 +3111,13 @@
     <message>
         <source>Click the fourth corner, in front of the other three. The wheel pushes it away, and the right button turns the view.</source>
         <translation>Кликнете го четвртото теме, пред другите три. Тркалцето го оддалечува, а десното копче го врти погледот.</translation>
+    </message>
+</context>
+<context>
+    <name>SpaceMaps</name>
+    <message>
+        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Пресликувањата не може да се влечат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
     </message>
 </context>
 <context>
@@ -3500,10 +3582,6 @@
         <translation>Записот нема пресликување што учествува, па се изоставува.</translation>
     </message>
     <message>
-        <source>%1 inactive maps are omitted.</source>
-        <translation>Изоставени се %1 пресликувања што не учествуваат.</translation>
-    </message>
-    <message>
         <source>The entry is saved under the name “%1”: other programs need unique names of at most 18 plain characters.</source>
         <translation>Записот е запишан под името „%1“: другите програми прифаќаат 18 обични знаци, и секое име само еднаш.</translation>
     </message>
@@ -3844,10 +3922,6 @@
         <translation>Зачувано место на гранка не е употребливо (нејзиното пресликување е нецелосно, нејзината адреса именува пресликувања што ги нема или се јавува двапати, или ги има премногу) и не се применува.</translation>
     </message>
     <message>
-        <source>%1 lines of blocks that are not iterated function systems are omitted.</source>
-        <translation>Се изоставуваат %1 редови од блокови што не се итерирани функциски системи.</translation>
-    </message>
-    <message>
         <source>A cell of this row is empty.</source>
         <translation>Една ќелија во оваа редица е празна.</translation>
     </message>
@@ -4142,10 +4216,6 @@
     <message>
         <source>animation</source>
         <translation>анимација</translation>
-    </message>
-    <message>
-        <source>%1 frames at %2 per second, %3; %4 tracks, %5 motions</source>
-        <translation>%1 кадри, %2 во секунда, %3; %4 траки, %5 движења</translation>
     </message>
     <message>
         <source>This is not the format of a fractal program. Its lists of numbers are read as tables of maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.</source>
@@ -4606,6 +4676,34 @@
     <message>
         <source>the words %1 and %2 are the same map within rounding error</source>
         <translation>зборовите %1 и %2 се исто пресликување до заокружување</translation>
+    </message>
+    <message>
+        <source>Omitted lines of blocks that are not iterated function systems: %1.</source>
+        <translation>Изоставени редови од блокови што не се итерирани функциски системи: %1.</translation>
+    </message>
+    <message>
+        <source>Omitted inactive maps: %1.</source>
+        <translation>Изоставени пресликувања што не учествуваат: %1.</translation>
+    </message>
+    <message>
+        <source>a point; exact</source>
+        <translation>точка; точно</translation>
+    </message>
+    <message>
+        <source>(upper bound: the open set condition fails)</source>
+        <translation>(горна граница: условот на отворено множество не важи)</translation>
+    </message>
+    <message>
+        <source>%1, and inside itself</source>
+        <translation>%1, и внатре во себе</translation>
+    </message>
+    <message>
+        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>%1 кадри, %2 во секунда, %3; траки: %4, движења: %5</translation>
+    </message>
+    <message>
+        <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
+        <translation>Сликата во „%1“ во просторот бара повеќе од 4 GB меморија.</translation>
     </message>
 </context>
 <context>
@@ -5262,6 +5360,14 @@
     <message>
         <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
         <translation>Исцртај ги обвивките на сите делови со адреса со иста должина, во бојата на нејзиното прво пресликување; кликнете на некоја за да ја видите нејзината адреса</translation>
+    </message>
+    <message>
+        <source>This value is still being computed.</source>
+        <translation>Оваа вредност сè уште се пресметува.</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>се пресметува…</translation>
     </message>
 </context>
 <context>
@@ -5977,16 +6083,31 @@
         <source>What changes in the code when you drag the branch</source>
         <translation>Што се менува во кодот кога ја влечете гранката</translation>
     </message>
+    <message>
+        <source>Here and inside it</source>
+        <translation>Овде и внатре во неа</translation>
+    </message>
+    <message>
+        <source>The code does not change. This branch is shown in another position, and so is the same branch inside it, again and again: a frond curls up. Nothing beside it changes.</source>
+        <translation>Кодот не се менува. Оваа гранка се прикажува на друго место, а исто така и истата гранка внатре во неа, повторно и повторно: листот се витка. Покрај неа ништо не се менува.</translation>
+    </message>
+    <message>
+        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
+        <translation>Пресликувањата не може да се нишаат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
+    </message>
+</context>
+<context>
+    <name>view::BranchChoice</name>
+    <message>
+        <source>Branch %1</source>
+        <translation>Гранка %1</translation>
+    </message>
 </context>
 <context>
     <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Кликнете на точка од атракторот за да ја изберете нејзината гранка.</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Гранка %1</translation>
     </message>
     <message>
         <source>Move corner %1 of branch %2</source>
@@ -6007,6 +6128,10 @@
     <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Оваа гранка сега е пресликување 1. Броевите во табелата ја менуваат понатаму.</translation>
+    </message>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Запрено: понатаму гранката не би станувала помала внатре во себе.</translation>
     </message>
 </context>
 <context>
@@ -6469,12 +6594,12 @@
         <translation>Не е решено дали овој систем има атрактор.</translation>
     </message>
     <message>
-        <source>So many pieces overlap that parts of this solid are missing. The look Cloud shows all of it.</source>
-        <translation>Толку многу делови лежат еден врз друг што недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
-    </message>
-    <message>
         <source>This system has no attractor, so the picture may be incomplete or empty.</source>
         <translation>Овој систем нема атрактор, па сликата може да биде нецелосна или празна.</translation>
+    </message>
+    <message>
+        <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
+        <translation>Толку многу делови лежат еден врз друг што може да недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
     </message>
 </context>
 <context>
@@ -9464,10 +9589,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Стои до сликата; празен ред почнува нов пасус</translation>
     </message>
     <message>
-        <source>Save the lesson in the same folder as its fractals</source>
-        <translation>Зачувај ја лекцијата до датотеката со нејзините фрактали</translation>
-    </message>
-    <message>
         <source>Panels</source>
         <translation>Панели</translation>
     </message>
@@ -9495,6 +9616,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
         <translation>Пушти ја лекцијата на целиот екран, од избраниот чекор или од почеток</translation>
+    </message>
+    <message>
+        <source>Save the lesson as a text that refers to its fractals</source>
+        <translation>Зачувај ја лекцијата како текст што упатува на нејзините фрактали</translation>
     </message>
 </context>
 <context>
@@ -10460,8 +10585,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Броеви на пресликувањата</translation>
     </message>
     <message>
-        <source>Drag a number to move the map. A warning sign marks a map that does not contract.</source>
-        <translation>Повлечете го бројот за да го ставите пресликувањето на друго место. Ознаката предупредува на пресликување што не е контракција.</translation>
+        <source>Drag a number to move the map. A warning sign marks a map that does not contract, or that a negative weight switches off.</source>
+        <translation>Повлечете го бројот за да го ставите пресликувањето на друго место. Ознаката предупредува на пресликување што не е контракција или што е исклучено со негативна тежина.</translation>
     </message>
 </context>
 <context>
@@ -12328,10 +12453,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Помести го пресекот</translation>
     </message>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Пресликувањата не може да се влечат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
-    </message>
-    <message>
         <source>Move Face %1</source>
         <translation>Помести ја страната %1</translation>
     </message>
@@ -12354,6 +12475,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Помести го центарот на симетријата</translation>
+    </message>
+    <message>
+        <source>This branch is now map 1. You can change it further in the table.</source>
+        <translation>Оваа гранка сега е пресликување 1. Броевите во табелата ја менуваат понатаму.</translation>
     </message>
 </context>
 <context>
@@ -12540,6 +12665,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
         <translation>Пресликување %5, аголот %1 е во %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Corner %1 of the branch at %2, %3, %4</source>
+        <translation>Аголот %1 на гранката е во %2, %3, %4</translation>
     </message>
 </context>
 <context>
