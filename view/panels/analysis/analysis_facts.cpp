@@ -5,6 +5,7 @@
 #include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "io/report/figure_error.h"
+#include "panels/analysis/existence_sentence.h"
 #include "panels/cage/cage_texts.h"
 #include "widgets/number_text.h"
 
@@ -25,13 +26,6 @@ namespace {
 using document::Analysis;
 
 constexpr std::size_t maxListed = 24; // maps of which a line says something
-
-QString word(const std::vector<int>& address, const std::vector<std::size_t>& rows) {
-    QStringList letters;
-    for (const int letter : address)
-        letters << QString::number(rows[std::size_t(letter)] + 1);
-    return letters.join(u' ');
-}
 
 class Facts {
     Q_DECLARE_TR_FUNCTIONS(Analysis)
@@ -313,7 +307,7 @@ template <int Dim> void Facts::addContacts() {
             QStringList texts;
             for (const auto& overlap : factsIn<Dim>(analysis).invariants.contacts->overlaps)
                 texts << (overlap.isExact ? QStringLiteral("%1 = %2") : QStringLiteral("%1 ≈ %2"))
-                             .arg(word(overlap.first, index), word(overlap.second, index));
+                             .arg(rowsOf(overlap.first, index), rowsOf(overlap.second, index));
             return texts.join(QStringLiteral("  "));
         },
         tr("No overlaps were found."));
@@ -559,54 +553,7 @@ template <int Dim> void Facts::addHull() {
         });
 }
 
-// Never “1” for what is less.
-QString factorText(double factor) {
-    const QString text = shortNumber(factor);
-    return factor < 1 && text.toDouble() >= 1 ? fullNumber(factor) : text;
-}
-
-QString contractionSentence(const ifs::Existence& existence) {
-    const QString factor = factorText(existence.contractivity);
-    switch (existence.norm) {
-    case ifs::NormKind::Ellipsoidal:
-        return Facts::tr("Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.")
-            .arg(factor);
-    case ifs::NormKind::Polytope:
-        return Facts::tr(
-                   "Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of "
-                   "%1 or less.")
-            .arg(factor);
-    case ifs::NormKind::Euclidean:
-    case ifs::NormKind::Words:
-        break;
-    }
-    return Facts::tr("Yes: any %1 maps in a row contract, by a factor of %2 or less per map.")
-        .arg(existence.wordLength)
-        .arg(factor);
-}
-
 } // namespace
-
-QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
-    const QString factor = factorText(existence.contractivity);
-    switch (existence.verdict) {
-    case ifs::Verdict::Hyperbolic:
-        return Facts::tr("Yes: hyperbolic, every map has a contraction factor of %1 or less.").arg(factor);
-    case ifs::Verdict::EventuallyContractive:
-        return contractionSentence(existence);
-    case ifs::Verdict::None:
-        if (existence.witness.size() == 1)
-            return Facts::tr("None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).")
-                .arg(word(existence.witness, rows), factor);
-        return Facts::tr("None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).")
-            .arg(word(existence.witness, rows), factor);
-    case ifs::Verdict::Undecided:
-        return Facts::tr("Undecided: no proof either way was found.");
-    case ifs::Verdict::Empty:
-        return Facts::tr("None: no map is active.");
-    }
-    return {};
-}
 
 QList<Fact> analysisFacts(std::shared_ptr<const document::Analysis> analysis) {
     return Facts(std::move(analysis)).all();

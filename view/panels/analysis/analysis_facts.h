@@ -24,7 +24,4 @@ struct Fact {
 // The same lines in the same order for every system of the plane, and for every system in space.
 QList<Fact> analysisFacts(std::shared_ptr<const document::Analysis> analysis);
 
-// Whether the maps that take part have an attractor, and why, in one sentence; maps are numbered from 1.
-QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows);
-
 } // namespace view

@@ -6,6 +6,7 @@
 #include "panels/analysis/analysis_facts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
+#include "panels/analysis/existence_sentence.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_text.h"
