@@ -80,6 +80,13 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     connect(&m_navigation, &SpaceNavigation::changed, this, &SpaceView::layOut);
     connect(&m_navigation, &SpaceNavigation::changed, &m_input, &SpaceInput::reportAgain,
             Qt::QueuedConnection);
+    followInput();
+    m_cageItem->setFacesHeld(true);
+    setTarget(Target::Cage);
+    applyStyle();
+}
+
+void SpaceView::followInput() {
     connect(&m_input, &SpaceInput::changed, this, &SpaceView::refreshMarks);
     connect(&m_input, &SpaceInput::mapSelected, this, [this] {
         layOut();
@@ -95,9 +102,6 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     connect(&m_input, &SpaceInput::pointerMoved, this, &SpaceView::pointerMoved);
     connect(&m_input, &SpaceInput::pointerLeft, this, &SpaceView::pointerLeft);
     connect(&m_input, &SpaceInput::menuRequested, this, &SpaceView::showMenu);
-    m_cageItem->setFacesHeld(true);
-    setTarget(Target::Cage);
-    applyStyle();
 }
 
 void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {

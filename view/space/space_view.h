@@ -74,6 +74,7 @@ protected:
 
 private:
     void setUpWidget();
+    void followInput();
     void followDocument(const document::Change& change);
     void followFractal(const document::Change& change);
     void followCamera(const document::Change& change);

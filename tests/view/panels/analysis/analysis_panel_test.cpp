@@ -6,7 +6,6 @@
 #include "panels/analysis/analysis_facts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
-#include "panels/analysis/existence_sentence.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_text.h"
@@ -137,38 +136,6 @@ private slots:
             map.map.translation += ifs::Vector<2>(5e8, 5e8);
         QVERIFY(valueOf(factsOf(far), QStringLiteral("Box"))
                     .startsWith(QStringLiteral("[1000000000, 1000000001] × [1000000000, 100000000")));
-    }
-
-    // Map 1 is off, so the word that proves it must name map 2 as the table does.
-    void namesTheMapThatExpandsByItsRow() {
-        document::Fractal fractal = fractalOf({{0.5, 0, 0, 0.5, 0, 0, 1}, {2, 0, 0, 2, 1, 0, 1}});
-        document::system2(fractal)->maps[0].enabled = false;
-        const QString sentence = valueOf(factsOf(fractal), QStringLiteral("Attractor"));
-        QVERIFY2(sentence.startsWith(QStringLiteral("None: map 2 ")), qPrintable(sentence));
-        document::system2(fractal)->maps[1].enabled = false;
-        QVERIFY(valueOf(factsOf(fractal), QStringLiteral("Attractor"))
-                    .contains(QStringLiteral("no map is active")));
-    }
-
-    // A shear that no norm of the plane but an ellipse sees contract, and two maps that only do so in turn.
-    void aCertificateIsSaidInPlainWords() {
-        ifs::Existence existence;
-        existence.verdict = ifs::Verdict::EventuallyContractive;
-        existence.contractivity = 0.7872;
-        existence.norm = ifs::NormKind::Ellipsoidal;
-        QString sentence = view::existenceSentence(existence, {0, 1});
-        QVERIFY2(sentence.contains(QStringLiteral("norm")), qPrintable(sentence));
-        QVERIFY2(!sentence.contains(QStringLiteral("in a row")), qPrintable(sentence));
-        existence.norm = ifs::NormKind::Words;
-        existence.wordLength = 4;
-        sentence = view::existenceSentence(existence, {0, 1});
-        QVERIFY2(sentence.contains(QStringLiteral("any 4 maps in a row contract")), qPrintable(sentence));
-        QVERIFY(sentence.contains(QStringLiteral("0.7872")));
-
-        const document::Fractal sheared = fractalOf({{0.5, 1.5, 0, 0.5, 0, 0, 1}, {0.5, 0, 0, 0.5, 1, 0, 1}});
-        sentence = valueOf(factsOf(sheared), QStringLiteral("Attractor"));
-        QVERIFY2(sentence.startsWith(QStringLiteral("Yes: ")), qPrintable(sentence));
-        QVERIFY2(!sentence.contains(QStringLiteral(" 1 maps")), qPrintable(sentence));
     }
 
     // A hundred thousand numbers in a label would hold up the window.
