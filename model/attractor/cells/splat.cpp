@@ -124,8 +124,15 @@ void splat(const ShownWord& shown, const SampleSet& samples, std::uint64_t count
 
 bool splat(const ShownWord& shown, const SampleSet& samples, std::uint64_t count, const CellWindow& window,
            const ColourCell& colour, ColourCell* cells) {
-    if (outside(reach(shown, samples), window)) return false;
+    const Reach r = reach(shown, samples);
+    if (outside(r, window)) return false;
     std::uint32_t seen = 0;
+    if (inside(r, window)) {
+        forEachRun(shown.word, samples, count, [&](const kernels::Run& run) {
+            seen |= kernels::addToColoursInside(shown, run, window, colour, cells);
+        });
+        return seen >> 31 != 0;
+    }
     forEachRun(shown.word, samples, count, [&](const kernels::Run& run) {
         // What falls outside says nothing of how full the cells of the window are.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});

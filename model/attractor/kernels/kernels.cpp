@@ -258,21 +258,30 @@ struct ColourSum {
 };
 #endif
 
-template <class AnyPlacement>
-HWY_ATTR static HWY_INLINE std::uint32_t addToColoursAt(const AnyPlacement& placement, const Run& run,
-                                                        const CellWindow& window, const ColourCell& colour,
+template <class CellsAt>
+HWY_ATTR static HWY_INLINE std::uint32_t addToColoursAt(const CellsAt& cellsAt, const Run& run,
+                                                        const ColourCell& colour,
                                                         ColourCell* HWY_RESTRICT sums) {
     ColourSum sum(colour);
-    forCells(CellsAnywhere(placement, window), run,
-             [&sum, sums](std::size_t cell, std::size_t) HWY_ATTR { sum.addTo(sums[cell]); });
+    forCells(cellsAt, run, [&sum, sums](std::size_t cell, std::size_t) HWY_ATTR { sum.addTo(sums[cell]); });
     return sum.bits();
 }
 
 HWY_ATTR std::uint32_t addToColours(const ShownWord& shown, const Run& run, const CellWindow& window,
                                     const ColourCell& colour, ColourCell* HWY_RESTRICT sums) {
-    return shown.curve == nullptr
-               ? addToColoursAt(Placement(shown.word), run, window, colour, sums)
-               : addToColoursAt(CurvedPlacement(shown.word, *shown.curve), run, window, colour, sums);
+    if (shown.curve == nullptr)
+        return addToColoursAt(CellsAnywhere(Placement(shown.word), window), run, colour, sums);
+    return addToColoursAt(CellsAnywhere(CurvedPlacement(shown.word, *shown.curve), window), run, colour,
+                          sums);
+}
+
+HWY_ATTR std::uint32_t addToColoursInside(const ShownWord& shown, const Run& run, const CellWindow& window,
+                                          const ColourCell& colour, ColourCell* HWY_RESTRICT sums) {
+    const Numbering grid(window.width, 0, window.firstRow);
+    if (shown.curve == nullptr)
+        return addToColoursAt(CellsInside<Placement>{Placement(shown.word), grid}, run, colour, sums);
+    return addToColoursAt(CellsInside<CurvedPlacement>{CurvedPlacement(shown.word, *shown.curve), grid}, run,
+                          colour, sums);
 }
 
 // Tables whose length is a power of two. Of an index only the bits count that tell their entries apart.
@@ -477,6 +486,7 @@ HWY_EXPORT(addToCounts);
 HWY_EXPORT(addInside);
 HWY_EXPORT(addToPatch);
 HWY_EXPORT(addToColours);
+HWY_EXPORT(addToColoursInside);
 HWY_EXPORT(iterate);
 HWY_EXPORT(mapTones);
 
@@ -555,6 +565,12 @@ std::uint32_t addToColours(const ShownWord& shown, const Run& run, const CellWin
                            const ColourCell& colour, ColourCell* cells) {
     heedEnvironment();
     return HWY_DYNAMIC_DISPATCH(addToColours)(shown, run, window, colour, cells);
+}
+
+std::uint32_t addToColoursInside(const ShownWord& shown, const Run& run, const CellWindow& window,
+                                 const ColourCell& colour, ColourCell* cells) {
+    heedEnvironment();
+    return HWY_DYNAMIC_DISPATCH(addToColoursInside)(shown, run, window, colour, cells);
 }
 
 void iterate(Lanes& lanes, const ChaosTables& tables, Guard guard, std::size_t steps, float* x, float* y) {

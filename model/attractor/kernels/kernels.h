@@ -57,6 +57,8 @@ void addToPatch(const Word& word, const Run& run, const Patch& patch, const Cell
 // Returns the bits seen in all sums.
 std::uint32_t addToColours(const ShownWord& shown, const Run& run, const CellWindow& window,
                            const ColourCell& colour, ColourCell* cells);
+std::uint32_t addToColoursInside(const ShownWord& shown, const Run& run, const CellWindow& window,
+                                 const ColourCell& colour, ColourCell* cells);
 
 // 64 orbits side by side.
 struct Lanes {

@@ -240,6 +240,36 @@ private slots:
             }
     }
 
+    void coloursInsideNeedNoCare_data() { instructionSets_data(); }
+    void coloursInsideNeedNoCare() {
+        QFETCH(QString, name);
+        QVERIFY(selectSimd(name.toStdString()));
+        std::mt19937 random(16);
+        const CellWindow window{90, 40, 130};
+        const ColourCell colour{1, 4095, 17, 0};
+        for (const std::size_t length : runLengths)
+            for (int n = 0; n < 20; ++n) {
+                const Points points(random, length, false);
+                Word word = randomWord(random, 10, window);
+                word.x = 45; // |x| ≤ 40 from here
+                word.y = 85;
+                const Curve curve = randomCurve(random, 6);
+                const ShownWord shown(word, n % 2 == 0 ? nullptr : &curve);
+                const kernels::Run run = points.run(length);
+                const auto expected = countsOf(cellsOf(shown, run, window), window);
+                std::vector<ColourCell> cells(window.cells(), {3, 5, 7, 9});
+                std::vector<ColourCell> anywhere(window.cells() + overflowCells, {3, 5, 7, 9});
+                QCOMPARE(kernels::addToColoursInside(shown, run, window, colour, cells.data()),
+                         kernels::addToColours(shown, run, window, colour, anywhere.data()));
+                for (std::size_t cell = 0; cell < window.cells(); ++cell) {
+                    QCOMPARE(cells[cell].samples, 3 + expected[cell]);
+                    QCOMPARE(cells[cell].red, 5 + 4095 * expected[cell]);
+                    QCOMPARE(cells[cell].green, 7 + 17 * expected[cell]);
+                    QCOMPARE(cells[cell].blue, 9U);
+                }
+            }
+    }
+
     // Below 128 the count itself; then 64 steps to every power of two of the count as a float.
     void toneIndicesByTheLogarithm() {
         for (std::uint64_t n = 0; n < 128; ++n)
