@@ -101,7 +101,7 @@ void CliSpaceTest::aVeryWideAngleIsSaid() {
     const Result wide = run("render cube.ifs -o wide.png --size 40x30 --perspective 179.9");
     QCOMPARE(wide.status, 0);
     QVERIFY2(wide.err.contains("179.9 degrees"), wide.err.constData());
-    QCOMPARE(run("render cube.ifs -o wide.png --size 40x30 --perspective 120").err, QByteArray());
+    QVERIFY(!run("render cube.ifs -o wide.png --size 40x30 --perspective 120").err.contains("degrees"));
 }
 
 void CliSpaceTest::drawsACloud() {

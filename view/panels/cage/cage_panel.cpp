@@ -213,18 +213,19 @@ QWidget* CagePanel::makeVertices() {
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(6);
     m_grid->setVerticalSpacing(4);
-    m_verticesTitle = heading(tr("Vertices"), box);
-    m_restToggle = new QToolButton(box);
+    auto* top = new QWidget(box);
+    m_verticesTitle = heading(tr("Vertices"), top);
+    m_restToggle = new QToolButton(top);
     m_restToggle->setText(tr("Rest cage"));
     m_restToggle->setToolTip(tr("Show the positions of the vertices when the cage is at rest"));
     m_restToggle->setAccessibleName(tr("Show the rest cage"));
     m_restToggle->setCheckable(true);
     m_restToggle->setAutoRaise(true);
     connect(m_restToggle, &QToolButton::toggled, this, &CagePanel::showRest);
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_verticesTitle, 1);
-    top->addWidget(m_restToggle);
-    m_grid->addLayout(top, 0, 0, 1, 7);
+    auto* topLayout = new QHBoxLayout(top);
+    topLayout->setContentsMargins(0, 0, 0, 0);
+    topLayout->addWidget(m_verticesTitle, 1);
+    topLayout->addWidget(m_restToggle);
     const auto name = [box](const QString& text) {
         auto* label = quietLabel(text, box);
         label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -290,6 +291,9 @@ void CagePanel::stretchColumns() {
     const int shown = m_restShown ? 2 * m_arrangedFor : m_arrangedFor;
     for (int column = 1; column <= 6; ++column)
         m_grid->setColumnStretch(column, column <= shown ? 1 : 0);
+    QWidget* top = m_restToggle->parentWidget();
+    m_grid->removeWidget(top);
+    m_grid->addWidget(top, 0, 0, 1, 1 + shown);
 }
 
 QWidget* CagePanel::makeSimplex() {
