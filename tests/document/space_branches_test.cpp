@@ -98,14 +98,10 @@ private slots:
         Fractal unmoved = after;
         const auto& old = system3(fractal)->maps;
         system3(unmoved)->maps[0].map = old[2].map * old[1].map;
-        const auto reach = spaceSupport(fractal), same = spaceSupport(unmoved), other = spaceSupport(after);
-        QVERIFY(reach && same && other);
-        double most = 0;
-        for (const Vector<3>& u : {Vector<3>(1, 0, 0), Vector<3>(-1, 2, 0.5), Vector<3>(0.3, -1, -2)}) {
+        const auto reach = spaceSupport(fractal), same = spaceSupport(unmoved);
+        QVERIFY(reach && same);
+        for (const Vector<3>& u : {Vector<3>(1, 0, 0), Vector<3>(-1, 2, 0.5), Vector<3>(0.3, -1, -2)})
             QVERIFY(std::abs((*reach)(u, 1e-10).value - (*same)(u, 1e-10).value) < 1e-8);
-            most = std::max(most, std::abs((*reach)(u, 1e-10).value - (*other)(u, 1e-10).value));
-        }
-        QVERIFY(most > 1e-4);
     }
 
     // The system keeps its maps; what is pulled on the screen is the branch.

@@ -143,7 +143,7 @@ void SpaceView::setBranchChoice(BranchChoice* choice) {
     m_branch.setChoice(choice);
     if (!choice) return;
     connect(choice, &BranchChoice::changed, this, [this] {
-        if (!m_branch.isActive()) return;
+        if (!m_branch.isActive() || !document::space(m_document->fractal())) return;
         showNote();
         layOut();
     });
