@@ -82,7 +82,8 @@ std::optional<std::vector<std::size_t>> placesInOrder(std::span<const std::size_
     return isEach ? std::optional(result) : std::nullopt;
 }
 
-CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order) {
+CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order,
+                        const std::optional<CoupledEntries>& before) {
     CouplingOutcome outcome;
     const std::optional<Pair> pair = pairOf(from, to, order, outcome);
     if (!pair) return outcome;
@@ -90,11 +91,13 @@ CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const 
     outcome.flaw = CouplingFlaw::NoAttractor;
     auto fromAttractor = ifs::SupportFunction<2>::of(picked(f.active.maps, places));
     if (!fromAttractor) return outcome;
-    auto toAttractor = ifs::SupportFunction<2>::of(picked(g.active.maps, places));
+    const std::vector<ifs::AffineMap<2>> maps = picked(g.active.maps, places);
+    const bool isKnown = before && before->to == g.fractal && before->toAttractor.maps() == maps;
+    auto toAttractor = isKnown ? before->toAttractor : ifs::SupportFunction<2>::of(maps);
     outcome.isOfSecond = !toAttractor;
     if (!toAttractor) return outcome;
     outcome.entries = CoupledEntries{f.fractal,
-                                     g.fractal,
+                                     isKnown ? before->to : g.fractal,
                                      std::move(*fromAttractor),
                                      std::move(*toAttractor),
                                      picked(f.active.probabilities, places),

@@ -46,8 +46,10 @@ struct CouplingOutcome {
     std::size_t fromCount = 0, toCount = 0; // of maps that take part
 };
 
-// `order` is that of the maps of the first entry, as in placesInOrder().
-CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order);
+// `order` is that of the maps of the first entry, as in placesInOrder(). What `before` knows of the second
+// entry is taken from there if that is the same: its extent takes as long as that of the first.
+CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order,
+                        const std::optional<CoupledEntries>& before = std::nullopt);
 
 // What coupled() would say against the entries before it looks for their attractors, which may take long.
 std::optional<CouplingOutcome> evidentFlaw(const Fractal& from, const Fractal& to,

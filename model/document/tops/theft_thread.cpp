@@ -20,7 +20,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t minPoints = 500'000, maxPoints = 10'000'000; // points while a hand moves
 constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
-constexpr double fluid = 14;          // milliseconds for both pictures while a hand moves
+// Milliseconds for both pictures while a hand moves: with those to paint them, and with what one frame takes
+// longer than another, they have to fit into a frame of the screen.
+constexpr double fluid = 9;
 constexpr double pictureBehind = 0.3; // opacity of what is not on G
 constexpr auto rest = std::chrono::milliseconds(60);
 
@@ -100,9 +102,9 @@ void TheftThread::State::serve() {
 }
 
 void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) {
+    const auto begin = Clock::now();
     couple(job);
     if (!coupling.entries) return publish({nullptr, nullptr, coupling, job.number}, stop);
-    const auto begin = Clock::now();
     if (!show(job, livePoints, stop)) return;
     const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
     if (job.isLive) adapt(time.count());
@@ -123,7 +125,7 @@ void TheftThread::State::couple(const TheftJob& job) {
     from = job.from.fractal;
     to = job.to.fractal;
     order = job.order;
-    coupling = coupled(*from, *to, order);
+    coupling = coupled(*from, *to, order, coupling.entries);
 }
 
 bool TheftThread::State::show(const TheftJob& job, std::uint64_t points, const std::stop_token& stop) {

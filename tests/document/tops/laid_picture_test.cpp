@@ -123,6 +123,26 @@ private slots:
         }
     }
 
+    // While F is dragged, nothing about G is worked out again; another G, or another order, is.
+    void anEntryThatStaysIsKnown() {
+        const auto before = document::coupled(squareOf(.5, .5), squareOf(p, q), {}).entries;
+        const auto mapsOf = [](const document::Fractal& fractal) {
+            return ifs::mapsOf(*document::system2(fractal));
+        };
+        const auto dragged = document::coupled(squareOf(.4, .5), squareOf(p, q), {}, before).entries;
+        QVERIFY(dragged->toAttractor.outline() == before->toAttractor.outline());
+        QVERIFY(dragged->fromAttractor.maps() == mapsOf(squareOf(.4, .5)));
+        QVERIFY(dragged->from == document::coupled(squareOf(.4, .5), squareOf(p, q), {}).entries->from);
+        const auto other = document::coupled(squareOf(.5, .5), squareOf(.2, q), {}, before).entries;
+        QVERIFY(other->toAttractor.maps() == mapsOf(squareOf(.2, q)));
+        QVERIFY(other->to == document::coupled(squareOf(.5, .5), squareOf(.2, q), {}).entries->to);
+        const std::vector<std::size_t> order{1, 0, 2, 3};
+        const auto reordered = document::coupled(squareOf(.5, .5), squareOf(p, q), order, before).entries;
+        std::vector<ifs::AffineMap<2>> maps = mapsOf(squareOf(p, q));
+        std::swap(maps[0], maps[1]);
+        QVERIFY(reordered->toAttractor.maps() == maps);
+    }
+
     void filtersStop() {
         const auto outcome = document::coupled(squareOf(.5, .5), squareOf(p, q), {});
         std::stop_source stop;

@@ -3,9 +3,11 @@
 
 #include "attractor/request/appearance.h"
 #include "document/animated_fractal.h"
+#include "document/recurring_branches.h"
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace view {
@@ -109,9 +111,10 @@ QString Timeline::trackName(const Track& track) const {
         return tr("Map %1").arg(number(track.maps.front()));
     case Track::Kind::Branch: {
         QStringList numbers;
-        for (const ifs::MapId id : track.maps)
+        for (const ifs::MapId id : std::span(track.maps).subspan(document::recurs(track.maps) ? 1 : 0))
             numbers << number(id);
-        return tr("Branch %1").arg(numbers.join(u' '));
+        return (document::recurs(track.maps) ? tr("Branch %1, inside itself") : tr("Branch %1"))
+            .arg(numbers.join(u' '));
     }
     case Track::Kind::Look:
         return tr("Appearance");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "document/recurring_branches.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
 #include "support/patient_tries.h"
@@ -14,7 +15,7 @@
 
 #include <cstdlib>
 
-// Keys that snap where frames lie close together, and time that runs on whatever drawing takes.
+// Keys that snap where frames lie close together, time that runs on whatever drawing takes, and rows.
 class TimelinePlayingTest : public TimelineFixture {
     Q_OBJECT
 
@@ -25,6 +26,7 @@ private slots:
     void theRateIsShown();
     void undoLeavesTheRowsInPlace();
     void playingDoesNotScrollTheRows();
+    void rowsNameTheirBranches();
 
 private:
     view::Timeline& timeline() { return m_panel->timeline(); }
@@ -45,6 +47,22 @@ document::Fractal manyMaps() {
 }
 
 } // namespace
+
+void TimelinePlayingTest::rowsNameTheirBranches() {
+    document::Fractal fractal = document::sierpinskiTriangle();
+    document::Shape<2>& shape = *document::plane(fractal);
+    const std::vector<ifs::MapId> word{shape.system.maps[2].id, shape.system.maps[0].id};
+    shape.moved = {{word, {}}, {document::recurringWord(word), {}}};
+    m_document->edit(QStringLiteral("test"), fractal);
+    const auto names = [this] {
+        QStringList all;
+        for (int row = 0; row < int(timeline().tracks().size()); ++row)
+            all << timeline().rowName(row);
+        return all;
+    };
+    QTRY_VERIFY(names().contains(QStringLiteral("Branch 3 1")));
+    QVERIFY2(names().contains(QStringLiteral("Branch 3 1, inside itself")), qPrintable(names().join(u'|')));
+}
 
 void TimelinePlayingTest::key(int row, int frame) {
     timeline().setRow(row);
