@@ -3,6 +3,7 @@
 
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
+#include "panels/snapshots/snapshots.h"
 #include "save_question.h"
 #include "widgets/file_dialogs.h"
 
@@ -21,27 +22,43 @@ QString fileFilter() {
         "*.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)");
 }
 
+QString list(const QStringList& names) {
+    QStringList some = names.mid(0, maxNamed);
+    if (some.size() < names.size()) some << QStringLiteral("…");
+    return some.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
     : QObject(context.window), m_context(context), m_file(file) {}
 
 QString FileCommands::lostSnapshots() const {
-    QStringList names = m_snapshots ? m_snapshots() : QStringList();
+    const QStringList names = m_snapshots ? m_snapshots->unsaved() : QStringList();
     if (names.isEmpty()) return {};
-    if (names.size() > maxNamed) names = names.mid(0, maxNamed) << QStringLiteral("…");
     return tr("Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose "
               "Add as Entry in the Snapshots panel.")
-        .arg(names.join(QStringLiteral(", ")));
+        .arg(list(names));
+}
+
+QString FileCommands::discardedSnapshots() const {
+    const QStringList names = m_snapshots ? m_snapshots->lostByDiscarding() : QStringList();
+    if (names.isEmpty()) return {};
+    return tr("If you discard the changes, the snapshots of them will be lost, too: %1.").arg(list(names));
 }
 
 bool FileCommands::maybeSave() {
     if (m_lessons.maybeSave && !m_lessons.maybeSave()) return false;
     m_context.canvas->cancelGesture();
-    if (!m_context.document->isModified()) return true;
+    if (!m_context.document->isModified()) {
+        const QString lost = lostSnapshots();
+        return lost.isEmpty() ||
+               askToDiscard(m_context.window, tr("Unsaved snapshots"),
+                            tr("“%1” has snapshots that are not saved.").arg(m_file->name()), lost);
+    }
     switch (askToSave(m_context.window, tr("Unsaved changes"),
                       tr("“%1” has unsaved changes.").arg(m_file->name()),
-                      {targetRemark(), lostSnapshots()})) {
+                      {targetRemark(), lostSnapshots(), discardedSnapshots()})) {
     case QMessageBox::Save:
         return save();
     case QMessageBox::Discard:
@@ -166,12 +183,13 @@ bool FileCommands::saveAs() {
 }
 
 void FileCommands::revert() {
-    if (m_context.document->isModified()) {
-        const auto answer = QMessageBox::question(
-            m_context.window, tr("Revert"),
-            tr("Revert to “%1” as it is on disk? Your changes since then will be lost.").arg(m_file->name()),
-            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
-        if (answer != QMessageBox::Discard) return;
+    QStringList lost{lostSnapshots(), discardedSnapshots()};
+    lost.removeAll(QString());
+    if (m_context.document->isModified() || !lost.isEmpty()) {
+        const QString question =
+            tr("Revert to “%1” as it is on disk? Your changes since then will be lost.").arg(m_file->name());
+        if (!askToDiscard(m_context.window, tr("Revert"), question, lost.join(QStringLiteral("\n\n"))))
+            return;
     }
     if (const io::Failure failure = m_file->revert())
         m_context.messages->fail(tr("%1 could not be reloaded").arg(m_file->name()), *failure);

@@ -6,6 +6,10 @@
 
 #include <functional>
 
+namespace view {
+class Snapshots;
+}
+
 // Opens and saves the file of a window, with the dialogs that this takes. Shares the translations of the main
 // window.
 class FileCommands : public QObject {
@@ -33,20 +37,20 @@ public:
         std::function<bool()> refusesSaving;
     };
     void setLessons(const Lessons& lessons) { m_lessons = lessons; }
-    // The names of the snapshots that are lost with the file.
-    void setSnapshots(const std::function<QStringList()>& unsaved) { m_snapshots = unsaved; }
+    void setSnapshots(const view::Snapshots* snapshots) { m_snapshots = snapshots; } // lost with the file
 
 private:
     enum class Answer { Save, SaveAs, Cancel };
     Answer askAboutDisk(OpenFile::OnDisk found);
     void reportOpened();
     void reportSaved();
-    QString targetRemark() const;  // about the target of a collage, if there is one
-    QString lostSnapshots() const; // a sentence; empty: none
+    QString targetRemark() const;       // about the target of a collage, if there is one
+    QString lostSnapshots() const;      // a sentence; empty: none
+    QString discardedSnapshots() const; // besides these, when changes are given up
 
     MenuContext m_context;
     OpenFile* m_file;
     Lessons m_lessons;
     bool m_hasRemarkedOnTarget = false; // since the window is open
-    std::function<QStringList()> m_snapshots;
+    const view::Snapshots* m_snapshots = nullptr;
 };

@@ -112,7 +112,7 @@ MainWindow::MainWindow(QWidget* parent)
     createLesson();
     m_snapshots->setDock(dock(m_snapshots->makePanel(), tr("Snapshots"), QStringLiteral("snapshots"),
                               Qt::BottomDockWidgetArea));
-    m_fileCommands->setSnapshots([this] { return m_snapshots->snapshots()->unsaved(); });
+    m_fileCommands->setSnapshots(m_snapshots->snapshots());
     explainPanels(*this);
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);

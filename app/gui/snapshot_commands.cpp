@@ -2,6 +2,7 @@
 #include "snapshot_commands.h"
 
 #include "action_menu.h"
+#include "bridges/construction.h"
 #include "panels/snapshots/snapshots_panel.h"
 #include "snapshot_banner.h"
 #include "stage.h"
@@ -16,17 +17,27 @@ namespace {
 
 constexpr int stripHeight = 180; // one row: the picture stays the largest thing in the window
 
+QString obstacle(const MenuContext& context) {
+    if (context.stage->transformation()->isPainted())
+        return SnapshotCommands::tr("Snapshots cannot be compared while a fractal transformation is shown.");
+    const auto* construction = context.window->findChild<view::Construction*>();
+    if (construction && construction->mode() != view::Construction::Mode::Density)
+        return SnapshotCommands::tr(
+            "Snapshots can be compared only while the density is shown. Choose Density "
+            "in the bar under the canvas first.");
+    return {};
+}
+
 } // namespace
 
 SnapshotCommands::SnapshotCommands(const MenuContext& context, view::RenderBridge* render)
     : QObject(context.window),
       m_snapshots(context.document),
       m_look(context.document, &m_snapshots,
-             {context.canvas, render, context.stage->views(), [stage = context.stage] {
-                  return stage->transformation()->isPainted()
-                             ? tr("Snapshots cannot be compared while a fractal transformation is shown.")
-                             : QString();
-              }}) {
+             {context.canvas, render, context.stage->views(), [context] { return obstacle(context); }}) {
+    // Its points and its die are those of the fractal.
+    if (auto* construction = context.window->findChild<view::Construction*>())
+        connect(construction, &view::Construction::starting, &m_look, &view::SnapshotLook::end);
     connect(&m_snapshots, &view::Snapshots::message, context.messages, &WindowMessages::say);
     connect(&m_look, &view::SnapshotLook::message, context.messages, &WindowMessages::say);
     connect(&m_look, &view::SnapshotLook::changed, this, [this, window = context.window](bool isOn) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stage.h"
 
+#include "fitted_views.h"
+
 Stage::Stage(document::Document* document, view::RenderBridge* render, view::SolidBridge* solid,
              QWidget* parent)
     : QSplitter(Qt::Horizontal, parent),
@@ -21,6 +23,7 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
         using document::Change;
         if (change.parts & (Change::System | Change::Current | Change::File)) follow(*document);
     });
+    new FittedViews(document, m_plane->navigation(), m_space->main()->navigation(), this);
     connect(&m_plane->options(), &view::CanvasOptions::overlaysVisibleChanged, m_space,
             &view::FourViews::setOverlaysVisible);
     connect(m_plane, &view::CanvasView::toolChanged, m_space, [this](view::CanvasView::Tool tool) {

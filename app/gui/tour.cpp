@@ -2,6 +2,7 @@
 #include "tour.h"
 
 #include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_geometry.h"
 #include "desktop/settings.h"
 #include "panels/maps/maps_panel.h"
 
@@ -17,6 +18,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -222,11 +225,38 @@ bool Tour::eventFilter(QObject* watched, QEvent* event) {
     return MessageBanner::eventFilter(watched, event);
 }
 
+QPoint Tour::freeCorner() const {
+    constexpr int reach = 40; // of a corner, with the round handle beside it
+    QRect room = canvasRect();
+    if (const auto* bar = host()->findChild<QToolBar*>(QStringLiteral("construction"));
+        bar && bar->isHidden())
+        room.setBottom(room.bottom() - bar->sizeHint().height()); // a step shows it
+    std::vector<QPoint> handles;
+    if (const auto* canvas = host()->findChild<view::CanvasView*>(); canvas && canvas->isVisible())
+        if (const auto& cage = canvas->canvas().handles().cage())
+            for (const QPointF& corner : view::pixelsOf(canvas->camera(), cage->current))
+                handles.push_back(canvas->viewport()->mapTo(host(), corner.toPoint()));
+    const int left = room.left() + margin;
+    const int right = room.right() - margin - width();
+    const int top = room.top() + margin;
+    const int bottom = room.bottom() - hintHeight - height();
+    const auto covered = [&](const QPoint& place) {
+        const QRect card = QRect(place, size()).adjusted(-reach, -reach, reach, reach);
+        return std::ranges::count_if(handles, [&](const QPoint& handle) { return card.contains(handle); }) +
+               (place.y() < top ? std::ssize(handles) + 1 : 0); // it would not fit in there
+    };
+    return std::ranges::min(
+        {QPoint(right, top), QPoint(left, bottom), QPoint(left, top), QPoint(right, bottom)}, {}, covered);
+}
+
 // In one place and of one height for all steps, so that the buttons stay under the pointer.
 QPoint Tour::topLeft() {
     if (!m_target) return MessageBanner::topLeft();
     const QRect pointed(m_target->mapTo(host(), QPoint()), m_target->size());
     m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
     m_mark->raise();
-    return canvasRect().topRight() + QPoint(-margin - width(), margin);
+    // Whether a bar takes some of its height or not.
+    const std::array room{canvasRect().left(), canvasRect().width(), host()->height(), height()};
+    if (std::exchange(m_room, room) != room) m_place = freeCorner();
+    return m_place;
 }

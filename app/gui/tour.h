@@ -5,6 +5,8 @@
 
 #include <QPointer>
 
+#include <array>
+
 class QPushButton;
 
 // Six short steps through the window itself: a banner that says what to do and a frame around the place to do
@@ -30,12 +32,15 @@ private:
     ~Tour() override;
 
     void showStep(int step);
+    QPoint freeCorner() const; // of the canvas, with no handle of the cage below the banner where possible
     void keepSize(bool asking);
     void leaveStep();
 
     QPointer<QWidget> m_mark; // the frame around the target
     QPointer<QWidget> m_target;
     int m_step = -1;
+    std::array<int, 4> m_room{}; // for which the place was chosen
+    QPoint m_place;
     bool m_barWasHidden = false;
     QLabel* m_progress;
     QLabel* m_title;

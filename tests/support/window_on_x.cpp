@@ -15,10 +15,12 @@
 #include <QEventLoop>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QScreen>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTabBar>
+#include <QTimer>
 
 #include <cmath>
 
@@ -62,7 +64,14 @@ void WindowOnX::openWindow() {
 void WindowOnX::closeWindow() {
     if (!m_window) return;
     m_hand.reset();
-    document().undoStack()->setClean(); // nothing to ask about
+    document().undoStack()->setClean(); // nothing to ask about but snapshots
+    QTimer discarding;
+    QObject::connect(&discarding, &QTimer::timeout, &discarding, [] {
+        const auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (box && box->informativeText().startsWith(QStringLiteral("Snapshots")))
+            box->button(QMessageBox::Discard)->click();
+    });
+    discarding.start(20);
     m_window->close();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QVERIFY(!m_window);

@@ -91,11 +91,7 @@ void ComparePane::create() {
     followTools();
     followViews();
     m_lastCurrent = m_document->currentId();
-    connect(m_document, &document::Document::changed, this, [this](const document::Change& change) {
-        using document::Change;
-        if (change.live || !m_isCompared) return;
-        if (change.parts & (Change::Entries | Change::Name | Change::Current | Change::File)) refresh();
-    });
+    connect(m_document, &document::Document::changed, this, &ComparePane::follow);
     connect(m_partner.get(), &document::PartnerDocument::partnerChanged, this, &ComparePane::showEntry);
     connect(other, &document::Document::changed, this, [this](const document::Change& change) {
         if (change.parts & (document::Change::System | document::Change::File)) showEntry();
@@ -220,6 +216,38 @@ void ComparePane::setEntry(EntryId entry) {
     changeTo(entry);
 }
 
+void ComparePane::follow(const document::Change& change) {
+    using document::Change;
+    if (change.live || !m_isCompared) return;
+    const bool isAnotherFile = change.parts & Change::File;
+    if (change.parts & Change::Current && !isAnotherFile && !areViewsLinked()) {
+        keepTurn(m_lastCurrent, *m_plane); // it was fitted again since, but stays turned
+        keepTurn(m_partner->id(), *m_otherPlane);
+        turn(*m_plane, *m_document);
+    }
+    if (change.parts & (Change::Entries | Change::Name | Change::Current | Change::File)) refresh();
+    if (!isAnotherFile) return;
+    m_turns.clear();
+    turn(*m_otherPlane, m_partner->document());
+}
+
+void ComparePane::keepTurn(EntryId entry, const CanvasView& canvas) {
+    m_turns[entry] = canvas.camera().rotation;
+}
+
+// Each entry keeps how its view is turned, whichever canvas shows it. Keys of a camera know better.
+void ComparePane::turn(CanvasView& canvas, const document::Document& document) {
+    const EntryId entry = &document == m_document ? m_document->currentId() : m_partner->id();
+    attractor::Camera camera = canvas.camera();
+    const auto kept = m_turns.find(entry);
+    const double rotation = kept == m_turns.end() ? 0 : kept->second;
+    if (camera.rotation == rotation || document.view()) return;
+    const QScopedValueRollback<bool> linking(m_isLinking, true);
+    camera.rotation = rotation;
+    canvas.navigation().setCamera(camera);
+    canvas.fit();
+}
+
 // The entry that becomes the current one changes places with the one that was.
 void ComparePane::refresh() {
     const document::FractalFile& file = m_document->file();
@@ -237,9 +265,11 @@ void ComparePane::refresh() {
 
 // The canvas fits another entry into its view; the view of the window is not to follow that.
 void ComparePane::changeTo(EntryId entry) {
-    {
+    if (entry != m_partner->id()) {
+        keepTurn(m_partner->id(), *m_otherPlane);
         const QScopedValueRollback<bool> linking(m_isLinking, true);
         m_partner->setPartner(entry);
+        turn(*m_otherPlane, m_partner->document());
     }
     const QSignalBlocker quiet(m_entries);
     m_entries->setCurrentIndex(m_entries->findData(uint(m_partner->id())));

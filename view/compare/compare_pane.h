@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include <map>
 #include <memory>
 
 class QComboBox;
@@ -51,7 +52,10 @@ private:
     void createHeader();
     void followTools();
     void followViews();
+    void follow(const document::Change& change);
     void refresh();
+    void keepTurn(document::EntryId entry, const CanvasView& canvas);
+    void turn(CanvasView& canvas, const document::Document& document);
     void changeTo(document::EntryId entry);
     void showEntry();
     document::EntryId likelyEntry() const;
@@ -78,6 +82,8 @@ private:
     QToolButton* m_link = nullptr;
     QLabel* m_nothing = nullptr;
     QStackedWidget* m_views = nullptr;
+
+    std::map<document::EntryId, double> m_turns; // of the views of entries, in radians
 };
 
 } // namespace view

@@ -27,6 +27,7 @@ private slots:
     void bothAreDraggedInOneHistory();
     void viewsAreLinkedOnRequest();
     void entriesChangePlaces();
+    void rotationsGoWithTheEntries();
     void undoLeavesThePlaces();
     void entriesComeAndGo();
     void solidsAreCompared();
@@ -168,6 +169,41 @@ void CompareTest::entriesChangePlaces() {
         QCOMPARE(each->camera().centre, camera.centre);
         QCOMPARE(each->camera().pixelsPerUnit, camera.pixelsPerUnit);
     }
+}
+
+void CompareTest::rotationsGoWithTheEntries() {
+    open("a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\nb {\n .4 0 0 .4 0 0 1\n .4 0 0 .4 9 0 1\n}\n"
+         "c {\n .3 0 0 .3 0 0 1\n .3 0 0 .3 0 7 1\n}\n");
+    toggle();
+    QTRY_VERIFY(pane()->isVisible() && pane()->plane()->isVisible());
+    const auto rotations = [this] {
+        return QList<double>{canvas()->navigation().rotation(), pane()->plane()->navigation().rotation()};
+    };
+    const auto showBeside = [this](const QString& name) {
+        entries()->setCurrentIndex(entries()->findText(name));
+        emit entries()->activated(entries()->currentIndex());
+    };
+    canvas()->navigation().rotateBy(30);
+    pane()->plane()->navigation().rotateBy(-45);
+    document().setCurrent(idOf(u"b"_s)); // they change places
+    QCOMPARE(shown(), u"a"_s);
+    QCOMPARE(rotations(), QList<double>({-45, 30}));
+    showBeside(u"c"_s);
+    QCOMPARE(rotations(), QList<double>({-45, 0}));
+    showBeside(u"a"_s);
+    QCOMPARE(rotations(), QList<double>({-45, 30}));
+    for (QAction* action : m_window->findChildren<QAction*>())
+        if (action->text().remove(u'&') == u"Presentation"_s) action->trigger();
+    document().setCurrent(idOf(u"a"_s));
+    QCOMPARE(rotations(), QList<double>({30, -45}));
+    document().setCurrent(idOf(u"c"_s)); // in place of a
+    QCOMPARE(canvas()->navigation().rotation(), 0.0);
+    QTest::keyClick(canvas(), Qt::Key_Escape);
+    // Views that are linked turn together.
+    pane()->setViewsLinked(true);
+    canvas()->navigation().rotateBy(15);
+    document().setCurrent(idOf(u"a"_s));
+    QCOMPARE(rotations(), QList<double>({15, 15}));
 }
 
 // Both are in sight: nothing has to change places to show what is undone.

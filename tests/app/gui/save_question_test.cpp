@@ -16,14 +16,15 @@ class SaveQuestionTest : public WindowFixture {
 
 private slots:
     void snapshotsAreNamed();
+    void snapshotsOfAFileWithoutChangesAreAskedFor();
 
 private:
     struct Question {
         QString text;
         QStringList buttons;
     };
-    // What is asked when the window is closed; it stays open.
-    Question asked() {
+    // What is asked when the window is closed; it stays open, unless another button is to be pressed.
+    Question asked(QMessageBox::StandardButton press = QMessageBox::Cancel) {
         Question question;
         QTimer look;
         connect(&look, &QTimer::timeout, this, [&] {
@@ -32,7 +33,7 @@ private:
                     question.text = box->text() + u'\n' + box->informativeText();
                     for (const QAbstractButton* button : box->buttons())
                         question.buttons << button->text();
-                    box->button(QMessageBox::Cancel)->click();
+                    box->button(press)->click();
                 }
         });
         look.start(20);
@@ -74,6 +75,28 @@ void SaveQuestionTest::snapshotsAreNamed() {
     question = asked();
     QVERIFY2(!question.text.contains(u"napshot"_s), qPrintable(question.text));
     m_window->document().undoStack()->setClean();
+}
+
+void SaveQuestionTest::snapshotsOfAFileWithoutChangesAreAskedFor() {
+    QUndoStack* history = m_window->document().undoStack();
+    takeSnapshot();
+    rename(u"two"_s);
+    document::Fractal changed = m_window->document().fractal();
+    document::plane(changed)->system.maps[0].map.translation.x() += 0.1;
+    m_window->document().edit(u"move"_s, changed);
+    takeSnapshot();
+    Question question = asked();
+    QVERIFY2(question.text.contains(u"Snapshot 1 of “two”"_s), qPrintable(question.text));
+    QVERIFY2(question.text.contains(u"Snapshot 2 of “two”"_s), qPrintable(question.text)); // by Discard
+    history->setIndex(0);
+    QVERIFY(!m_window->document().isModified());
+    question = asked();
+    QVERIFY(m_window->isVisible());
+    QVERIFY2(question.text.contains(u"Snapshot 2"_s), qPrintable(question.text));
+    QVERIFY2(!question.text.contains(u"Snapshot 1"_s), qPrintable(question.text)); // it is in the file
+    QCOMPARE(question.buttons.size(), 2);
+    asked(QMessageBox::Discard);
+    QVERIFY(!m_window->isVisible());
 }
 
 QTEST_MAIN(SaveQuestionTest)

@@ -2,6 +2,7 @@
 #include "tour.h"
 
 #include "app/gui/window_fixture.h"
+#include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
 #include "document/fractal_geometry.h"
 #include "panels/maps/maps_panel.h"
@@ -31,6 +32,7 @@ private slots:
     void theOfferIsMadeOnce();
     void theFirstHintGoesWithTheTour();
     void theCardCoversNothingTheCanvasSays();
+    void theCardCoversNoCorner();
     void theWindowMayCloseMeanwhile();
 
 private:
@@ -193,6 +195,31 @@ void TourTest::theCardCoversNothingTheCanvasSays() {
     QTRY_VERIFY(!tour());
     QTRY_VERIFY(isInTheMiddle()); // which is free again
     m_window->document().undoStack()->setClean();
+}
+
+void TourTest::theCardCoversNoCorner() {
+    auto* canvas = m_window->findChild<view::CanvasView*>();
+    canvas->fit();
+    QTRY_VERIFY(canvas->canvas().handles().cage().has_value());
+    Tour::start(m_window.get());
+    for (int step = 0; step < 6; ++step) {
+        settle();
+        QTRY_VERIFY(tour()->isVisible() && tour()->step() == step);
+        const QRect card(canvas->viewport()->mapFrom(m_window.get(), tour()->pos()), tour()->size());
+        const auto& cage = canvas->canvas().handles().cage();
+        for (const QPointF& corner : view::pixelsOf(canvas->camera(), cage->current))
+            QVERIFY2(!card.adjusted(-12, -12, 12, 12).contains(corner.toPoint()),
+                     qPrintable(QStringLiteral("step %1").arg(step)));
+        if (step < 5) button(QStringLiteral("Next"))->click();
+    }
+    // Where the upper right corner is free, it stays there.
+    tour()->close();
+    QTRY_VERIFY(!tour());
+    canvas->navigation().pan(QPointF(-5000, 0));
+    Tour::start(m_window.get());
+    settle();
+    QTRY_VERIFY(tour()->geometry().center().x() > m_window->centralWidget()->geometry().center().x());
+    QVERIFY(tour()->geometry().center().y() < m_window->centralWidget()->geometry().center().y());
 }
 
 void TourTest::theWindowMayCloseMeanwhile() {

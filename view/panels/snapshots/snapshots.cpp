@@ -27,8 +27,12 @@ auto withKey(quint64 key) {
 
 } // namespace
 
-Snapshots::Snapshots(document::Document* document, QObject* parent) : QObject(parent), m_document(document) {
+Snapshots::Snapshots(document::Document* document, QObject* parent)
+    : QObject(parent), m_document(document), m_saved(document->file().entries) {
     connect(document, &document::Document::changed, this, &Snapshots::follow);
+    connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
+        if (isClean) m_saved = m_document->file().entries;
+    });
 }
 
 const Snapshots::Strip* Snapshots::stripNow() const {
@@ -57,8 +61,7 @@ bool Snapshots::isAsNow(const Snapshot& snapshot) const {
     return document::isSameSystem(*snapshot.fractal, *now) && restored(*snapshot.fractal, *now) == *now;
 }
 
-QStringList Snapshots::unsaved() const {
-    const auto& entries = m_document->file().entries;
+QStringList Snapshots::likeNone(const QList<document::Entry>& entries) const {
     const auto isKept = [&entries](const Fractal& fractal) {
         return std::ranges::any_of(entries, [&fractal](const document::Entry& entry) {
             return document::isSameSystem(fractal, *entry.fractal) &&
@@ -66,11 +69,27 @@ QStringList Snapshots::unsaved() const {
         });
     };
     QStringList names;
-    for (const document::Entry& entry : entries)
+    const auto add = [&](const Strip& strip, const Fractal& entry) {
+        for (const Snapshot& snapshot : strip.list)
+            if (!isKept(*snapshot.fractal))
+                names << tr("%1 of “%2”", "snapshot, entry").arg(snapshot.name, entry.name);
+    };
+    for (const document::Entry& entry : m_document->file().entries)
         if (const auto strip = m_strips.find(entry.id); strip != m_strips.end())
-            for (const Snapshot& snapshot : strip->second.list)
-                if (!isKept(*snapshot.fractal))
-                    names << tr("%1 of “%2”", "snapshot, entry").arg(snapshot.name, entry.fractal->name);
+            add(strip->second, *entry.fractal);
+    for (const Parked& parked : m_parked)
+        add(parked.strip, *parked.fractal);
+    return names;
+}
+
+QStringList Snapshots::unsaved() const {
+    return likeNone(m_document->file().entries);
+}
+
+QStringList Snapshots::lostByDiscarding() const {
+    QStringList names = likeNone(m_saved);
+    for (const QString& name : unsaved())
+        names.removeOne(name);
     return names;
 }
 
@@ -189,6 +208,7 @@ void Snapshots::follow(const document::Change& change) {
         m_strips.clear();
         m_seen.clear();
         m_parked.clear();
+        m_saved = m_document->file().entries;
     } else if (change.parts & Change::Entries) {
         park();
     }

@@ -48,9 +48,10 @@ public:
     void mark(quint64 key);
     std::optional<quint64> present() const; // the one that the entry is like, but for a gesture that is open
     bool isAsNow(const Snapshot& snapshot) const;
-    // Those of all entries that are like no entry of the file, each with the name of its own: they are lost
-    // when the file is closed.
+    // Those of all entries, deleted ones too, that are like no entry of the file, each with the name of its
+    // own: they are lost when the file is closed.
     QStringList unsaved() const;
+    QStringList lostByDiscarding() const; // besides these: they are like entries with unsaved changes
 
 signals:
     void changed(); // in what is listed, or marked, or like the entry
@@ -71,6 +72,7 @@ private:
         Strip strip;
     };
 
+    QStringList likeNone(const QList<document::Entry>& entries) const;
     void follow(const document::Change& change);
     void park();
     void updatePresent();
@@ -82,6 +84,7 @@ private:
     std::map<document::EntryId, Strip> m_strips;
     std::map<document::EntryId, std::shared_ptr<const document::Fractal>> m_seen; // of entries with a strip
     std::vector<Parked> m_parked;
+    QList<document::Entry> m_saved; // the entries as they were opened or saved
     std::optional<quint64> m_present;
     quint64 m_lastKey = 0;
 };

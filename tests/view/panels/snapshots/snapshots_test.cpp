@@ -50,6 +50,8 @@ private slots:
     void anotherEntryOfTheSameIdHasNone();
     void anEntryIsAdded();
     void whatIsLostIsNamed();
+    void thoseOfDeletedEntriesAreLostToo();
+    void whatDiscardingLosesIsNamed();
     void anUnreadableEntryHasNone();
     void aLookChangesNothing();
     void anEditEndsTheLook();
@@ -227,6 +229,40 @@ void SnapshotsTest::whatIsLostIsNamed() {
     QCOMPARE(m_snapshots->unsaved().size(), 1);
     m_document->undoStack()->undo();
     QVERIFY(m_snapshots->unsaved().isEmpty());
+}
+
+void SnapshotsTest::thoseOfDeletedEntriesAreLostToo() {
+    m_snapshots->take();
+    scale(0.8);
+    m_snapshots->addAsEntry(key(0));
+    scale(0.8);
+    m_snapshots->take();
+    document::FractalFile file = m_document->file();
+    file.entries.removeFirst();
+    m_document->editFile(QStringLiteral("Delete"), file, file.entries.first().id);
+    QVERIFY(names().isEmpty());
+    const QStringList lost = m_snapshots->unsaved(); // the first one is an entry of its own
+    QCOMPARE(lost.size(), 1);
+    QVERIFY2(lost.first().contains(QStringLiteral("Snapshot 2")), qPrintable(lost.first()));
+    m_document->undoStack()->undo();
+    QVERIFY(m_snapshots->unsaved().isEmpty());
+}
+
+// The one that is like the fractal as it is now is saved with it, or is lost with it.
+void SnapshotsTest::whatDiscardingLosesIsNamed() {
+    m_snapshots->take(); // as in the file
+    scale(0.8);
+    m_snapshots->take();
+    QCOMPARE(m_snapshots->unsaved().size(), 1);
+    const QStringList discarded = m_snapshots->lostByDiscarding();
+    QCOMPARE(discarded.size(), 1);
+    QVERIFY2(discarded.first().contains(QStringLiteral("Snapshot 2")), qPrintable(discarded.first()));
+    m_document->undoStack()->setClean(); // saved
+    QVERIFY(m_snapshots->lostByDiscarding().isEmpty());
+    QCOMPARE(m_snapshots->unsaved().size(), 1);
+    scale(0.8);
+    QCOMPARE(m_snapshots->unsaved().size(), 2);
+    QVERIFY(m_snapshots->lostByDiscarding().isEmpty());
 }
 
 void SnapshotsTest::anUnreadableEntryHasNone() {

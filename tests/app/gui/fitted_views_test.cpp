@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "fitted_views.h"
+
+#include "app/gui/window_fixture.h"
+#include "panels/maps/symmetry_row.h"
+#include "space/space_view.h"
+
+#include <QComboBox>
+#include <QTest>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+// What an edit does to the view, undo takes back.
+class FittedViewsTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void undoOfASymmetryTakesTheViewBack();
+    void undoTakesBackAFitAfterTheEdit();
+    void theViewThatTheUserMovedStays();
+    void anEditThatLeavesTheViewIsUndoneWithoutIt();
+    void solidsAreFittedAgain();
+
+private:
+    document::Document& document() { return m_window->document(); }
+    QUndoStack& history() { return *document().undoStack(); }
+    view::CanvasView& canvas() const { return *m_window->findChild<view::CanvasView*>(); }
+    view::CanvasNavigation& plane() const { return canvas().navigation(); }
+    void scale(double factor) {
+        document::Fractal changed = document().fractal();
+        if (auto* shape = document::plane(changed))
+            for (auto& map : shape->system.maps)
+                map.map.translation *= factor;
+        if (auto* shape = document::space(changed))
+            for (auto& map : shape->system.maps)
+                map.map.translation *= factor;
+        document().edit(u"Scale"_s, changed);
+    }
+    void chooseSymmetry(int group) const {
+        QComboBox* groups = m_window->findChild<view::SymmetryRow*>()->groups();
+        groups->setCurrentIndex(group);
+        emit groups->activated(group);
+    }
+    // Until what is searched in the background has been found.
+    void awaitFit(const attractor::Camera& before) const { QTRY_VERIFY(!(plane().camera() == before)); }
+};
+
+void FittedViewsTest::undoOfASymmetryTakesTheViewBack() {
+    plane().fit();
+    const attractor::Camera before = plane().camera();
+    chooseSymmetry(1);
+    awaitFit(before);
+    const attractor::Camera symmetric = plane().camera();
+    history().undo();
+    QCOMPARE(plane().camera(), before);
+    QVERIFY(plane().isFitted());
+    history().redo();
+    QCOMPARE(plane().camera(), symmetric);
+    history().undo();
+    QCOMPARE(plane().camera(), before);
+}
+
+void FittedViewsTest::undoTakesBackAFitAfterTheEdit() {
+    plane().fit();
+    const attractor::Camera before = plane().camera();
+    scale(0.25);
+    QCOMPARE(plane().camera(), before); // the edit alone does not move it
+    plane().fit();
+    awaitFit(before);
+    scale(0.5);
+    history().setIndex(0);
+    QCOMPARE(plane().camera(), before);
+    // A step that was never undone is no redo.
+    const attractor::Camera fitted = plane().camera();
+    scale(3);
+    QCOMPARE(plane().camera(), fitted);
+}
+
+void FittedViewsTest::theViewThatTheUserMovedStays() {
+    plane().fit();
+    chooseSymmetry(1);
+    plane().zoomBy(3);
+    const attractor::Camera zoomed = plane().camera();
+    history().undo();
+    QCOMPARE(plane().camera(), zoomed);
+    history().redo();
+    QCOMPARE(plane().camera(), zoomed);
+}
+
+void FittedViewsTest::anEditThatLeavesTheViewIsUndoneWithoutIt() {
+    plane().fit();
+    scale(0.3);
+    scale(0.5); // the view is still that of the first picture, not fitted to this one
+    const attractor::Camera before = plane().camera();
+    history().undo();
+    QCOMPARE(plane().camera(), before);
+    history().undo();
+    QCOMPARE(plane().camera(), before);
+    history().redo();
+    QCOMPARE(plane().camera(), before);
+}
+
+void FittedViewsTest::solidsAreFittedAgain() {
+    document::Fractal solid;
+    solid.name = u"solid"_s;
+    ifs::IteratedFunctionSystem<3> system;
+    for (const ifs::Vector<3>& corner : {ifs::Vector<3>(0, 0, 0), ifs::Vector<3>(1, 0, 0),
+                                         ifs::Vector<3>(0, 1, 0), ifs::Vector<3>(0, 0, 1)}) {
+        ifs::AffineMap<3> map;
+        map.linear = 0.5 * ifs::Matrix<3>::Identity();
+        map.translation = corner / 2;
+        ifs::append(system, map, 0.25);
+    }
+    solid.shape = document::Shape<3>{std::move(system)};
+    document().setFile(document::fileOf(solid));
+    view::SpaceNavigation& space = m_window->findChild<view::SpaceView*>()->navigation();
+    space.fit();
+    const double height = space.camera().height;
+    scale(0.25);
+    space.fit();
+    QVERIFY(space.camera().height < height / 2);
+    history().undo();
+    QVERIFY(std::abs(space.camera().height / height - 1) < 1e-9);
+    QVERIFY(space.isFitted());
+}
+
+QTEST_MAIN(FittedViewsTest)
+#include "fitted_views_test.moc"

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "snapshot_commands.h"
+
+#include "app/gui/window_fixture.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+
+// Snapshots in a window that shows how the attractor is built.
+class SnapshotCommandsTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void aChaosGameIsNotCompared();
+
+private:
+    view::SnapshotLook* look() const { return m_window->findChild<SnapshotCommands*>()->look(); }
+};
+
+// A few points of the snapshot would be all that is seen, with the die of the fractal.
+void SnapshotCommandsTest::aChaosGameIsNotCompared() {
+    auto* canvas = m_window->findChild<view::CanvasView*>();
+    auto* construction = m_window->findChild<view::Construction*>();
+    QTest::keyClick(canvas, Qt::Key_S);
+    document::Fractal changed = m_window->document().fractal();
+    document::plane(changed)->system.maps[0].map.translation.x() += 0.1;
+    m_window->document().edit(u"move"_s, changed);
+    using Mode = view::Construction::Mode;
+    for (const Mode mode : {Mode::ChaosGame, Mode::Steps}) {
+        construction->setMode(mode);
+        QTest::keyClick(canvas, Qt::Key_Q);
+        QVERIFY(!look()->isOn());
+        QVERIFY(canvas->options().overlaysVisible());
+        QSignalSpy said(look(), &view::SnapshotLook::message);
+        look()->toggle();
+        QCOMPARE(said.size(), 1);
+        QVERIFY2(said.first().first().toString().contains(u"Density"_s),
+                 qPrintable(said.first().first().toString()));
+    }
+    construction->setMode(Mode::Density);
+    QTest::keyClick(canvas, Qt::Key_Q);
+    QVERIFY(look()->isOn());
+    construction->setMode(Mode::ChaosGame);
+    QVERIFY(!look()->isOn());
+    QVERIFY(canvas->options().overlaysVisible());
+    m_window->document().undoStack()->setClean();
+}
+
+QTEST_MAIN(SnapshotCommandsTest)
+#include "snapshot_commands_test.moc"
