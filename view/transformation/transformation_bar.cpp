@@ -29,8 +29,7 @@ using document::TheftMode;
 
 constexpr int fewLetters = 10; // of a combo box in a narrow window
 constexpr int moreLetters = 16;
-constexpr int mostLetters = 20; // of the name of an entry
-constexpr int narrowest = 60;   // pixels of a combo box where the window is as narrow as can be
+constexpr int narrowest = 60; // pixels of a combo box where the window is as narrow as can be
 
 // The names of entries, which may be long, end in dots where there is no room for all of them.
 class NamesBox : public QComboBox {
@@ -83,7 +82,7 @@ QComboBox* comboBox(const QString& name, const QString& tip, QWidget* parent) {
 
 TransformationBar::TransformationBar(QWidget* parent)
     : QWidget(parent),
-      m_from(new QLabel(this)),
+      m_from(new ElidedLabel(this)),
       m_partner(comboBox(tr("Partner"), tr("The entry on which the picture is placed"), this)),
       m_mode(comboBox(tr("Mode"), tr("What the fractal transformation does with the picture"), this)),
       m_status(new ElidedLabel(this)) {
@@ -110,16 +109,15 @@ TransformationBar::TransformationBar(QWidget* parent)
     m_status->setAccessibleName(tr("State of the fractal transformation"));
 
     auto* first = new QHBoxLayout;
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner), static_cast<QWidget*>(m_mode),
-          static_cast<QWidget*>(m_picture), static_cast<QWidget*>(m_starters)})
-        first->addWidget(widget, widget == m_partner ? 1 : 0);
+    for (QWidget* widget : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_partner),
+                            static_cast<QWidget*>(m_mode), static_cast<QWidget*>(m_picture),
+                            static_cast<QWidget*>(m_starters), static_cast<QWidget*>(m_export)})
+        first->addWidget(widget, widget == m_from || widget == m_partner ? 1 : 0);
     auto* last = new QHBoxLayout;
     last->addWidget(m_status, 1);
     last->addWidget(m_remedy);
     last->addWidget(m_overlay);
     last->addWidget(m_stack);
-    last->addWidget(m_export);
     last->addStrut(m_remedy->sizeHint().height()); // the bar is as high with a message as without
     m_rows = new QVBoxLayout(this);
     m_rows->setContentsMargins(8, 4, 8, 4);
@@ -184,10 +182,11 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
     m_partner->clear();
     for (const document::Entry& entry : file.entries) {
         if (entry.id == current)
-            showName(entry.fractal->name);
+            m_from->setText(tr("%1 →").arg(entry.fractal->name));
         else if (document::plane(*entry.fractal))
             m_partner->addItem(entry.fractal->name, uint(entry.id));
     }
+    m_from->setMaximumWidth(m_from->sizeHint().width());
     m_partner->setCurrentIndex(m_partner->findData(uint(partner)));
     m_partner->setEnabled(m_partner->count() > 0);
     m_mode->setCurrentIndex(m_mode->findData(int(theft.mode)));
@@ -198,12 +197,6 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
         theft.picture.isEmpty()
             ? tr("The picture on the partner; you can also drop one there")
             : tr("The picture on the partner: %1").arg(QFileInfo(theft.picture).fileName()));
-}
-
-void TransformationBar::showName(const QString& name) {
-    const int room = mostLetters * fontMetrics().averageCharWidth();
-    m_from->setText(tr("%1 →").arg(fontMetrics().elidedText(name, Qt::ElideMiddle, room)));
-    m_from->setToolTip(name);
 }
 
 void TransformationBar::showContinuity(const QString& sentence) {

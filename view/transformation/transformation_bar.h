@@ -55,7 +55,6 @@ private:
     void addPictures();
     void addStarters();
     static std::pair<QString, QString> textsOf(Remedy remedy); // of its button: name, tip
-    void showName(const QString& name);                        // of the entry
     void showStatus();
 
     QLabel* m_from;

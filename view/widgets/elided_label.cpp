@@ -41,8 +41,9 @@ QStringList ElidedLabel::lines() const {
 }
 
 QSize ElidedLabel::withHeight(QSize size) const {
-    const int more = fontMetrics().lineSpacing() * (m_most - 1);
-    return {size.width(), size.height() + more};
+    const QMargins margins = contentsMargins();
+    if (m_most > 1) size.setHeight(fontMetrics().lineSpacing() * m_most + margins.top() + margins.bottom());
+    return size;
 }
 
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {

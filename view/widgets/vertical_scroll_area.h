@@ -73,7 +73,7 @@ inline void scrollIntoView(QWidget* widget) {
                 at->layout()->activate(); // each asks the next one for room only later
             if (auto* area = qobject_cast<QScrollArea*>(at)) {
                 QEvent request(QEvent::LayoutRequest); // by which the area learns of it
-                QCoreApplication::sendEvent(area->widget(), &request);
+                QCoreApplication::sendEvent(area, &request);
                 area->ensureWidgetVisible(widget, 0);
             }
         }

@@ -74,13 +74,13 @@ private slots:
 
     // Whatever the panel has to say of the cage meanwhile.
     void theFieldsStayWhereTheyAre() {
-        m_panel->resize(260, 900);
+        m_panel->resize(m_panel->minimumSizeHint().width(), 900);
         NumberField* y = m_panel->field(CagePanel::Vertices::Current, 2, 1);
         const QLabel* status = nullptr;
         for (const auto* label : m_panel->findChildren<QLabel*>())
             if (label->accessibleName() == QStringLiteral("State of the cage")) status = label;
         QVERIFY(status);
-        QTRY_COMPARE(m_panel->width(), 260);
+        QTRY_COMPARE(m_panel->width(), m_panel->minimumSizeHint().width());
         const QPoint place = y->mapTo(m_panel.get(), QPoint());
         const int height = status->height();
         type(y, QStringLiteral("-3"));
