@@ -2561,6 +2561,18 @@
         <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
         <translation>Eine Lektion kann nicht auf „%1“ verweisen. Speichern Sie die Fraktale zuerst als Datei .ifs, deren Name und Ordner kein : * ? &quot; &lt; &gt; | enthalten.</translation>
     </message>
+    <message>
+        <source>If you discard the changes, the snapshots of them will be lost, too: %1.</source>
+        <translation>Wenn Sie die Änderungen verwerfen, gehen auch ihre Schnappschüsse verloren: %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved snapshots</source>
+        <translation>Nicht gespeicherte Schnappschüsse</translation>
+    </message>
+    <message>
+        <source>“%1” has snapshots that are not saved.</source>
+        <translation>„%1“ hat Schnappschüsse, die nicht gespeichert sind.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3010,6 +3022,10 @@
     <message>
         <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Anstelle des Fraktals den Schnappschuss zeigen, der im Feld „Schnappschüsse“ ausgewählt ist, oder den neuesten; drücken Sie noch einmal, oder halten Sie die Taste und lassen los, um zurückzukehren</translation>
+    </message>
+    <message>
+        <source>Snapshots can be compared only while the density is shown. Choose Density in the bar under the canvas first.</source>
+        <translation>Schnappschüsse lassen sich nur vergleichen, solange die Dichte gezeigt wird. Wählen Sie zuerst „Dichte“ in der Leiste unter der Zeichenfläche.</translation>
     </message>
 </context>
 <context>
@@ -13280,6 +13296,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Edit the Motion…</source>
         <translation>Die Bewegung bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Branch %1, inside itself</source>
+        <translation>Zweig %1, in sich selbst</translation>
     </message>
 </context>
 <context>

@@ -2561,6 +2561,18 @@
         <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
         <translation>Una lección no puede referirse a «%1». Guarde antes los fractales como archivo .ifs, sin : * ? &quot; &lt; &gt; | en su nombre ni en sus carpetas.</translation>
     </message>
+    <message>
+        <source>If you discard the changes, the snapshots of them will be lost, too: %1.</source>
+        <translation>Si descarta los cambios, también se perderán sus instantáneas: %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved snapshots</source>
+        <translation>Instantáneas sin guardar</translation>
+    </message>
+    <message>
+        <source>“%1” has snapshots that are not saved.</source>
+        <translation>«%1» tiene instantáneas sin guardar.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3010,6 +3022,10 @@
     <message>
         <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Mostrar en lugar del fractal la instantánea seleccionada en el panel «Instantáneas», o la más reciente; pulse de nuevo, o mantenga la tecla y suéltela, para volver</translation>
+    </message>
+    <message>
+        <source>Snapshots can be compared only while the density is shown. Choose Density in the bar under the canvas first.</source>
+        <translation>Las instantáneas solo se pueden comparar mientras se muestra la densidad. Elija antes «Densidad» en la barra bajo el lienzo.</translation>
     </message>
 </context>
 <context>
@@ -13280,6 +13296,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Edit the Motion…</source>
         <translation>Editar el movimiento…</translation>
+    </message>
+    <message>
+        <source>Branch %1, inside itself</source>
+        <translation>Rama %1, dentro de sí misma</translation>
     </message>
 </context>
 <context>

@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
-        <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie : une nouvelle application pour cette branche, la dernière application de son adresse, cette branche seule, ou cette branche et la même à l’intérieur.</translation>
+        <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie&#x202f;: une nouvelle application pour cette branche, la dernière application de son adresse, cette branche seule, ou cette branche et la même à l’intérieur.</translation>
     </message>
 </context>
 <context>
@@ -435,7 +435,7 @@
     </message>
     <message>
         <source>There is no value: for these maps, none could be computed.</source>
-        <translation>Il n’y a pas de valeur : pour ces applications, aucune n’a pu être calculée.</translation>
+        <translation>Il n’y a pas de valeur&#x202f;: pour ces applications, aucune n’a pu être calculée.</translation>
     </message>
     <message>
         <source>There is no value, because these maps are not all similarities in the same coordinates.</source>
@@ -451,7 +451,7 @@
     </message>
     <message>
         <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
-        <translation>Il n’y a pas de valeur : il n’est pas prouvé que l’attracteur pave le plan de cette façon.</translation>
+        <translation>Il n’y a pas de valeur&#x202f;: il n’est pas prouvé que l’attracteur pave le plan de cette façon.</translation>
     </message>
     <message>
         <source>There is no value, because these maps are not of this kind.</source>
@@ -459,7 +459,7 @@
     </message>
     <message>
         <source>There is no value, because the maps are linked: the equation is another.</source>
-        <translation>Il n’y a pas de valeur, car les applications sont liées : l’équation est une autre.</translation>
+        <translation>Il n’y a pas de valeur, car les applications sont liées&#x202f;: l’équation est une autre.</translation>
     </message>
 </context>
 <context>
@@ -938,7 +938,7 @@
     </message>
     <message>
         <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
-        <translation>Une leçon ne peut pas désigner « %1 », mais seulement un fichier de son propre dossier, ou un fichier .ifs ou .par d’un autre.</translation>
+        <translation>Une leçon ne peut pas désigner «&#x202f;%1&#x202f;», mais seulement un fichier de son propre dossier, ou un fichier .ifs ou .par d’un autre.</translation>
     </message>
 </context>
 <context>
@@ -2547,11 +2547,11 @@
     </message>
     <message>
         <source>The lesson names no file of fractals (“file: name.ifs”).</source>
-        <translation>La leçon ne nomme aucun fichier de fractales (« file: nom.ifs »).</translation>
+        <translation>La leçon ne nomme aucun fichier de fractales («&#x202f;file: nom.ifs&#x202f;»).</translation>
     </message>
     <message>
         <source>The file of its fractals, “%1”, was not found. It may have been renamed or moved.</source>
-        <translation>Le fichier de ses fractales, « %1 », est introuvable. Il a peut-être été renommé ou déplacé.</translation>
+        <translation>Le fichier de ses fractales, «&#x202f;%1&#x202f;», est introuvable. Il a peut-être été renommé ou déplacé.</translation>
     </message>
     <message>
         <source>Save Lesson</source>
@@ -2559,7 +2559,19 @@
     </message>
     <message>
         <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
-        <translation>Une leçon ne peut pas désigner « %1 ». Enregistrez d’abord les fractales dans un fichier .ifs, sans : * ? &quot; &lt; &gt; | dans son nom ni dans ses dossiers.</translation>
+        <translation>Une leçon ne peut pas désigner «&#x202f;%1&#x202f;». Enregistrez d’abord les fractales dans un fichier .ifs, sans : * ? &quot; &lt; &gt; | dans son nom ni dans ses dossiers.</translation>
+    </message>
+    <message>
+        <source>If you discard the changes, the snapshots of them will be lost, too: %1.</source>
+        <translation>Si vous abandonnez les modifications, leurs instantanés seront perdus aussi : %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved snapshots</source>
+        <translation>Instantanés non enregistrés</translation>
+    </message>
+    <message>
+        <source>“%1” has snapshots that are not saved.</source>
+        <translation>« %1 » contient des instantanés non enregistrés.</translation>
     </message>
 </context>
 <context>
@@ -3010,6 +3022,10 @@
     <message>
         <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Montrer à la place de la fractale l’instantané sélectionné dans le panneau « Instantanés », ou le plus récent ; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
+    </message>
+    <message>
+        <source>Snapshots can be compared only while the density is shown. Choose Density in the bar under the canvas first.</source>
+        <translation>On ne peut comparer des instantanés que lorsque la densité est affichée. Choisissez d’abord « Densité » dans la barre sous le canevas.</translation>
     </message>
 </context>
 <context>
@@ -4690,7 +4706,7 @@
     </message>
     <message>
         <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>%1 images à %2 par seconde, %3 ; pistes : %4, mouvements : %5</translation>
+        <translation>%1 images à %2 par seconde, %3&#x202f;; pistes : %4, mouvements : %5</translation>
     </message>
     <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
@@ -6076,7 +6092,7 @@
     </message>
     <message>
         <source>The code does not change. This branch is shown in another position, and so is the same branch inside it, again and again: a frond curls up. Nothing beside it changes.</source>
-        <translation>Le code ne change pas. Cette branche est affichée dans une autre position, et de même la même branche à l’intérieur, encore et encore : une fronde s’enroule. Rien ne change à côté.</translation>
+        <translation>Le code ne change pas. Cette branche est affichée dans une autre position, et de même la même branche à l’intérieur, encore et encore&#x202f;: une fronde s’enroule. Rien ne change à côté.</translation>
     </message>
     <message>
         <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
@@ -6118,7 +6134,7 @@
     </message>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
-        <translation>Arrêté : au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
+        <translation>Arrêté&#x202f;: au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
     </message>
 </context>
 <context>
@@ -13280,6 +13296,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Edit the Motion…</source>
         <translation>Modifier le mouvement…</translation>
+    </message>
+    <message>
+        <source>Branch %1, inside itself</source>
+        <translation>Branche %1, en elle-même</translation>
     </message>
 </context>
 <context>

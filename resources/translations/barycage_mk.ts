@@ -2569,6 +2569,18 @@
         <source>A lesson cannot refer to “%1”. Save the fractals as a .ifs file first, with no : * ? &quot; &lt; &gt; | in its name and folders.</source>
         <translation>Лекција не може да упати на „%1“. Прво зачувајте ги фракталите како датотека .ifs, без : * ? &quot; &lt; &gt; | во името и во папките.</translation>
     </message>
+    <message>
+        <source>If you discard the changes, the snapshots of them will be lost, too: %1.</source>
+        <translation>Ако ги отфрлите измените, ќе се изгубат и нивните снимки: %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved snapshots</source>
+        <translation>Незачувани снимки</translation>
+    </message>
+    <message>
+        <source>“%1” has snapshots that are not saved.</source>
+        <translation>„%1“ има снимки што не се зачувани.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3018,6 +3030,10 @@
     <message>
         <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
         <translation>Прикажи ја наместо фракталот снимката што е избрана во панелот „Снимки“, или најновата; притиснете повторно, или држете го копчето и пуштете го, за да се вратите</translation>
+    </message>
+    <message>
+        <source>Snapshots can be compared only while the density is shown. Choose Density in the bar under the canvas first.</source>
+        <translation>Снимките може да се споредуваат само додека се прикажува густината. Прво изберете „Густина“ во лентата под платното.</translation>
     </message>
 </context>
 <context>
@@ -13312,6 +13328,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Edit the Motion…</source>
         <translation>Уреди го движењето…</translation>
+    </message>
+    <message>
+        <source>Branch %1, inside itself</source>
+        <translation>Гранка %1, внатре во себе</translation>
     </message>
 </context>
 <context>
