@@ -148,7 +148,6 @@ void WindowLayoutTest::panelsTakeTheirWidthsBack() {
     support::forgetSettings();
 }
 
-// Where there is no room for all of it, they are as wide again as they were there.
 void WindowLayoutTest::panelsTakeHalfOfTheWindowBack() {
     support::forgetSettings();
     MainWindow* window = shown({});
