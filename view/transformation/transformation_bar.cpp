@@ -31,7 +31,8 @@ constexpr int fewLetters = 10; // of a combo box in a narrow window
 constexpr int moreLetters = 16;
 constexpr int narrowest = 60; // pixels of a combo box where the window is as narrow as can be
 
-// The names of entries, which may be long, end in dots where there is no room for all of them.
+// What is chosen, which may be a long name, has dots where there is no room for all of it; the list shows it
+// whole.
 class NamesBox : public QComboBox {
 public:
     using QComboBox::QComboBox;

@@ -5,8 +5,6 @@
 #include <QStyle>
 #include <QTextLayout>
 
-#include <algorithm>
-
 namespace view {
 
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {

@@ -131,7 +131,7 @@ void SpaceViewTest::whatIsProvedWaitsForNoPicture() {
     QVERIFY(window.rests());
     QVERIFY(window.view->note().contains(QStringLiteral("no attractor")));
     window.document.undoStack()->undo();
-    QVERIFY2(window.view->note().isEmpty(), qPrintable(window.view->note()));
+    QVERIFY(!window.view->note().contains(QStringLiteral("attractor")));
 }
 
 void SpaceViewTest::anEmptyPlaceOrbits() {
