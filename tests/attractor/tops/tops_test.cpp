@@ -167,7 +167,7 @@ void TopsTest::samplesAgreeWithTheExactPicture() {
     Camera camera = cameraOf(maps, 80, 60);
     camera.pixelsPerUnit *= 0.97; // so that no edge lies along the pixels
     camera.centre += Vector<2>(0.0123, 0.0321) * 10 / camera.pixelsPerUnit;
-    const Points points = exact(system, camera), samples = sampled(system, camera, 200'000'000);
+    const Points points = exact(system, camera), samples = sampled(system, camera, 1'000'000'000);
     // What the exact picture misses lies on the border of two pixels, to single precision.
     int both = 0, equal = 0, lost = 0, missed = 0, far = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
