@@ -5,6 +5,7 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
+#include "dialogs/export/last_export.h"
 #include "document/fractal_file.h"
 #include "io/file/background.h"
 #include "transformation/theft_export.h"
@@ -13,7 +14,6 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -26,6 +26,12 @@
 #include <cmath>
 
 namespace view {
+
+namespace {
+
+const QString exportKind = QStringLiteral("transformation");
+
+} // namespace
 
 TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* parent)
     : QDialog(parent), m_job(job) {
@@ -89,6 +95,7 @@ void TheftExportDialog::createOptions() {
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_job.from.camera.width * ratio))),
                                    std::max(1, int(std::lround(m_job.from.camera.height * ratio)))},
                                   m_options);
+    m_size->choose(lastExport(exportKind).size);
     auto* form = new QFormLayout(m_options);
     form->setContentsMargins({});
     form->addRow(tr("S&ection:"), m_section);
@@ -131,11 +138,11 @@ void TheftExportDialog::update() {
 void TheftExportDialog::chooseFile() {
     if (!confirmLargeExport(this, m_size->pixels(), 0)) return;
     const QString name = document::uniqueName({}, m_job.from.fractal->name) + QStringLiteral(".png");
-    const QString path = chooseFileToSave(this, tr("Export Stolen Picture"),
-                                          m_folder.isEmpty() ? name : QDir(m_folder).filePath(name),
-                                          tr("Pictures (*.png)"), QStringLiteral("png"));
+    const QString path =
+        chooseFileToSave(this, tr("Export Stolen Picture"), suggestedPath(exportKind, name, m_folder),
+                         tr("Pictures (*.png)"), QStringLiteral("png"));
     if (path.isEmpty()) return;
-    m_folder = QFileInfo(path).path(); // the next one goes there too
+    rememberExport(exportKind, {QStringLiteral("png"), m_size->choice()}, path);
     exportTo(path);
 }
 

@@ -3,6 +3,7 @@
 
 #include "bridges/attractor_watch.h"
 #include "dialogs/export/cluster_queue.h"
+#include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/unique_names.h"
 #include "io/animation/frames_view.h"
@@ -33,6 +34,12 @@ namespace {
 
 constexpr int maxSide = 16'384;
 constexpr int usualPointsPerPixel = 100;
+const QString exportKind = QStringLiteral("animation");
+// Of a format of the list, as the settings have it.
+QString formatName(int format) {
+    return format == AnimationExportDialog::Pictures ? QStringLiteral("pictures")
+                                                     : io::videoSuffix(io::VideoFormat(format));
+}
 
 QSpinBox* spinBox(const QString& name, int min, int max, int value, const QString& explanation) {
     auto* box = new WholeNumberBox;
@@ -127,6 +134,13 @@ void AnimationExportDialog::createFormat() {
     m_width = spinBox(tr("Width"), 16, maxSide, 1920, tr("The width of the frames in pixels."));
     m_height = spinBox(tr("Height"), 16, maxSide, 1080, tr("The height of the frames in pixels."));
     m_form->addRow(tr("&Size in pixels:"), pair(m_width, QStringLiteral("×"), m_height));
+    const LastExport last = lastExport(exportKind);
+    for (int format = 0; format < m_format->count(); ++format)
+        if (formatName(format) == last.format) m_format->setCurrentIndex(format);
+    if (const QStringList sides = last.size.split(u' '); sides.size() == 2) {
+        m_width->setValue(sides[0].toInt());
+        m_height->setValue(sides[1].toInt());
+    }
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
         say({}); // what it says is of another file
         update();
@@ -309,8 +323,11 @@ void AnimationExportDialog::chooseFile() {
     // Of pictures the first is asked for, so that the dialog can warn when it is there.
     const QString suggestion =
         isPictures ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
-    const QString path = chooseFileToSave(this, tr("Export Animation"), suggestion, filter, suffix());
+    const QString path = chooseFileToSave(this, tr("Export Animation"), suggestedPath(exportKind, suggestion),
+                                          filter, suffix());
     if (path.isEmpty()) return;
+    const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
+    rememberExport(exportKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
     exportTo(isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png")
                                                  : path);

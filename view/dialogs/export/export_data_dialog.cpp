@@ -2,6 +2,7 @@
 #include "dialogs/export/export_data_dialog.h"
 
 #include "dialogs/column_orders.h"
+#include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/edits/cage_edits.h"
 #include "io/file/background.h"
@@ -26,6 +27,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <chrono>
 
 namespace view {
@@ -33,6 +35,13 @@ namespace view {
 namespace {
 
 enum Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
+const QString exportKind = QStringLiteral("data");
+// In that order, as the settings have them.
+const QStringList& formatNames() {
+    static const QStringList all =
+        QStringLiteral("flame aifs latex csv tsv points-csv points-ply").split(u' ');
+    return all;
+}
 
 std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
     const ifs::ControlCage<2>* cage = document::cage2(fractal);
@@ -93,6 +102,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
                         tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
                         tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
+    m_format->setCurrentIndex(std::max(0, int(formatNames().indexOf(lastExport(exportKind).format))));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -214,8 +224,11 @@ void ExportDataDialog::showPreview() {
 void ExportDataDialog::chooseFile() {
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    const QString path = chooseFileToSave(this, tr("Export Data"), fileName, filter, suffix());
-    if (!path.isEmpty()) exportTo(path);
+    const QString path =
+        chooseFileToSave(this, tr("Export Data"), suggestedPath(exportKind, fileName), filter, suffix());
+    if (path.isEmpty()) return;
+    rememberExport(exportKind, {formatNames().at(m_format->currentIndex()), {}}, path);
+    exportTo(path);
 }
 
 void ExportDataDialog::exportTo(const QString& path) {

@@ -6,6 +6,7 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
+#include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
@@ -19,7 +20,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -61,6 +61,8 @@ constexpr Kind kinds[] = {
      QT_TRANSLATE_NOOP("view::ExportDialog", "SVG: shapes for drawing programs")},
     {"pdf", "*.pdf", io::ShapeFile::Pdf, QT_TRANSLATE_NOOP("view::ExportDialog", "PDF: shapes for print")},
 };
+
+const QString exportKind = QStringLiteral("picture");
 
 // Its place in the list.
 std::optional<int> kindOf(const QString& path) {
@@ -130,6 +132,9 @@ void ExportDialog::createFormat() {
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
+    const LastExport last = lastExport(exportKind);
+    m_format->setCurrentIndex(kindOf(QStringLiteral("last.") + last.format).value_or(0));
+    m_size->choose(last.size);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
     m_transparent->setWhatsThis(tr("The picture has no background and can be placed over another."));
@@ -449,10 +454,10 @@ QString ExportDialog::chosenFile() {
     const QString suffix = QString::fromLatin1(kind.suffix);
     const QString filter = QStringLiteral("%1 (%2)").arg(suffix.toUpper(), QLatin1String(kind.filter));
     const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
-    const QString path =
-        chooseFileToSave(this, tr("Export Picture"),
-                         m_folder.isEmpty() ? name : QDir(m_folder).filePath(name), filter, suffix);
-    if (!path.isEmpty()) m_folder = QFileInfo(path).path(); // the next one goes there too
+    const QString path = chooseFileToSave(this, tr("Export Picture"),
+                                          suggestedPath(exportKind, name, m_folder), filter, suffix);
+    if (const auto chosen = kindOf(path))
+        rememberExport(exportKind, {QString::fromLatin1(kinds[*chosen].suffix), m_size->choice()}, path);
     return path;
 }
 

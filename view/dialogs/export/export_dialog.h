@@ -43,7 +43,7 @@ public:
 
     enum class Section { View, Attractor }; // behind them in the list: the saved views
     void setSection(Section section);       // what the picture shows; the view at first
-    void setFolder(const QString& folder);  // to suggest; without one, that of the last export
+    void setFolder(const QString& folder);  // to suggest before the first export
     void setQueue(ExportQueue* queue);      // which outlives it; without one, there is no Add to Queue
     // What the buttons do once a file is chosen, and somebody has been asked whether to replace it. The
     // ending of its name decides the format.

@@ -15,13 +15,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace view {
 
 namespace {
 
 constexpr int maxSide = 100'000;
-constexpr int printed = 300; // dots per inch
+constexpr int printed = 300;              // dots per inch
+constexpr int multiples[] = {1, 2, 4, 8}; // of the screen
 enum Unit { Pixels, Millimetres, Inches };
 enum Role { Size = Qt::UserRole, IsPaper }; // of a named size
 
@@ -106,7 +108,7 @@ void ExportSizeEditor::addNamedSizes() {
         m_named->addItem(name, size);
         m_named->setItemData(m_named->count() - 1, isPaper, IsPaper);
     };
-    for (const int factor : {1, 2, 4, 8})
+    for (const int factor : multiples)
         add(factor == 1 ? tr("Same as on the screen") : tr("%1 × the screen").arg(factor), m_screen * factor);
     m_named->insertSeparator(m_named->count());
     add(tr("Full HD: 1920 × 1080"), {1920, 1080});
@@ -141,6 +143,29 @@ double ExportSizeEditor::dotsPerInch() const {
 
 bool ExportSizeEditor::isOnPaper() const {
     return m_unit->currentIndex() != Pixels;
+}
+
+QString ExportSizeEditor::choice() const {
+    const int named = m_named->currentIndex();
+    const int multiple = named < int(std::size(multiples)) ? multiples[named] : 0;
+    QStringList numbers;
+    for (const int number :
+         {multiple, m_pixels.width(), m_pixels.height(), m_unit->currentIndex(), m_resolution->value()})
+        numbers << QString::number(number);
+    return numbers.join(u' ');
+}
+
+void ExportSizeEditor::choose(const QString& choice) {
+    QList<int> numbers;
+    for (const QString& text : choice.split(u' ', Qt::SkipEmptyParts))
+        numbers << text.toInt();
+    if (numbers.size() != 5 || numbers[1] < 1 || numbers[2] < 1) return;
+    const bool isByScreen = std::ranges::find(multiples, numbers[0]) != std::end(multiples);
+    const QSize size = isByScreen ? m_screen * numbers[0] : QSize(numbers[1], numbers[2]);
+    m_resolution->setValue(numbers[4]);
+    m_unit->setCurrentIndex(std::clamp(numbers[3], int(Pixels), int(Inches)));
+    m_locked = size;
+    setPixels(size);
 }
 
 void ExportSizeEditor::setResolutionVisible(bool visible) {

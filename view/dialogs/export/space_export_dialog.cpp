@@ -5,6 +5,7 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
+#include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/space_geometry.h"
 #include "document/unique_names.h"
@@ -31,6 +32,17 @@
 #include <algorithm>
 
 namespace view {
+
+namespace {
+
+const QString exportKind = QStringLiteral("solid");
+// In the order of the list.
+const QStringList& suffixes() {
+    static const QStringList all = QStringLiteral("png jpg webp tiff exr stl obj glb ply scad").split(u' ');
+    return all;
+}
+
+} // namespace
 
 SpaceExportDialog::SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
                                      QWidget* parent)
@@ -79,6 +91,9 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
     connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
     connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    const LastExport last = lastExport(exportKind);
+    m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
+    m_size->choose(last.size);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &SpaceExportDialog::showPreview);
     connect(m_transparent, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
@@ -174,9 +189,7 @@ QString SpaceExportDialog::message() const {
 }
 
 QString SpaceExportDialog::suffix() const {
-    static constexpr const char* suffixes[] = {"png", "jpg", "webp", "tiff", "exr",
-                                               "stl", "obj", "glb",  "ply",  "scad"};
-    return QLatin1String(suffixes[m_format->currentIndex()]);
+    return suffixes().at(m_format->currentIndex());
 }
 
 // For the proportions of the canvas.
@@ -283,7 +296,10 @@ QString SpaceExportDialog::chosenFile() {
     if (pictureFile() && !confirmLargeExport(this, m_size->pixels(), 0)) return {};
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    return chooseFileToSave(this, tr("Export"), fileName, filter, suffix());
+    const QString path =
+        chooseFileToSave(this, tr("Export"), suggestedPath(exportKind, fileName), filter, suffix());
+    if (!path.isEmpty()) rememberExport(exportKind, {suffix(), m_size->choice()}, path);
+    return path;
 }
 
 void SpaceExportDialog::addToQueue(const QString& path) {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/export/last_export.h"
+
+#include "attractor/space_systems.h"
+#include "dialogs/export/animation_export_dialog.h"
+#include "dialogs/export/export_data_dialog.h"
+#include "dialogs/export/export_dialog.h"
+#include "dialogs/export/export_size_editor.h"
+#include "dialogs/export/space_export_dialog.h"
+#include "document/edits/motion_edits.h"
+#include "support/forget_settings.h"
+#include "support/own_settings.h"
+#include "support/patient_tries.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+using namespace Qt::StringLiterals;
+
+// Format, size and folder of an export are those of the last one of its kind.
+class LastExportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { support::useOwnSettings(); }
+    void init() {
+        support::forgetSettings();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_document = std::make_unique<document::Document>();
+    }
+    void pictures();
+    void solids();
+    void animations();
+    void data();
+    void theEndingOfTheNameIsTheFormat();
+    void kindsKnowNothingOfEachOther();
+    void theFolderOfTheFileIsTheFirst();
+
+private:
+    template <class Widget> static Widget* named(const QDialog& dialog, const char* name) {
+        for (auto* found : dialog.findChildren<Widget*>())
+            if (found->accessibleName() == QLatin1String(name)) return found;
+        return nullptr;
+    }
+    static QComboBox* format(const QDialog& dialog) { return dialog.findChild<QComboBox*>(); }
+    static void setPixels(const QDialog& dialog, const QSize& size) {
+        dialog.findChild<view::ExportSizeEditor*>()->setPixels(size);
+    }
+    static QSize pixels(const QDialog& dialog) {
+        return dialog.findChild<view::ExportSizeEditor*>()->pixels();
+    }
+    QString path(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
+    static void press(const QDialog& dialog, const char* button) {
+        for (auto* found : dialog.findChildren<QPushButton*>())
+            if (found->text() == QString::fromUtf8(button)) return found->click();
+        QFAIL("no such button");
+    }
+    // Exports into that file, or cancels without one; returns what was suggested.
+    static QString exportAs(const QDialog& dialog, const QString& path) {
+        QString suggested;
+        QTimer answering;
+        connect(&answering, &QTimer::timeout, &answering, [&] {
+            auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!files) return;
+            if (suggested.isEmpty())
+                suggested =
+                    files->directory().filePath(files->findChild<QLineEdit*>(u"fileNameEdit"_s)->text());
+            if (!path.isEmpty()) files->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(path);
+            QMetaObject::invokeMethod(files, path.isEmpty() ? "reject" : "accept", Qt::QueuedConnection);
+        });
+        answering.start(50);
+        press(dialog, "&Export…");
+        return suggested;
+    }
+    std::unique_ptr<view::ExportDialog> picture() const {
+        attractor::Camera camera;
+        camera.width = 160;
+        camera.height = 120;
+        return std::make_unique<view::ExportDialog>(m_document.get(),
+                                                    attractor::fitted(camera, {0, 0}, {1, 0.9}));
+    }
+    std::unique_ptr<view::SpaceExportDialog> solid() const {
+        document::Fractal menger;
+        menger.name = u"menger"_s;
+        menger.shape = document::Shape<3>{systems::menger()};
+        m_document->setFile(document::fileOf(menger));
+        attractor::OrbitCamera camera;
+        camera.size = {160, 120};
+        return std::make_unique<view::SpaceExportDialog>(m_document.get(), camera);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<document::Document> m_document;
+};
+
+void LastExportTest::pictures() {
+    auto dialog = picture();
+    const int tiff = format(*dialog)->findText(u"TIFF"_s, Qt::MatchStartsWith);
+    format(*dialog)->setCurrentIndex(tiff);
+    setPixels(*dialog, {50, 70});
+    exportAs(*dialog, path("a.tiff"));
+    QTRY_VERIFY(QFileInfo::exists(path("a.tiff")));
+    dialog = picture();
+    QCOMPARE(format(*dialog)->currentIndex(), tiff);
+    QCOMPARE(pixels(*dialog), QSize(50, 70));
+    const QString suggested = exportAs(*dialog, {});
+    QCOMPARE(QFileInfo(suggested).path(), m_folder->path());
+    QVERIFY2(suggested.endsWith(u".tiff"_s), qPrintable(suggested));
+    // Who cancels has exported nothing.
+    format(*dialog)->setCurrentIndex(0);
+    exportAs(*dialog, {});
+    QCOMPARE(format(*picture())->currentIndex(), tiff);
+}
+
+void LastExportTest::solids() {
+    std::unique_ptr<view::SpaceExportDialog> dialog = solid();
+    dialog->setFormat(view::SpaceExportDialog::Format::Jpeg);
+    setPixels(*dialog, {30, 20});
+    exportAs(*dialog, path("a.jpg"));
+    QTRY_VERIFY(QFileInfo::exists(path("a.jpg")));
+    dialog = solid();
+    QCOMPARE(format(*dialog)->currentIndex(), int(view::SpaceExportDialog::Format::Jpeg));
+    QCOMPARE(pixels(*dialog), QSize(30, 20));
+    QCOMPARE(exportAs(*dialog, {}), path("menger.jpg"));
+}
+
+void LastExportTest::animations() {
+    document::Fractal entry =
+        *document::withWind(document::Document().entryFractal(), animation::swayPresets()[0]);
+    std::get<document::Shape<2>>(entry.shape).animation->length = 2;
+    m_document->setFile(document::fileOf(entry));
+    const auto open = [this] {
+        return std::make_unique<view::AnimationExportDialog>(
+            m_document.get(), attractor::View{{0.4, 0.3}, 1.5, attractor::YAxis::Up});
+    };
+    auto dialog = open();
+    dialog->setFormat(view::AnimationExportDialog::Pictures);
+    named<QSpinBox>(*dialog, "Width")->setValue(32);
+    named<QSpinBox>(*dialog, "Height")->setValue(24);
+    exportAs(*dialog, path("a.0.png"));
+    QTRY_VERIFY(dialog->message().contains(m_folder->path()));
+    dialog = open();
+    QCOMPARE(format(*dialog)->currentIndex(), int(view::AnimationExportDialog::Pictures));
+    QCOMPARE(named<QSpinBox>(*dialog, "Width")->value(), 32);
+    QCOMPARE(named<QSpinBox>(*dialog, "Height")->value(), 24);
+    QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
+}
+
+void LastExportTest::data() {
+    auto dialog = std::make_unique<view::ExportDataDialog>(m_document.get());
+    const int tabs = format(*dialog)->findText(u"Table with tabs"_s, Qt::MatchStartsWith);
+    format(*dialog)->setCurrentIndex(tabs);
+    exportAs(*dialog, path("a.tsv"));
+    QTRY_VERIFY(QFileInfo::exists(path("a.tsv")));
+    dialog = std::make_unique<view::ExportDataDialog>(m_document.get());
+    QCOMPARE(format(*dialog)->currentIndex(), tabs);
+    QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
+}
+
+void LastExportTest::theEndingOfTheNameIsTheFormat() {
+    exportAs(*picture(), path("a.webp"));
+    const auto dialog = picture();
+    QVERIFY(format(*dialog)->currentText().startsWith(u"WebP"_s));
+    // A size by the screen is that of the screen that there is.
+    QCOMPARE(pixels(*dialog), QSize(160, 120));
+    view::ExportSizeEditor twice({160, 120});
+    twice.choose(view::ExportSizeEditor({100, 50}).choice());
+    QCOMPARE(twice.pixels(), QSize(160, 120));
+    for (const QString& nonsense : {u""_s, u"0 0 0 0 0"_s, u"a b c d e"_s, u"1 2 3"_s})
+        twice.choose(nonsense);
+    QCOMPARE(twice.pixels(), QSize(160, 120));
+}
+
+void LastExportTest::kindsKnowNothingOfEachOther() {
+    view::rememberExport(u"picture"_s, {u"svg"_s, u"0 10 20 0 300"_s}, path("a.svg"));
+    QCOMPARE(view::lastExport(u"picture"_s).format, u"svg"_s);
+    QVERIFY(view::lastExport(u"solid"_s).format.isEmpty());
+    const auto dialog = solid();
+    QCOMPARE(format(*dialog)->currentIndex(), 0);
+    QCOMPARE(pixels(*dialog), QSize(160, 120));
+}
+
+void LastExportTest::theFolderOfTheFileIsTheFirst() {
+    const QTemporaryDir own;
+    auto dialog = picture();
+    dialog->setFolder(own.path());
+    QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), own.path());
+    exportAs(*dialog, path("a.png"));
+    dialog = picture();
+    dialog->setFolder(own.path());
+    QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
+}
+
+QTEST_MAIN(LastExportTest)
+#include "last_export_test.moc"

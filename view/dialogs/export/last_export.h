@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+// Exports of one kind ("picture", "solid", "animation", …) begin as the last one was for which a file was
+// chosen, also after a restart.
+namespace view {
+
+// As the dialog of the kind has put it; empty before the first export.
+struct LastExport {
+    QString format;
+    QString size;
+};
+
+LastExport lastExport(const QString& kind);
+void rememberExport(const QString& kind, const LastExport& last, const QString& path);
+
+// The name in the folder of the last export, else in `otherwise`; alone without either.
+QString suggestedPath(const QString& kind, const QString& name, const QString& otherwise = {});
+
+} // namespace view
