@@ -134,6 +134,7 @@ void CliFramesTest::aFullDiskNamesTheFrame() {
     QFETCH(const QByteArray, failed);
     const QByteArray command =
         "animate wind.ifs --size 320x240 --points 300000 -o full/f.#.png --frames " + frames;
+    QDir(path("full")).removeRecursively(); // what the row before has drawn
     QProcess limited;
     limited.setWorkingDirectory(path(""));
     limited.start(QStringLiteral("bash"),
