@@ -87,6 +87,11 @@ QString linkExpansionObstacle(const Fractal& fractal) {
                         "nothing to draw.")
             .arg(fractal.name);
     const auto plain = wordsOf(shape.system);
+    if (!plain && ifs::hasPlainWords(ifs::activeMaps(shape.system)))
+        return Text::tr(
+                   "Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep "
+                   "the links in an .ifs or .flame file, or remove them.")
+            .arg(fractal.name, QString::number(maxWords));
     if (!plain)
         return Text::tr(
                    "The links of “%1” cannot be written as plain maps: they allow an endless sequence "

@@ -16,6 +16,19 @@ public:
     Chains(const ActiveMaps<2>& active, std::size_t most)
         : m_size(active.maps.size()), m_links(active.links), m_chain(transitions(active)), m_most(most) {}
 
+    // Chains end where no round of maps is left once those go that end chains, or lead only to such.
+    bool end() const {
+        std::vector<bool> ends(m_size);
+        for (bool goesOn = true; goesOn;) {
+            goesOn = false;
+            for (std::size_t j = 0; j < m_size; ++j) {
+                if (ends[j] || !(followsAll(j) || leadsTo(ends, j))) continue;
+                ends[j] = goesOn = true;
+            }
+        }
+        return std::ranges::find(ends, false) == ends.end();
+    }
+
     std::optional<PlainWords> all() {
         for (std::size_t j = 0; j < m_size; ++j)
             if (!follow({j}, 1)) return std::nullopt;
@@ -35,6 +48,12 @@ private:
     bool followsAll(std::size_t to) const {
         for (std::size_t from = 0; from < m_size; ++from)
             if (!isLinked(from, to)) return false;
+        return true;
+    }
+
+    bool leadsTo(const std::vector<bool>& ends, std::size_t to) const {
+        for (std::size_t from = 0; from < m_size; ++from)
+            if (isLinked(from, to) && !ends[from]) return false;
         return true;
     }
 
@@ -80,6 +99,10 @@ private:
 std::optional<PlainWords> plainWords(const ActiveMaps<2>& active, std::size_t most) {
     if (active.maps.empty()) return std::nullopt;
     return Chains(active, most).all();
+}
+
+bool hasPlainWords(const ActiveMaps<2>& active) {
+    return !active.maps.empty() && Chains(active, 0).end();
 }
 
 } // namespace ifs

@@ -82,8 +82,9 @@ std::optional<QString> SymmetryComments::applyTo(ifs::IteratedFunctionSystem<Dim
     if (m_lines.empty()) return std::nullopt;
     const auto symmetry = m_isUnderstood ? symmetryOf<Dim>(m_name, m_centre, m_frame) : std::nullopt;
     if (!symmetry)
-        return Text::tr(
-            "The stored symmetry is not valid for this entry and is not applied; its lines are kept.");
+        return Text::tr("The stored symmetry “%1” is not valid for this entry and is not applied; its lines "
+                        "are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.")
+            .arg(QString::fromLatin1(m_name), QString::number(ifs::maxSymmetryOrder));
     ifs::IteratedFunctionSystem<Dim> tried;
     tried.maps.resize(system.maps.size());
     tried.symmetry = *symmetry;

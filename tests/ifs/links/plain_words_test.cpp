@@ -53,6 +53,26 @@ private slots:
         QVERIFY(plain && plain->keepsMeasure && plain->words.size() == 3);
     }
 
+    // Each map follows all before it, so that the last is the end of 2ⁿ⁻¹ words.
+    void tooManyAreNotListed() {
+        constexpr std::size_t size = 12;
+        System system;
+        std::vector<double> links(size * size);
+        for (std::size_t to = 0; to < size; ++to) {
+            append(system, affineMap(.5, 0, 0, .5, double(to), 0), 1);
+            for (std::size_t from = 0; from < size; ++from)
+                links[from * size + to] = to == 0 || from < to ? 1 : 0;
+        }
+        setLinks(system, links);
+        const auto active = activeMaps(system);
+        QVERIFY(!plainWords(active, 2047) && hasPlainWords(active));
+        const auto plain = plainWords(active, 2048);
+        QVERIFY(plain && plain->words.size() == 2048);
+        for (const auto& other : {threeOnALine(), dragonBoundary(), System()})
+            QVERIFY(!hasPlainWords(activeMaps(other)));
+        QVERIFY(hasPlainWords(activeMaps(goldenMean())));
+    }
+
     void theRestHasNone() {
         QVERIFY(!plainWords(activeMaps(threeOnALine()), 100)); // 3 → 3 → 3 …
         QVERIFY(!plainWords(activeMaps(dragonBoundary()), 100));

@@ -98,6 +98,7 @@ private slots:
         QTest::addColumn<QByteArray>("lines");
         QTest::newRow("order") << QByteArray("symmetry c25");
         QTest::newRow("unknown") << QByteArray("symmetry p4m");
+        QTest::newRow("thousands") << QByteArray("symmetry c5000");
         QTest::newRow("polyhedron in the plane") << QByteArray("symmetry octahedral");
         QTest::newRow("twice") << QByteArray("symmetry c3\n; barycage: symmetry c4");
         QTest::newRow("empty") << QByteArray("symmetry");
@@ -117,6 +118,8 @@ private slots:
         document::FractalFile file = read(text);
         QVERIFY(!document::isSymmetric(*file.entries[0].fractal));
         QCOMPARE(file.entries[0].problems.size(), 1);
+        QVERIFY(
+            file.entries[0].problems[0].message.contains(QStringLiteral("repeats each map 2 to 24 times")));
         QCOMPARE(io::writeFractint(file), text);
         Fractal changed = *file.entries[0].fractal;
         document::system2(changed)->maps[0].map.translation.x() = 3;
