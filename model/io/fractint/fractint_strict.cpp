@@ -122,9 +122,8 @@ private:
             isBlock = isBlock && !code.contains('}');
         }
         if (lost > 0)
-            warn(
-                {},
-                Text::tr("Omitted lines of blocks that are not iterated function systems: %1.").arg(lost));
+            warn({},
+                 Text::tr("Omitted lines of blocks that are not iterated function systems: %1.").arg(lost));
     }
 
     void addTail(const QByteArray& tail) {
