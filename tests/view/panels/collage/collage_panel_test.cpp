@@ -4,6 +4,7 @@
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_preview.h"
 #include "view/panels/collage_panel_fixture.h"
+#include "widgets/vertical_scroll_area.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -389,6 +390,27 @@ private slots:
         };
         QVERIFY(list->count() > 0);
         QTRY_VERIFY(isSeen());
+        area.takeWidget();
+    }
+
+    // However low the panel is.
+    void progressScrollsIntoView() {
+        view::VerticalScrollArea area(m_panel.get());
+        area.resize(600, 300);
+        area.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&area));
+        traceLeaf();
+        named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(60);
+        auto* bar = m_panel->findChild<QProgressBar*>();
+        auto* cancel = named<QPushButton>(QStringLiteral("Cancel"));
+        const auto isWhole = [](const QWidget* widget) {
+            return widget->visibleRegion().boundingRect() == widget->rect();
+        };
+        QVERIFY(!isWhole(bar));
+        push("Suggest");
+        QTRY_VERIFY(isWhole(bar) && isWhole(cancel));
+        push("Cancel");
+        settle();
         area.takeWidget();
     }
 
