@@ -4469,10 +4469,6 @@
         <translation>Durch die Verknüpfungen endet jede Folge von Abbildungen; daher ist keine Abbildung aktiv.</translation>
     </message>
     <message>
-        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
-        <translation>Die gespeicherte Symmetrie ist für diesen Eintrag nicht gültig und wird nicht angewandt; ihre Zeilen bleiben erhalten.</translation>
-    </message>
-    <message>
         <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
         <translation>Mit der gespeicherten Symmetrie hätte der Eintrag mehr als %1 Abbildungen, und das ist die Grenze. Die Symmetrie wird nicht angewandt; ihre Zeilen bleiben erhalten.</translation>
     </message>
@@ -4711,6 +4707,10 @@
     <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>Das Bild in „%1“ braucht im Raum mehr als 4 GB Speicher.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
+        <translation>Die gespeicherte Symmetrie „%1“ ist für diesen Eintrag nicht gültig und wird nicht angewendet; ihre Zeilen bleiben erhalten. Eine Drehung wiederholt jede Abbildung 2- bis %2-mal; Polyeder gehören in den Raum.</translation>
     </message>
 </context>
 <context>
@@ -5099,6 +5099,10 @@
     <message>
         <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Sie erlauben eine endlose Folge von Abbildungen, von denen keine auf jede Abbildung folgen darf. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Einfache Abbildungen von „%1“ wären mehr als %2 Wörter seiner Abbildungen, was die Grenze ist. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
     </message>
 </context>
 <context>

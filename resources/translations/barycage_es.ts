@@ -4469,10 +4469,6 @@
         <translation>Con estos enlaces toda sucesión de aplicaciones termina, así que no interviene ninguna.</translation>
     </message>
     <message>
-        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
-        <translation>La simetría guardada no es válida para esta entrada y no se aplica; sus líneas se conservan.</translation>
-    </message>
-    <message>
         <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
         <translation>Con la simetría guardada, la entrada tendría más de %1 aplicaciones, que es el límite. La simetría no se aplica; sus líneas se conservan.</translation>
     </message>
@@ -4711,6 +4707,10 @@
     <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>La imagen de «%1» necesita más de 4 GB de memoria en el espacio.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
+        <translation>La simetría guardada «%1» no es válida para esta entrada y no se aplica; sus líneas se conservan. Una rotación repite cada aplicación de 2 a %2 veces; los poliedros son del espacio.</translation>
     </message>
 </context>
 <context>
@@ -5099,6 +5099,10 @@
     <message>
         <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: permiten una sucesión sin fin de aplicaciones de las que ninguna puede seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Las aplicaciones simples de «%1» serían más de %2 palabras de sus aplicaciones, que es el límite. Conserve los enlaces en un archivo .ifs o .flame, o elimínelos.</translation>
     </message>
 </context>
 <context>

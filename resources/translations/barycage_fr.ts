@@ -2563,7 +2563,7 @@
     </message>
     <message>
         <source>If you discard the changes, the snapshots of them will be lost, too: %1.</source>
-        <translation>Si vous abandonnez les modifications, leurs instantanés seront perdus aussi : %1.</translation>
+        <translation>Si vous abandonnez les modifications, leurs instantanés seront perdus aussi&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Unsaved snapshots</source>
@@ -2571,7 +2571,7 @@
     </message>
     <message>
         <source>“%1” has snapshots that are not saved.</source>
-        <translation>« %1 » contient des instantanés non enregistrés.</translation>
+        <translation>«&#x202f;%1&#x202f;» contient des instantanés non enregistrés.</translation>
     </message>
 </context>
 <context>
@@ -3025,7 +3025,7 @@
     </message>
     <message>
         <source>Snapshots can be compared only while the density is shown. Choose Density in the bar under the canvas first.</source>
-        <translation>On ne peut comparer des instantanés que lorsque la densité est affichée. Choisissez d’abord « Densité » dans la barre sous le canevas.</translation>
+        <translation>On ne peut comparer des instantanés que lorsque la densité est affichée. Choisissez d’abord «&#x202f;Densité&#x202f;» dans la barre sous le canevas.</translation>
     </message>
 </context>
 <context>
@@ -4469,10 +4469,6 @@
         <translation>Avec ces liens, toute suite d’applications prend fin&#x202f;; aucune application n’est donc active.</translation>
     </message>
     <message>
-        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
-        <translation>La symétrie enregistrée n’est pas valable pour cette entrée et n’est pas appliquée ; ses lignes sont conservées.</translation>
-    </message>
-    <message>
         <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
         <translation>Avec la symétrie enregistrée, l’entrée aurait plus de %1 applications, ce qui est la limite. La symétrie n’est pas appliquée ; ses lignes sont conservées.</translation>
     </message>
@@ -4711,6 +4707,10 @@
     <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>L’image de « %1 » demande plus de 4 Go de mémoire dans l’espace.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
+        <translation>La symétrie enregistrée « %1 » n’est pas valable pour cette entrée et n’est pas appliquée ; ses lignes sont conservées. Une rotation répète chaque application 2 à %2 fois ; les polyèdres sont du domaine de l’espace.</translation>
     </message>
 </context>
 <context>
@@ -5099,6 +5099,10 @@
     <message>
         <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : ils permettent une suite sans fin d’applications dont aucune ne peut suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Les applications simples de « %1 » seraient plus de %2 mots de ses applications, ce qui est la limite. Gardez les liens dans un fichier .ifs ou .flame, ou supprimez-les.</translation>
     </message>
 </context>
 <context>

@@ -4478,10 +4478,6 @@
         <translation>Со врските секоја низа пресликувања завршува, па ниедно пресликување не е активно.</translation>
     </message>
     <message>
-        <source>The stored symmetry is not valid for this entry and is not applied; its lines are kept.</source>
-        <translation>Зачуваната симетрија не важи за оваа ставка и не се применува; нејзините редови се задржуваат.</translation>
-    </message>
-    <message>
         <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
         <translation>Со зачуваната симетрија ставката би имала повеќе од %1 пресликувања, а тоа е границата. Симетријата не се применува; нејзините редови се задржуваат.</translation>
     </message>
@@ -4720,6 +4716,10 @@
     <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>Сликата во „%1“ во просторот бара повеќе од 4 GB меморија.</translation>
+    </message>
+    <message>
+        <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
+        <translation>Зачуваната симетрија „%1“ не е важечка за овој запис и не се применува; нејзините редови се задржуваат. Ротацијата го повторува секое пресликување од 2 до %2 пати; полиедрите припаѓаат на просторот.</translation>
     </message>
 </context>
 <context>
@@ -5108,6 +5108,10 @@
     <message>
         <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: дозволуваат бескрајна низа пресликувања од кои ниедно не смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Обичните пресликувања на „%1“ би биле повеќе од %2 зборови од неговите пресликувања, што е границата. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
     </message>
 </context>
 <context>
