@@ -7,6 +7,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "support/forget_settings.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QDialog>

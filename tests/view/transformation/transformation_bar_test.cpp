@@ -26,7 +26,7 @@ private slots:
         m_bar = std::make_unique<TransformationBar>();
         show(1);
         m_bar->resize(640, m_bar->sizeHint().height());
-        m_bar->show();
+        m_bar->setVisible(true);
         QVERIFY(QTest::qWaitForWindowExposed(m_bar.get()));
     }
 

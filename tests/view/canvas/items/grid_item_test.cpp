@@ -166,7 +166,8 @@ private slots:
     void linesOverAPicture_data() { linesAreOneDevicePixelWide_data(); }
     void linesOverAPicture() {
         QFETCH(double, ratio);
-        const attractor::Camera camera{{2.7 / 103, 1.63 / 103}, 103, width, height, attractor::YAxis::Up};
+        const attractor::Camera camera{
+            {2.7 / 103, 1.63 / 103}, 103, viewWidth, viewHeight, attractor::YAxis::Up};
         auto frame = std::make_shared<attractor::Frame>();
         frame->camera = view::deviceCamera(camera, ratio);
         frame->opaque = true;

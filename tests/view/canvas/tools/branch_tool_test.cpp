@@ -126,7 +126,7 @@ private slots:
         QWheelEvent wheel(QPointF(300, 200), m_canvas->mapToGlobal(QPointF(300, 200)), {}, {0, -240},
                           Qt::NoButton, Qt::ShiftModifier, Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(m_canvas->viewport(), &wheel);
-        QCOMPARE(m_canvas->tools().branchTool().depth(), 1);
+        QCOMPARE(m_canvas->tools().branchTool().choice().depth(), 1);
         QCOMPARE(m_bar->depth()->value(), 1);
         QCOMPARE(scene().handles().branch(), (Word{1}));
         QTest::keyClick(m_canvas.get(), Qt::Key_PageDown);
