@@ -160,22 +160,16 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
     return result;
 }
 
-// Whether the file begins with an entry whose name looks like a tag, “<flame>a {”.
+// Whether the file begins with an entry whose name looks like a tag, “<flame>a {”. Before a brace on the
+// first line, markup has attributes, or begins a style sheet.
 bool beginsWithEntry(const QByteArray& bytes) {
     constexpr qsizetype longest = 4096;
     QByteArray head = bytes.left(longest).trimmed();
     if (head.startsWith("\xef\xbb\xbf")) head = head.sliced(3).trimmed();
-    if (!head.startsWith('<') || head.startsWith("<?") || head.startsWith("<!") || head.contains("<style"))
-        return false;
-    QByteArray outside; // of quotation marks, on the first line, after the last tag
-    bool isQuoted = false;
-    for (const char c : head) {
-        if (c == '\n' || c == '\r') break;
-        if (c == '"') isQuoted = !isQuoted;
-        if (c == '>') outside.clear();
-        if (!isQuoted) outside += c;
-    }
-    return outside.contains('{');
+    if (!head.startsWith('<') || head.startsWith("<?") || head.startsWith("<!")) return false;
+    const QByteArray line = head.left(head.indexOf('\n')); // all of it without a line end
+    const QByteArray before = line.left(line.indexOf('{'));
+    return before.size() < line.size() && !before.contains('=') && !before.contains("<style");
 }
 
 // Nothing that could be an entry was found.
