@@ -367,9 +367,9 @@ void LargeFilesTest::branchesAreFoundAmongManyMaps() {
     doing("nudge it", [&] { QTest::keyClick(canvas, Qt::Key_Right); });
     QCOMPARE(document::plane(m_window->document().fractal())->moved.size(), std::size_t(1));
     const auto* scene = canvas->findChild<view::CanvasScene*>();
-    for (const double across : {0.1, 0.9, 0.3, 0.6}) { // of a square of side 1, but for the last row
+    for (const double across : {0.1, 0.9, 0.3, 0.6}) { // of a square of side 1, above the knobs
         const ifs::Word before = scene->handles().branch();
-        const QPoint place = view::pixelOf(canvas->camera(), {0.99 * across, 0.4}).toPoint();
+        const QPoint place = view::pixelOf(canvas->camera(), {0.99 * across, 0.8}).toPoint();
         doing("choose another", [&] { QTest::mousePress(canvas->viewport(), Qt::LeftButton, {}, place); });
         QTest::mouseRelease(canvas->viewport(), Qt::LeftButton, {}, place);
         QVERIFY(scene->handles().branch() != before);

@@ -182,6 +182,7 @@ void RealEntriesTest::aVariationIsPicked() {
     QCOMPARE(steps(), 1);
     QVERIFY(!document::isSameSystem(fractal(), before));
     QCOMPARE(names().size(), 2);
+    QTRY_VERIFY(window().isActiveWindow());
     hand().key("Control+z");
     QTRY_VERIFY(fractal() == before);
 }
