@@ -46,8 +46,7 @@ attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<Di
     return blends;
 }
 
-template <int Dim>
-std::vector<ifs::MapId> idsOf(const System<Dim>& system, const ifs::Word& indices) {
+template <int Dim> std::vector<ifs::MapId> idsOf(const System<Dim>& system, const ifs::Word& indices) {
     std::vector<ifs::MapId> word;
     for (const int index : indices)
         word.push_back(system.maps[std::size_t(index)].id);

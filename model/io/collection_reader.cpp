@@ -167,9 +167,9 @@ bool beginsWithEntry(const QByteArray& bytes) {
     QByteArray head = bytes.left(longest).trimmed();
     if (head.startsWith("\xef\xbb\xbf")) head = head.sliced(3).trimmed();
     if (!head.startsWith('<') || head.startsWith("<?") || head.startsWith("<!")) return false;
-    const QByteArray line = head.left(head.indexOf('\n')); // all of it without a line end
-    const QByteArray before = line.left(line.indexOf('{'));
-    return before.size() < line.size() && !before.contains('=') && !before.contains("<style");
+    const qsizetype brace = head.indexOf('{');
+    const QByteArray before = head.left(brace);
+    return brace > 0 && !before.contains('\n') && !before.contains('=') && !before.contains("<style");
 }
 
 // Nothing that could be an entry was found.
