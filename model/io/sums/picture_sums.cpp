@@ -62,15 +62,8 @@ bool drawTiles(const PictureSums& sums, SumWriter& writer, const Progress& progr
 LoadedSums sumsIn(const std::shared_ptr<SumFiles>& files, int threads) {
     LoadedSums loaded;
     PictureSums& sums = loaded.sums;
-    const SumHeader& header = files->header();
-    const auto picture = pictureOf(header.request);
-    if (picture) sums.picture = *picture;
-    sums.picture.request.threads = threads;
-    sums.picture.request.samples = header.passes.front();
-    sums.passes = header.passes;
-    sums.files = files;
-    const SumHeader own = headerOf(sums);
-    if (!picture || own.columns != header.columns || own.rows != header.rows || own.kind != header.kind)
+    const bool isAsked = takeFiles(sums, pictureOf(files->header().request), files, threads);
+    if (!isAsked || !haveSameCells(headerOf(sums), files->header()))
         loaded.failure = otherPixels(files->name());
     return loaded;
 }

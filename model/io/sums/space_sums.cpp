@@ -210,15 +210,8 @@ bool areOfSpace(const SumFiles& files) {
 LoadedSpaceSums spaceSumsIn(const std::shared_ptr<SumFiles>& files, int threads) {
     LoadedSpaceSums loaded;
     SpaceSums& sums = loaded.sums;
-    const SumHeader& header = files->header();
-    const auto picture = spacePictureOf(header.request);
-    if (picture) sums.picture = *picture;
-    sums.picture.request.threads = threads;
-    sums.picture.request.samples = header.passes.front();
-    sums.passes = header.passes;
-    sums.files = files;
-    const SumHeader own = headerOf(sums);
-    if (!picture || own.columns != header.columns || own.rows != header.rows || own.kind != header.kind)
+    const bool isAsked = takeFiles(sums, spacePictureOf(files->header().request), files, threads);
+    if (!isAsked || !haveSameCells(headerOf(sums), files->header()))
         loaded.failure = otherPixels(files->name());
     else if (memoryFor(sums.picture) > maxBytes)
         loaded.failure =

@@ -112,6 +112,10 @@ QString otherPixels(const QString& name) {
         .arg(name);
 }
 
+bool haveSameCells(const SumHeader& a, const SumHeader& b) {
+    return a.columns == b.columns && a.rows == b.rows && a.kind == b.kind;
+}
+
 Failure missingIn(const SumHeader& header, int rows,
                   const std::function<std::uint64_t(std::span<const std::uint64_t> passes)>& units) {
     const std::span<const std::uint64_t> passes = header.passes;

@@ -5,7 +5,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 // What files of sums of the plane and of space have in common.
 namespace io {
@@ -24,6 +26,21 @@ attractor::DividedPicture dividedPicture(const std::vector<std::uint64_t>& passe
 
 // Why a picture cannot be drawn again as the file of this name has it.
 QString otherPixels(const QString& name);
+
+// Whether both are of the same cells, of the same kind.
+bool haveSameCells(const SumHeader& a, const SumHeader& b);
+
+// Makes of `sums` what the files hold: of the picture that their request asks for. False if it asks for none.
+template <class Sums, class Picture>
+bool takeFiles(Sums& sums, const std::optional<Picture>& picture, const std::shared_ptr<SumFiles>& files,
+               int threads) {
+    if (picture) sums.picture = *picture;
+    sums.picture.request.threads = threads;
+    sums.picture.request.samples = files->header().passes.front();
+    sums.passes = files->header().passes;
+    sums.files = files;
+    return picture.has_value();
+}
 
 // What is missing of a picture of so many rows of pixels; nullopt when all units of all passes are there.
 Failure missingIn(const SumHeader& header, int rows,
