@@ -187,8 +187,11 @@ void FileCommands::revert() {
     lost.removeAll(QString());
     if (m_context.document->isModified() || !lost.isEmpty()) {
         const QString question =
-            tr("Revert to “%1” as it is on disk? Your changes since then will be lost.").arg(m_file->name());
-        if (!askToDiscard(m_context.window, tr("Revert"), question, lost.join(QStringLiteral("\n\n"))))
+            m_context.document->isModified()
+                ? tr("Revert to “%1” as it is on disk? Your changes since then will be lost.")
+                : tr("Revert to “%1” as it is on disk?");
+        if (!askToDiscard(m_context.window, tr("Revert"), question.arg(m_file->name()),
+                          lost.join(QStringLiteral("\n\n"))))
             return;
     }
     if (const io::Failure failure = m_file->revert())

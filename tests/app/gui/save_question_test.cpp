@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QMessageBox>
 #include <QSet>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <QUndoStack>
 
@@ -17,6 +18,7 @@ class SaveQuestionTest : public WindowFixture {
 private slots:
     void snapshotsAreNamed();
     void snapshotsOfAFileWithoutChangesAreAskedFor();
+    void revertingSaysWhatIsLost();
 
 private:
     struct Question {
@@ -25,6 +27,10 @@ private:
     };
     // What is asked when the window is closed; it stays open, unless another button is to be pressed.
     Question asked(QMessageBox::StandardButton press = QMessageBox::Cancel) {
+        return askedBy([this] { m_window->close(); }, press);
+    }
+    template <typename Command>
+    Question askedBy(Command command, QMessageBox::StandardButton press = QMessageBox::Cancel) {
         Question question;
         QTimer look;
         connect(&look, &QTimer::timeout, this, [&] {
@@ -37,7 +43,7 @@ private:
                 }
         });
         look.start(20);
-        m_window->close();
+        command();
         return question;
     }
     void rename(const QString& name) {
@@ -45,11 +51,12 @@ private:
         changed.name = name;
         m_window->document().edit(u"rename"_s, changed);
     }
-    void takeSnapshot() {
+    void trigger(const QString& command) {
         for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text().remove(u'&') == u"Take Snapshot"_s) return action->trigger();
+            if (action->text().remove(u'&') == command) return action->trigger();
         QFAIL("no such command");
     }
+    void takeSnapshot() { trigger(u"Take Snapshot"_s); }
 };
 
 void SaveQuestionTest::snapshotsAreNamed() {
@@ -97,6 +104,28 @@ void SaveQuestionTest::snapshotsOfAFileWithoutChangesAreAskedFor() {
     QCOMPARE(question.buttons.size(), 2);
     asked(QMessageBox::Discard);
     QVERIFY(!m_window->isVisible());
+}
+
+void SaveQuestionTest::revertingSaysWhatIsLost() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"one.ifs"_s);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("one {\n.5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n}\n");
+    file.close();
+    QVERIFY(m_window->openPath(path));
+    const auto question = [this] { return askedBy([this] { trigger(u"Revert"_s); }).text; };
+    document::Fractal changed = m_window->document().fractal();
+    document::plane(changed)->system.maps[0].map.translation.x() += 0.1;
+    m_window->document().edit(u"move"_s, changed);
+    takeSnapshot();
+    QString text = question();
+    QVERIFY2(text.contains(u"Your changes"_s), qPrintable(text));
+    m_window->document().undoStack()->undo();
+    QVERIFY(!m_window->document().isModified());
+    text = question();
+    QVERIFY2(text.contains(u"Snapshot 1 of “one”"_s), qPrintable(text));
+    QVERIFY2(!text.contains(u"changes"_s), qPrintable(text));
 }
 
 QTEST_MAIN(SaveQuestionTest)
