@@ -3,6 +3,7 @@
 #include "document/fractal_geometry.h"
 
 #include "ifs/dimension/dimension.h"
+#include "ifs/shown_facts.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -42,10 +43,29 @@ bool mayRepeat(const ifs::ActiveMaps<2>& active, std::size_t map) {
     return mayFollow(active, map, map);
 }
 
+// What is shown in place of the code's attractor: where its addresses have gone. Empty: all are where they
+// were.
+template <int Dim>
+std::vector<ifs::MovedBranch<Dim>> shownPieces(const Shape<Dim>& shape, const ifs::ActiveMaps<Dim>& active) {
+    if (shape.moved.empty() || active.maps.empty()) return {};
+    const auto moved = ifs::overMaps<Dim>(movedBranches(shape), active.index);
+    return moved.empty() ? moved : ifs::pieces<Dim>(moved, active.maps.size());
+}
+
+// What the pieces do, in coordinates of the picture, to points whose addresses begin with `word`: nothing
+// where only some of them have moved.
+ifs::AffineMap<2> changeOf(const ifs::Word& word, std::span<const ifs::MovedBranch<2>> pieces,
+                           const ifs::AffineMap<2>& display) {
+    for (const auto& [beginning, change] : pieces)
+        if (beginning.size() <= word.size() && std::equal(beginning.begin(), beginning.end(), word.begin()))
+            return ifs::conjugate(display, change).value_or(ifs::AffineMap<2>{});
+    return {};
+}
+
 // The images of the hull under all words of one length, at most so long that there are few enough to see, and
 // as outer ones those under the beginnings of these words.
-void addCylinders(Analysis& analysis, int depth, const std::vector<attractor::Rgba>& colours) {
-    const ifs::Facts<2>& facts = analysis.facts;
+void addCylinders(Analysis& analysis, const ifs::Facts<2>& facts, int depth,
+                  const std::vector<attractor::Rgba>& colours) {
     const auto& maps = facts.active.maps;
     if (!facts.hull || maps.empty()) return;
     const Polygon hull = ifs::convexHull(facts.hull->vertices, 1e-3 * std::sqrt(facts.hull->area));
@@ -72,15 +92,12 @@ void addCylinders(Analysis& analysis, int depth, const std::vector<attractor::Rg
     analysis.shapes.insert(analysis.shapes.end(), shown, shapes.end());
 }
 
-void addShapes(Analysis& analysis, const AnalysisRequest& request) {
+// All but the cylinders.
+void addShapes(Analysis& analysis, const AnalysisRequest& request,
+               const std::vector<attractor::Rgba>& colours) {
     const ifs::Facts<2>& facts = analysis.facts;
     const auto wants = [&](Outline kind) { return request.outlines.contains(kind); };
-    std::vector<attractor::Rgba> colours;
-    const System2& system = *system2(*request.fractal);
-    for (std::size_t k = 0; k < system.maps.size(); ++k)
-        colours.push_back(attractor::mapColour(request.fractal->appearance, system.maps[k].id, k));
     std::vector<OutlineShape>& shapes = analysis.shapes;
-    if (wants(Outline::Cylinders)) addCylinders(analysis, request.cylinderDepth, colours);
     if (wants(Outline::Box) && facts.box) {
         const auto &low = facts.box->min, &high = facts.box->max;
         shapes.push_back({Outline::Box, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}});
@@ -96,6 +113,14 @@ void addShapes(Analysis& analysis, const AnalysisRequest& request) {
     if (wants(Outline::FixedPoints))
         for (std::size_t k = 0; k < analysis.fixedPoints.size(); ++k)
             shapes.push_back({Outline::FixedPoints, {analysis.fixedPoints[k]}, colours[analysis.fixedBy[k]]});
+}
+
+std::vector<attractor::Rgba> mapColours(const Fractal& fractal) {
+    std::vector<attractor::Rgba> colours;
+    const System2& system = *system2(fractal);
+    for (std::size_t k = 0; k < system.maps.size(); ++k)
+        colours.push_back(attractor::mapColour(fractal.appearance, system.maps[k].id, k));
+    return colours;
 }
 
 // The polygon with points along its edges, so that it can follow a bend.
@@ -128,9 +153,15 @@ Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
     analysis.solid = isMoved ? ifs::moved(placed, *m_solidCode) : *m_solidCode;
     if (m_hasSolidInvariants && !analysis.solid->active.maps.empty())
         analysis.solid->invariants = m_solidCode->invariants;
-    if (!request.outlines.empty())
+    std::set<Outline> outlines = request.outlines;
+    if (const auto pieces = shownPieces(shape, m_solidCode->active); !pieces.empty()) {
+        analysis.hasMovedBranches = true;
+        analysis.solid = ifs::shown<3>(*std::move(analysis.solid), *m_solidCode, placed, pieces);
+        outlines.erase(Outline::Hull); // it would be that of the code
+    }
+    if (!outlines.empty())
         analysis.shapesInSpace = spaceOutlines({*m_solidCode, *analysis.solid, placed}, *request.fractal,
-                                               request.outlines, request.cylinderDepth);
+                                               outlines, request.cylinderDepth);
     return analysis;
 }
 
@@ -149,11 +180,18 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
     const ifs::Placement placed = placement(fractal);
     analysis.isOfCode = placed.bend() != nullptr;
     m_display = analysis.isOfCode ? ifs::AffineMap<2>{} : placed.affine();
-    analysis.facts = ifs::moved(m_display, *m_code);
+    const ifs::Facts<2> placedCode = ifs::moved(m_display, *m_code);
+    const auto pieces = shownPieces(*plane(fractal), m_code->active);
+    analysis.hasMovedBranches = !pieces.empty();
+    analysis.facts = pieces.empty() ? placedCode : ifs::shown<2>(placedCode, *m_code, m_display, pieces);
+    std::size_t longest = 1;
+    for (const auto& piece : pieces)
+        longest = std::max(longest, piece.word.size());
     for (std::size_t k = 0; k < m_code->active.maps.size(); ++k)
         if (const auto fixed = ifs::fixedPoint(m_code->active.maps[k]);
             fixed && mayRepeat(m_code->active, k)) {
-            analysis.fixedPoints.push_back(m_display(*fixed));
+            const ifs::AffineMap<2> change = changeOf(ifs::Word(longest, int(k)), pieces, m_display);
+            analysis.fixedPoints.push_back(change(m_display(*fixed)));
             analysis.fixedBy.push_back(m_code->active.index[k]);
         }
     if (m_counted && *m_counted == m_display) {
@@ -161,7 +199,16 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
         analysis.boxCounting = m_boxCounting;
         analysis.isComplete = true;
     }
-    addShapes(analysis, request);
+    const std::vector<attractor::Rgba> colours = mapColours(fractal);
+    if (request.outlines.contains(Outline::Cylinders)) {
+        addCylinders(analysis, placedCode, request.cylinderDepth, colours);
+        for (auto* shapes : {&analysis.shapes, &analysis.outerCylinders})
+            for (OutlineShape& shape : *shapes)
+                for (const ifs::AffineMap<2> change = changeOf(shape.word, pieces, m_display);
+                     ifs::Vector<2> & point : shape.points)
+                    point = change(point);
+    }
+    addShapes(analysis, request, colours);
     if (analysis.isOfCode)
         for (auto* shapes : {&analysis.shapes, &analysis.outerCylinders})
             for (OutlineShape& shape : *shapes)

@@ -35,11 +35,13 @@ struct OutlineShape {
 };
 
 // What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves
-// no system to analyse; then the facts are those of the code, and the shapes are bent with it. Of a system in
-// space only `solid` and its shapes are known.
+// no system to analyse; then the facts are those of the code, and the shapes are bent with it. Where branches
+// are moved, extents, mean and covariance are those of what is shown, everything else that of the code. Of a
+// system in space only `solid` and its shapes are known.
 struct Analysis {
     std::uint64_t revision = 0; // of the request
     bool isOfCode = false;
+    bool hasMovedBranches = false;
     ifs::Facts<2> facts;
     std::optional<ifs::Facts<3>> solid;
     std::vector<ifs::Vector<2>> fixedPoints; // of the active maps that have one

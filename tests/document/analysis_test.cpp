@@ -136,6 +136,30 @@ private slots:
                 points, [&](const Vector<2>& x) { return (x - placed(corner)).norm() < 1e-9; }));
     }
 
+    // The corner 1 is shown three units farther left, where the cage at rest is, and six where it has
+    // doubled.
+    void ofMovedBranchesWhatIsShownIsKnown() {
+        Fractal fractal = placedSierpinski({{0, 0}, {2, 0}, {0, 2}});
+        Shape<2>& shape = *plane(fractal);
+        shape.moved = {{{shape.system.maps[0].id}, {ifs::Matrix<2>::Identity(), {-3, 0}}}};
+        const Analysis analysis =
+            analysed(requestFor(fractal, {Outline::Box, Outline::FixedPoints, Outline::Cylinders}));
+        QVERIFY(analysis.hasMovedBranches);
+        QVERIFY((analysis.facts.box->min - Vector<2>(-6, 0)).norm() < 1e-9);
+        QVERIFY((analysis.facts.box->max - Vector<2>(2, 2)).norm() < 1e-9);
+        QVERIFY(std::abs(analysis.facts.hull->area - 4 * 2.75) < 1e-9);
+        QVERIFY((analysis.facts.mean->point - Vector<2>(-4. / 3, 2. / 3)).norm() < 1e-12);
+        QVERIFY(sameCorners(analysis.fixedPoints, {{-6, 0}, {2, 0}, {0, 2}}));
+        QVERIFY(std::abs(*analysis.facts.affinityDimension - std::log2(3)) < 1e-12);
+        const auto isShown = [&](const ifs::Polygon& polygon) {
+            return std::ranges::any_of(analysis.shapes,
+                                       [&](const auto& shown) { return sameCorners(shown.points, polygon); });
+        };
+        QVERIFY(isShown({{-6, 0}, {2, 0}, {2, 2}, {-6, 2}}));
+        QVERIFY(isShown({{-6, 0}, {-5, 0}, {-6, 1}})); // the cylinder 1
+        QVERIFY(isShown({{1, 0}, {2, 0}, {1, 1}}));
+    }
+
     void theNewestRequestWins() {
         std::atomic<int> announced = 0;
         AnalysisThread thread([&] { ++announced; });

@@ -15,17 +15,39 @@ template <int Dim> using Supports = std::vector<SupportValue<Dim>>;
 
 // h_T(A)(u) = h_A(Tᵀu) + ⟨u,t⟩.
 template <int Dim>
-Supports<Dim> supportsIn(const std::vector<Vector<Dim>>& directions, const SupportFunction<Dim>& support,
-                         double tolerance, const AffineMap<Dim>& image) {
-    Supports<Dim> result;
-    for (const auto& direction : directions) {
-        SupportValue<Dim> h =
-            support(image.linear.transpose() * direction, tolerance, nodesPerFace, support.outline());
-        h.value += direction.dot(image.translation);
-        h.error += 4 * std::numeric_limits<double>::epsilon() * image.translation.norm();
-        h.point = image(h.point);
-        result.push_back(std::move(h));
+SupportValue<Dim> supportOfImage(const AffineMap<Dim>& image, const Vector<Dim>& direction,
+                                 const SupportFunction<Dim>& support, double tolerance) {
+    SupportValue<Dim> h =
+        support(image.linear.transpose() * direction, tolerance, nodesPerFace, support.outline());
+    h.value += direction.dot(image.translation);
+    h.error += 4 * std::numeric_limits<double>::epsilon() * image.translation.norm();
+    h.point = image(h.point);
+    return h;
+}
+
+// Of a union, the largest. What the ball of the attractor keeps below it is not looked at.
+template <int Dim>
+SupportValue<Dim> supportOfImages(std::span<const AffineMap<Dim>> images, const Vector<Dim>& direction,
+                                  const SupportFunction<Dim>& support, double tolerance) {
+    SupportValue<Dim> result = supportOfImage(images.front(), direction, support, tolerance);
+    for (const AffineMap<Dim>& image : images.subspan(1)) {
+        const Vector<Dim> within = image.linear.transpose() * direction;
+        const double reach = direction.dot(image(support.centre())) + within.norm() * support.radius();
+        if (reach < result.value) continue;
+        const SupportValue<Dim> h = supportOfImage(image, direction, support, tolerance);
+        const double bound = std::max(result.value + result.error, h.value + h.error);
+        if (h.value > result.value) result = h;
+        result.error = bound - result.value;
     }
+    return result;
+}
+
+template <int Dim>
+Supports<Dim> supportsIn(const std::vector<Vector<Dim>>& directions, const SupportFunction<Dim>& support,
+                         double tolerance, std::span<const AffineMap<Dim>> images) {
+    Supports<Dim> result;
+    for (const auto& direction : directions)
+        result.push_back(supportOfImages(images, direction, support, tolerance));
     return result;
 }
 
@@ -84,9 +106,9 @@ template <int Dim> std::vector<Orientation<Dim>> allOrientations() {
 } // namespace
 
 template <int Dim>
-BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>& transformation, const SupportFunction<Dim>& support,
-                                    double tolerance) {
-    const auto faces = supportsIn<Dim>(axes<Dim>(), support, tolerance, transformation);
+BoundingBox<Dim> boundingBoxOfImages(std::span<const AffineMap<Dim>> images,
+                                     const SupportFunction<Dim>& support, double tolerance) {
+    const auto faces = supportsIn<Dim>(axes<Dim>(), support, tolerance, images);
     BoundingBox<Dim> box;
     for (int k = 0; k < Dim; ++k) {
         const auto& high = faces[2 * std::size_t(k)];
@@ -99,6 +121,12 @@ BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>& transformation, const 
     return box;
 }
 
+template <int Dim>
+BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>& transformation, const SupportFunction<Dim>& support,
+                                    double tolerance) {
+    return boundingBoxOfImages<Dim>({&transformation, 1}, support, tolerance);
+}
+
 template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& support, double tolerance) {
     return boundingBoxOfImage<Dim>({}, support, tolerance);
 }
@@ -106,13 +134,13 @@ template <int Dim> BoundingBox<Dim> boundingBox(const SupportFunction<Dim>& supp
 namespace {
 
 template <int Dim>
-std::vector<CanonicalSimplex<Dim>> simplicesOf(const AffineMap<Dim>& image,
+std::vector<CanonicalSimplex<Dim>> simplicesOf(std::span<const AffineMap<Dim>> images,
                                                const SupportFunction<Dim>& support, double tolerance) {
     const auto orientations = allOrientations<Dim>();
     auto directions = axes<Dim>();
     for (const auto& orientation : orientations)
         directions.push_back(signs<Dim>(orientation));
-    const auto faces = supportsIn<Dim>(directions, support, tolerance, image);
+    const auto faces = supportsIn<Dim>(directions, support, tolerance, images);
     std::vector<CanonicalSimplex<Dim>> result;
     for (std::size_t k = 0; k < orientations.size(); ++k)
         result.push_back(simplexFrom<Dim>(faces, faces[2 * Dim + k], orientations[k]));
@@ -123,7 +151,8 @@ std::vector<CanonicalSimplex<Dim>> simplicesOf(const AffineMap<Dim>& image,
 
 template <int Dim>
 std::vector<CanonicalSimplex<Dim>> canonicalSimplices(const SupportFunction<Dim>& support, double tolerance) {
-    return simplicesOf<Dim>({}, support, tolerance);
+    const AffineMap<Dim> identity;
+    return simplicesOf<Dim>({&identity, 1}, support, tolerance);
 }
 
 template <int Dim>
@@ -135,11 +164,17 @@ CanonicalSimplex<Dim> canonicalSimplex(const SupportFunction<Dim>& support,
 }
 
 template <int Dim>
-CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>& transformation,
-                                                     const SupportFunction<Dim>& support, double tolerance) {
-    const auto all = simplicesOf(transformation, support, tolerance);
+CanonicalSimplex<Dim> minimalCanonicalSimplexOfImages(std::span<const AffineMap<Dim>> images,
+                                                      const SupportFunction<Dim>& support, double tolerance) {
+    const auto all = simplicesOf(images, support, tolerance);
     const double smallest = std::ranges::min(all, {}, &CanonicalSimplex<Dim>::leg).leg;
     return *std::ranges::find_if(all, [=](const auto& c) { return c.leg <= smallest * (1 + 1e-12); });
+}
+
+template <int Dim>
+CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>& transformation,
+                                                     const SupportFunction<Dim>& support, double tolerance) {
+    return minimalCanonicalSimplexOfImages<Dim>({&transformation, 1}, support, tolerance);
 }
 
 template <int Dim>
@@ -148,6 +183,10 @@ CanonicalSimplex<Dim> minimalCanonicalSimplex(const SupportFunction<Dim>& suppor
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template BoundingBox<Dim> boundingBoxOfImages(std::span<const AffineMap<Dim>>,                           \
+                                                  const SupportFunction<Dim>&, double);                      \
+    template CanonicalSimplex<Dim> minimalCanonicalSimplexOfImages(std::span<const AffineMap<Dim>>,          \
+                                                                   const SupportFunction<Dim>&, double);     \
     template BoundingBox<Dim> boundingBoxOfImage(const AffineMap<Dim>&, const SupportFunction<Dim>&,         \
                                                  double);                                                    \
     template CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>&,                     \

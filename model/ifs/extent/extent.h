@@ -5,6 +5,7 @@
 #include "ifs/system/barycentric.h"
 
 #include <array>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -48,5 +49,14 @@ template <int Dim>
 CanonicalSimplex<Dim> minimalCanonicalSimplexOfImage(const AffineMap<Dim>& transformation,
                                                      const SupportFunction<Dim>& support,
                                                      double tolerance = 0);
+
+// Extents of a union of images of A, of which there is at least one.
+template <int Dim>
+BoundingBox<Dim> boundingBoxOfImages(std::span<const AffineMap<Dim>> images,
+                                     const SupportFunction<Dim>& support, double tolerance = 0);
+template <int Dim>
+CanonicalSimplex<Dim> minimalCanonicalSimplexOfImages(std::span<const AffineMap<Dim>> images,
+                                                      const SupportFunction<Dim>& support,
+                                                      double tolerance = 0);
 
 } // namespace ifs

@@ -443,6 +443,9 @@ void addShape(Lines& lines, const document::Shape<Dim>& shape, const QString& na
         lines.add(Text::tr("moved branch"),
                   recurs ? Text::tr("%1, and inside itself").arg(address) : address);
     }
+    if (!shape.moved.empty())
+        lines.add(Text::tr("moved branches"),
+                  Text::tr("all figures are those of the code, where no branch is moved"));
 }
 
 QString loopText(animation::Loop loop) {

@@ -128,6 +128,8 @@ void CliInfoTest::cageAndBranchesInSpace() {
     QVERIFY2(text.out.contains("(0, 0, 2)"), text.out.constData());
     QVERIFY2(text.out.contains("moved branch"), text.out.constData());
     QCOMPARE(text.out.count("and inside itself"), 1);
+    QVERIFY2(text.out.contains("those of the code, where no branch is moved"), text.out.constData());
+    QVERIFY(!run("info --entry fern systems.ifs").out.contains("no branch is moved"));
 }
 
 void CliInfoTest::factsOfTheFern() {

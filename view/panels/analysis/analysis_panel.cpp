@@ -222,6 +222,9 @@ void AnalysisPanel::showNotice() {
     else if (analysis && analysis->isOfCode)
         text = tr("The cage bends the picture, and no system produces a bent picture. These are the "
                   "properties of the code; on the canvas, the outlines bend with the picture.");
+    else if (analysis && analysis->hasMovedBranches)
+        text = tr("Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the "
+                  "other properties are those of the code.");
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
     m_outlines->setVisible(document::dimension(fractal) != 0);

@@ -290,6 +290,30 @@ private slots:
             QStringLiteral("Similarity dimension\t1.58496250072115")));
     }
 
+    // Which facts are those of the picture, and which those of the code.
+    void movedBranchesAreSpokenOf() {
+        document::Document document;
+        document.setFile(document::fileOf(maple()));
+        view::AnalysisBridge bridge(&document);
+        view::AnalysisPanel panel(&document, &bridge);
+        panel.show();
+        const auto isSaid = [&] {
+            return std::ranges::any_of(panel.findChildren<QLabel*>(), [&](const QLabel* label) {
+                return label->isVisibleTo(&panel) &&
+                       label->text().contains(QStringLiteral("Branches are moved"));
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
+        QVERIFY(!isSaid());
+        const QString hull = valueOf(panel.facts(), QStringLiteral("Hull area"));
+        document::Fractal moved = document.fractal();
+        auto& shape = *document::plane(moved);
+        shape.moved = {{{shape.system.maps[0].id}, {ifs::Matrix<2>::Identity(), {300, 0}}}};
+        document.edit(QStringLiteral("x"), moved);
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent() && isSaid(), patience);
+        QVERIFY(valueOf(panel.facts(), QStringLiteral("Hull area")) != hull);
+    }
+
     // What has no value says why; what is on its way says so.
     void absencesAndWorkAreToldApart() {
         document::Document document;
