@@ -164,10 +164,8 @@ QImage CanvasView::picture() const {
 
 void CanvasView::followDocument(const document::Change& change) {
     using document::Change;
-    if (change.live)
-        holdPainting();
-    else if (viewport()
-                 ->underMouse()) // what is said of the point under the pointer has changed with the cage
+    if (change.live || change.parts & Change::Time) holdPainting();
+    if (!change.live && viewport()->underMouse()) // what is said of the point there has changed with the cage
         QMetaObject::invokeMethod(&m_input, &CanvasInput::reportPointer, Qt::QueuedConnection);
     if (!change.live && !m_said.isEmpty()) describeFocus();
     const bool isAnother = change.parts & (Change::Current | Change::File);
@@ -180,8 +178,8 @@ void CanvasView::followDocument(const document::Change& change) {
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
 }
 
-// Cage and picture move together: during a gesture nothing is painted until the picture has come, unless that
-// takes longer than the eye accepts. It also leaves the processor to those who draw it.
+// Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has
+// come, unless that takes longer than the eye accepts. It also leaves the processor to those who draw it.
 void CanvasView::holdPainting() {
     if (m_bridge->isCurrent() || m_hold.isActive()) return;
     setViewportUpdateMode(QGraphicsView::NoViewportUpdate);

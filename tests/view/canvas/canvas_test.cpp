@@ -2,6 +2,7 @@
 #include "attractor/render/renderer.h"
 #include "canvas/items/symmetry_item.h"
 #include "canvas/tools/vertex_dialog.h"
+#include "document/animated_fractal.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
@@ -162,6 +163,20 @@ private slots:
         QTRY_VERIFY(m_bridge->isCurrent());
         press(vertex(1));
         move(vertex(1) + QPoint(20, 10));
+        QVERIFY(!m_bridge->isCurrent());
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::NoViewportUpdate);
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::FullViewportUpdate);
+    }
+
+    void aMomentIsPaintedWithItsPicture() {
+        document::Fractal breathing = m_document->fractal();
+        auto& animation = document::plane(breathing)->animation.emplace();
+        animation.length = 48;
+        animation.motions = {animation::Breathe<2>{{}, 0.5, 1, {0, 0}}};
+        m_document->edit(QStringLiteral("breathe"), breathing);
+        QTRY_VERIFY(m_bridge->isCurrent());
+        m_document->setMoment(animation::moment(12));
         QVERIFY(!m_bridge->isCurrent());
         QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::NoViewportUpdate);
         QTRY_VERIFY(m_bridge->isCurrent());
