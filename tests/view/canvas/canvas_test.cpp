@@ -183,6 +183,21 @@ private slots:
         QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::FullViewportUpdate);
     }
 
+    // Finding the address under the pointer takes time that the picture of every moment needs.
+    void thePointIsReadAgainAtRest() {
+        hover(vertex(1));
+        m_canvas->viewport()->setAttribute(Qt::WA_UnderMouse);
+        QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
+        document::Fractal fractal = m_document->fractal();
+        for (int change = 0; change < 3; ++change) {
+            document::system2(fractal)->maps[0].map.linear *= 0.9;
+            m_document->edit(QStringLiteral("shrink"), fractal);
+            QCoreApplication::sendPostedEvents();
+        }
+        QCOMPARE(spy.count(), 0);
+        QTRY_COMPARE(spy.count(), 1);
+    }
+
     void aMoveIsPaintedThoughItsPictureIsLate() {
         QTRY_VERIFY(m_bridge->isCurrent());
         m_bridge->fixLiveSamples(std::uint64_t{1} << 40);
