@@ -102,7 +102,7 @@ void RenderBridge::follow(const document::Change& change) {
     const bool edited = !change.live && !moved && (change.parts & (Change::System | Change::Appearance));
     if (moved && m_exposing == Exposing::Kept) m_exposing = Exposing::Eased;
     if (otherPicture || edited) m_exposing = Exposing::Measured;
-    request(m_live ? Haste::InTurn : Haste::Now);
+    request(m_live || moved ? Haste::InTurn : Haste::Now);
 }
 
 void RenderBridge::request(Haste haste) {

@@ -29,7 +29,8 @@ namespace view {
 
 namespace {
 
-constexpr int maxHold = 33; // milliseconds
+constexpr int maxHold = 33;     // milliseconds
+constexpr int untilReport = 50; // milliseconds; finding an address takes time that the picture needs
 
 } // namespace
 
@@ -84,6 +85,15 @@ void CanvasView::setUpWidget() {
 
 void CanvasView::connectParts() {
     connect(m_document, &document::Document::changed, this, &CanvasView::followDocument);
+    auto* report = new QTimer(this);
+    report->setSingleShot(true);
+    connect(report, &QTimer::timeout, this, [this] {
+        if (viewport()->underMouse()) m_input.reportPointer();
+    });
+    connect(m_document, &document::Document::changed, this, [this, report](const document::Change& change) {
+        // What is said of the point under the pointer has changed with the cage.
+        if (!change.live && viewport()->underMouse()) report->start(untilReport);
+    });
     connect(m_bridge, &RenderBridge::frameChanged, this, [this] {
         m_scene->setFrame(m_bridge->frame());
         paintAgain();
@@ -164,11 +174,7 @@ QImage CanvasView::picture() const {
 
 void CanvasView::followDocument(const document::Change& change) {
     using document::Change;
-    if (change.live)
-        holdPainting();
-    else if (viewport()
-                 ->underMouse()) // what is said of the point under the pointer has changed with the cage
-        QMetaObject::invokeMethod(&m_input, &CanvasInput::reportPointer, Qt::QueuedConnection);
+    if (change.live || change.parts & Change::Time) holdPainting();
     if (!change.live && !m_said.isEmpty()) describeFocus();
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (isAnother && tool() == Tool::DefineTriangle) setTool(Tool::Cage);
@@ -180,8 +186,8 @@ void CanvasView::followDocument(const document::Change& change) {
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
 }
 
-// Cage and picture move together: during a gesture nothing is painted until the picture has come, unless that
-// takes longer than the eye accepts. It also leaves the processor to those who draw it.
+// Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has
+// come, unless that takes longer than the eye accepts. It also leaves the processor to those who draw it.
 void CanvasView::holdPainting() {
     if (m_bridge->isCurrent() || m_hold.isActive()) return;
     setViewportUpdateMode(QGraphicsView::NoViewportUpdate);

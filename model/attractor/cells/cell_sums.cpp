@@ -119,27 +119,36 @@ CellSums::Pieces CellSums::pieces(int row) const {
 }
 
 bool CellSums::samplesOfRow(int row, std::vector<std::uint64_t>& samples) const {
+    return samplesOfRows(row, row + 1, samples);
+}
+
+bool CellSums::samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t>& samples) const {
     const auto width = static_cast<std::size_t>(m_window.width);
-    const std::size_t start = static_cast<std::size_t>(row) * width;
     samples.assign(width, 0);
     bool any = carried();
-    for (const auto& counters : m_counts)
-        any |= forTouched(counters, row, [&](std::size_t first, std::size_t end, const std::uint32_t* cells) {
-            for (std::size_t x = first; x < end; ++x)
-                samples[x] += cells[x - first];
-        });
-    if (carried())
-        for (std::size_t x = 0; x < width; ++x)
-            samples[x] += m_carriedCounts[start + x];
-    for (const auto& counters : m_colours)
-        any |= forTouched(counters, row, [&](std::size_t first, std::size_t end, const ColourCell* cells) {
-            for (std::size_t x = first; x < end; ++x)
-                samples[x] += cells[x - first].samples;
-        });
-    for (const auto& sums : m_carriedColours) {
-        any |= !sums.empty();
-        for (std::size_t x = 0; x < width && !sums.empty(); ++x)
-            samples[x] += sums[start + x].samples;
+    const auto add = [&](std::size_t column, std::size_t count, auto samplesAt) {
+        std::uint64_t* const out = samples.data() + column;
+        for (std::size_t i = 0; i < count; ++i)
+            out[i] += samplesAt(i);
+    };
+    for (int row = firstRow; row < endRow; ++row) {
+        const std::size_t start = static_cast<std::size_t>(row) * width;
+        for (const auto& counters : m_counts)
+            any |= forTouched(counters, row,
+                              [&](std::size_t first, std::size_t end, const std::uint32_t* cells) {
+                                  add(first, end - first, [cells](std::size_t i) { return cells[i]; });
+                              });
+        if (carried()) add(0, width, [&](std::size_t i) { return m_carriedCounts[start + i]; });
+        for (const auto& counters : m_colours)
+            any |=
+                forTouched(counters, row, [&](std::size_t first, std::size_t end, const ColourCell* cells) {
+                    add(first, end - first, [cells](std::size_t i) { return cells[i].samples; });
+                });
+        for (const auto& sums : m_carriedColours) {
+            if (sums.empty()) continue;
+            any = true;
+            add(0, width, [&](std::size_t i) { return sums[start + i].samples; });
+        }
     }
     return any;
 }

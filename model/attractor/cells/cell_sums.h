@@ -71,6 +71,7 @@ public:
     };
     // Row `row` of the window: one value per column, sums over all threads. False where all are zero.
     bool samplesOfRow(int row, std::vector<std::uint64_t>& samples) const;
+    bool samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t>& samples) const; // added up
     bool sumsOfRow(int row, std::vector<Sum>& sums) const; // CellKind::Colour
 
     // Adds what was counted elsewhere to row `row` of the window, from a column on.

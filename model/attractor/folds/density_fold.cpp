@@ -101,7 +101,7 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
     return true;
 }
 
-// While one thread walks the address tree, another draws the samples.
+// While one thread walks the address tree, another finds the strata and draws the samples.
 bool DensityFold::makeFirstCut(const std::stop_token& stop) {
     const PreparedSystem& system = prepared().system();
     if (workers().size() < 2 || system.isLinked() || system.note != RenderNote::None || holdsSampleSet())
@@ -115,9 +115,9 @@ bool DensityFold::makeFirstCut(const std::stop_token& stop) {
 }
 
 // Whether the samples are those of an earlier picture: only the cage or the view has moved.
-bool DensityFold::holdsSampleSet() {
-    if (m_strata.follow(prepared().system())) m_drawn.reset();
-    return m_drawn == SampleSetKey{prepared().request().seed, m_sampleSets};
+bool DensityFold::holdsSampleSet() const {
+    return m_drawn == SampleSetKey{prepared().request().seed, m_sampleSets} &&
+           m_strata.isOf(prepared().system());
 }
 
 void DensityFold::drawSampleSet() {
@@ -130,6 +130,8 @@ void DensityFold::drawSampleSet() {
         return;
     }
     if (holdsSampleSet()) return;
+    m_drawn.reset();
+    m_strata.follow(system);
     m_samples.resize(1);
     drawSamples(system, key.seed, key.number, m_samples.front(), &m_strata);
     m_drawn = key;

@@ -57,7 +57,7 @@ private:
     CutSettings cutSettings() const;
     bool makeFirstCut(const std::stop_token& stop);
     bool makeCut(const std::stop_token& stop);
-    bool holdsSampleSet();
+    bool holdsSampleSet() const;
     void drawSampleSet();
     const SampleSet& samplesOf(std::size_t word) const { return m_samples[m_cut->sampleSet(word)]; }
     void planSampleSet();

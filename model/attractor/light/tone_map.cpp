@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace attractor {
 
@@ -37,24 +38,22 @@ void forBlockRows(const CellSums& sums, int side, Wanted wanted, Work work) {
     const int height = sums.window().endRow - sums.window().firstRow;
     const auto width = static_cast<std::size_t>(sums.window().width);
     const auto step = static_cast<std::size_t>(side);
-    std::vector<std::uint64_t> cells;
+    std::vector<std::uint64_t> columns;
     std::vector<std::uint64_t> blocks((width + step - 1) / step);
     for (int row = 0; row * side < height; ++row) {
-        if (!wanted(row)) continue;
-        bool any = false;
+        if (!wanted(row) || !sums.samplesOfRows(row * side, std::min(height, (row + 1) * side), columns))
+            continue;
         if (side == 1) {
-            any = sums.samplesOfRow(row, blocks);
-        } else {
-            std::fill(blocks.begin(), blocks.end(), 0U);
-            for (int y = row * side; y < std::min(height, (row + 1) * side); ++y) {
-                if (!sums.samplesOfRow(y, cells)) continue;
-                any = true;
-                for (std::size_t block = 0, x = 0; block < blocks.size(); ++block)
-                    for (const std::size_t end = std::min(width, x + step); x < end; ++x)
-                        blocks[block] += cells[x];
-            }
+            work(columns);
+            continue;
         }
-        if (any) work(blocks);
+        for (std::size_t block = 0; block < blocks.size(); ++block) {
+            const auto first = columns.begin() + static_cast<std::ptrdiff_t>(block * step);
+            const auto end =
+                columns.begin() + static_cast<std::ptrdiff_t>(std::min(width, (block + 1) * step));
+            blocks[block] = std::accumulate(first, end, std::uint64_t{0});
+        }
+        work(blocks);
     }
 }
 
@@ -97,17 +96,26 @@ bool isSampled(int row, std::uint64_t stride) {
     return stride == 1 || mixed(static_cast<std::uint64_t>(row)) % stride == 0;
 }
 
+// Calls work(thread, samples per block) as above on all threads, until it is stopped.
+template <class Work>
+void forBlockRowsTogether(const CellSums& sums, int side, std::uint64_t stride, Workers& workers,
+                          const std::stop_token& stop, Work work) {
+    workers.run([&](std::size_t thread) {
+        const auto mine = [&](int row) {
+            return static_cast<std::size_t>(row) % workers.size() == thread && isSampled(row, stride) &&
+                   !stop.stop_requested();
+        };
+        forBlockRows(sums, side, mine,
+                     [&](const std::vector<std::uint64_t>& blocks) { work(thread, blocks); });
+    });
+}
+
 Tally tally(const CellSums& sums, int cellsPerPixel, std::uint64_t stride, Workers& workers,
             const std::stop_token& stop = {}) {
     std::vector<Tally> parts(workers.size());
-    workers.run([&](std::size_t thread) {
-        const auto mine = [&](int row) {
-            return static_cast<std::size_t>(row) % parts.size() == thread && isSampled(row, stride) &&
-                   !stop.stop_requested();
-        };
-        forBlockRows(sums, cellsPerPixel, mine,
-                     [&](const std::vector<std::uint64_t>& pixels) { parts[thread].add(pixels); });
-    });
+    forBlockRowsTogether(
+        sums, cellsPerPixel, stride, workers, stop,
+        [&](std::size_t thread, const std::vector<std::uint64_t>& pixels) { parts[thread].add(pixels); });
     for (std::size_t thread = 1; thread < parts.size(); ++thread)
         parts[0].add(parts[thread]);
     return parts[0];
@@ -129,14 +137,18 @@ std::vector<std::uint64_t> pixelSamples(const CellSums& sums, int cellsPerPixel,
 // The 99.5 percentile relative to the mean, over blocks large enough that the noise of few samples is no part
 // of it.
 double whitePointOf(const CellSums& sums, int cellsPerPixel, double referencePerPixel, double share,
-                    const std::stop_token& stop) {
+                    Workers& workers, const std::stop_token& stop) {
     int side = 1;
     while (side < 16 && referencePerPixel * side * side < 64)
         side *= 2;
-    std::vector<std::uint64_t> blocks;
-    forBlockRows(
-        sums, side * cellsPerPixel, [&stop](int) { return !stop.stop_requested(); },
-        [&](const std::vector<std::uint64_t>& row) { appendOccupied(blocks, row); });
+    std::vector<std::vector<std::uint64_t>> parts(workers.size());
+    forBlockRowsTogether(sums, side * cellsPerPixel, 1, workers, stop,
+                         [&](std::size_t thread, const std::vector<std::uint64_t>& row) {
+                             appendOccupied(parts[thread], row);
+                         });
+    std::vector<std::uint64_t>& blocks = parts.front();
+    for (std::size_t thread = 1; thread < parts.size(); ++thread)
+        blocks.insert(blocks.end(), parts[thread].begin(), parts[thread].end());
     if (blocks.empty()) return minWhitePoint; // stopped
     Tally found;
     found.add(blocks);
@@ -236,7 +248,7 @@ Exposure measuredExposure(const CellSums& sums, const Appearance& appearance, do
     exposure.meanDensity = found / occupied / samples;
     if (exposure.whitePoint > 0) return exposure;
     const double referencePerPixel = std::min(1.0, share) * found / occupied;
-    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, share, stop);
+    exposure.whitePoint = whitePointOf(sums, cellsPerPixel, referencePerPixel, share, workers, stop);
     if (cellsPerPixel > 1 && !stop.stop_requested())
         exposure.gain =
             gainOf(sums, appearance, cellsPerPixel, exposure.whitePoint, occupied / found, stride);

@@ -75,8 +75,12 @@ void AddressStrata::makeGuide() {
     }
 }
 
-bool AddressStrata::follow(const PreparedSystem& system) {
-    if (!m_strata.empty() && isSame(system, m_system)) return false;
+bool AddressStrata::isOf(const PreparedSystem& system) const {
+    return !m_strata.empty() && isSame(system, m_system);
+}
+
+void AddressStrata::follow(const PreparedSystem& system) {
+    if (isOf(system)) return;
     m_system = system;
     m_strata.clear();
     m_maps = system;
@@ -91,7 +95,6 @@ bool AddressStrata::follow(const PreparedSystem& system) {
     double before = 0;
     add({}, threshold, before);
     makeGuide();
-    return true;
 }
 
 void AddressStrata::spread(std::uint64_t random, SampleSet& samples) const {

@@ -15,8 +15,9 @@ namespace attractor {
 class AddressStrata {
 public:
     // From now on those of this system. A system without a certain attractor is left in one piece. Costs
-    // nothing where maps, probabilities and box are those of the system before: then false.
-    bool follow(const PreparedSystem& system);
+    // nothing where it isOf() the system already.
+    void follow(const PreparedSystem& system);
+    bool isOf(const PreparedSystem& system) const; // or of one with its maps, probabilities and box
 
     std::size_t size() const { return m_strata.size(); }
 

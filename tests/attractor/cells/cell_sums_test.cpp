@@ -74,6 +74,12 @@ private slots:
                         std::all_of(row.begin(), row.end(), [](auto samples) { return samples == 0; }));
                 if (round % 3 != 0) QVERIFY(rowByPieces(sums, y) == wanted);
             }
+            std::vector<std::uint64_t> columns(std::size_t(window.width));
+            const int end = window.endRow - window.firstRow, first = end / 3;
+            for (auto cell = std::size_t(first) * columns.size(); cell < expected.size(); ++cell)
+                columns[cell % columns.size()] += expected[cell];
+            sums.samplesOfRows(first, end, row);
+            QVERIFY(row == columns);
             sums.counts(0)[0] = 99; // makes all of the memory dirty
             std::fill_n(sums.counts(1), window.cells(), 99U);
         }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <random>
 
 using namespace attractor;
@@ -265,6 +267,47 @@ private slots:
         QCOMPARE(all.occupied, double(side * side));
         const Exposure kept = measuredExposure(sums, look, samples, Exposure{99, 8, 2}, workers);
         QCOMPARE(kept, (Exposure{exposure.meanDensity, 8, 2}));
+    }
+
+    // The 99.5 percentile over blocks that hold 64 samples on average at the share that is compared, whatever
+    // the number of threads.
+    void theWhitePointIsThatOfBlocks() {
+        constexpr int width = 403, height = 202;
+        CellSums sums;
+        std::vector<std::uint32_t> cells = fill(sums, width, height, 3);
+        std::uint32_t* const counts = sums.counts(1);
+        for (int y = 50; y < 82; ++y) // bright
+            for (int x = 101; x < 140; ++x) {
+                counts[y * width + x] += 120;
+                cells[std::size_t(y * width + x)] += 120;
+            }
+        const double found = std::accumulate(cells.begin(), cells.end(), 0.0);
+        const double share = 0.5 * width * height / found;
+        const auto occupied = [share](const auto& of) {
+            return std::accumulate(of.begin(), of.end(), 0.0, [share](double sum, auto count) {
+                return sum + 1 - std::pow(1 - share, double(count));
+            });
+        };
+        const double perPixel = share * found / occupied(cells);
+        int side = 1;
+        while (perPixel * side * side < 64)
+            side *= 2;
+        QCOMPARE(side, 8);
+        std::vector<std::uint64_t> blocks(64 * 64);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                blocks[std::size_t(y / side * 64 + x / side)] += cells[std::size_t(y * width + x)];
+        std::erase(blocks, 0);
+        std::ranges::sort(blocks, std::greater<>());
+        const double all = occupied(blocks);
+        const double wanted = double(blocks[std::size_t(0.005 * all)]) * all / found;
+        QVERIFY(wanted > 5);
+        Appearance look;
+        for (const std::size_t threads : {1, 2, 3, 8}) {
+            Workers workers(threads);
+            const Exposure exposure = measuredExposure(sums, look, found, std::nullopt, workers);
+            QVERIFY(std::abs(exposure.whitePoint / wanted - 1) < 1e-12);
+        }
     }
 };
 

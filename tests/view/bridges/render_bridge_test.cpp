@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/render_bridge.h"
 
+#include "document/animated_fractal.h"
 #include "document/edit_gesture.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
@@ -61,6 +62,25 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QVERIFY(bridge.liveSamples() >= 1'000'000);
         QVERIFY(bridge.liveSamples() <= 10'000'000);
+    }
+
+    void aPlayheadThatIsDraggedStarvesNoFrame() {
+        document::Fractal breathing = document::sierpinskiTriangle();
+        auto& animation = document::plane(breathing)->animation.emplace();
+        animation.length = 1000;
+        animation.motions = {animation::Breathe<2>{{}, 0.5, 1, {0, 0}}};
+        Document document;
+        document.setFile(document::fileOf(breathing));
+        RenderBridge bridge(&document);
+        bridge.setCamera(camera());
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
+        document.setMoment(animation::moment(1));
+        const std::uint64_t underWay = bridge.requested();
+        for (int frame = 2; frame < 10; ++frame)
+            document.setMoment(animation::moment(frame));
+        QCOMPARE(bridge.requested(), underWay); // the others wait for its frame
+        QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
+        QCOMPARE(bridge.requested(), underWay + 1);
     }
 
     void exposureIsKeptWhileOnlyTheCageChanges() {

@@ -2,6 +2,7 @@
 #include "attractor/render/renderer.h"
 #include "canvas/items/symmetry_item.h"
 #include "canvas/tools/vertex_dialog.h"
+#include "document/animated_fractal.h"
 #include "document/edits/cage_actions.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
@@ -166,6 +167,35 @@ private slots:
         QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::NoViewportUpdate);
         QTRY_VERIFY(m_bridge->isCurrent());
         QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::FullViewportUpdate);
+    }
+
+    void aMomentIsPaintedWithItsPicture() {
+        document::Fractal breathing = m_document->fractal();
+        auto& animation = document::plane(breathing)->animation.emplace();
+        animation.length = 48;
+        animation.motions = {animation::Breathe<2>{{}, 0.5, 1, {0, 0}}};
+        m_document->edit(QStringLiteral("breathe"), breathing);
+        QTRY_VERIFY(m_bridge->isCurrent());
+        m_document->setMoment(animation::moment(12));
+        QVERIFY(!m_bridge->isCurrent());
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::NoViewportUpdate);
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QCOMPARE(m_canvas->viewportUpdateMode(), QGraphicsView::FullViewportUpdate);
+    }
+
+    // Finding the address under the pointer takes time that the picture of every moment needs.
+    void thePointIsReadAgainAtRest() {
+        hover(vertex(1));
+        m_canvas->viewport()->setAttribute(Qt::WA_UnderMouse);
+        QSignalSpy spy(m_canvas.get(), &CanvasView::pointerMoved);
+        document::Fractal fractal = m_document->fractal();
+        for (int change = 0; change < 3; ++change) {
+            document::system2(fractal)->maps[0].map.linear *= 0.9;
+            m_document->edit(QStringLiteral("shrink"), fractal);
+            QCoreApplication::sendPostedEvents();
+        }
+        QCOMPARE(spy.count(), 0);
+        QTRY_COMPARE(spy.count(), 1);
     }
 
     void aMoveIsPaintedThoughItsPictureIsLate() {
