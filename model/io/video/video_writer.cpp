@@ -200,8 +200,12 @@ void VideoWriter::State::finish(const Course& course) {
     encoder->finish();
     takeFailure();
     if (failure || course.stop.stop_requested()) return;
-    if (isAddedLater(settings.format) && !settings.systemText.isEmpty() &&
-        !addVideoText(file, encoder->size(), settings.format, libav::commentOf(settings.systemText)))
+    std::optional<qint64> size = encoder->size();
+    if (settings.format == VideoFormat::WebP) size = animatedWebP(file, *size, settings, encoder->pictures());
+    const bool isAdded =
+        size && (!isAddedLater(settings.format) || settings.systemText.isEmpty() ||
+                 addVideoText(file, *size, settings.format, libav::commentOf(settings.systemText)));
+    if (!isAdded)
         failure =
             file.failure() ? file.failure() : VideoTexts::tr("The animation cannot be stored in the video.");
     if (!failure) failure = file.commit();
