@@ -92,14 +92,48 @@ SpaceExport FrameDrawing::spaceFrame(int frame, const std::stop_token& stop) {
     return picture;
 }
 
-std::optional<attractor::Exposure> FrameDrawing::pilot(std::size_t index, const std::stop_token& stop) {
-    if (const auto known = m_exposures.find(index); known != m_exposures.end()) return known->second;
-    const animation::Moment& moment = m_pilots[index];
-    const auto measured =
-        isPlane() ? attractor::BandedRendering(m_source->planeAt(moment).request).measuredExposure(stop)
-                  : cloudExposure(m_source->spaceAt(moment), stop);
-    if (measured) m_exposures.emplace(index, *measured);
-    return measured;
+int FrameDrawing::threads() const {
+    const animation::Moment moment = animation::moment(0);
+    return isPlane() ? m_source->planeAt(moment).request.threads : m_source->spaceAt(moment).request.threads;
+}
+
+FrameDrawing::Measuring FrameDrawing::measuringOf(std::size_t pilot, int threads,
+                                                  const std::stop_token& stop) const {
+    if (isPlane()) {
+        attractor::RenderRequest request = m_source->planeAt(m_pilots[pilot]).request;
+        request.threads = threads;
+        return [=] { return attractor::BandedRendering(request).measuredExposure(stop); };
+    }
+    SpaceExport picture = m_source->spaceAt(m_pilots[pilot]);
+    picture.request.threads = threads;
+    return [=] { return cloudExposure(picture, stop); };
+}
+
+// Two at a time where there are threads for it: a pilot is many small pictures, which two threads draw hardly
+// faster than one. After the first frame, the next frames are likely to want the pilot that follows, too.
+void FrameDrawing::measurePilots(const document::BetweenPilots& between, const std::stop_token& stop) {
+    const bool isFirst = m_exposures.empty();
+    std::vector<std::size_t> wanted;
+    for (const std::size_t pilot : {between.before, between.after})
+        if (!m_exposures.contains(pilot) && std::ranges::find(wanted, pilot) == wanted.end())
+            wanted.push_back(pilot);
+    if (wanted.empty()) return;
+    const int all = threads();
+    const std::size_t next = between.after + 1;
+    if (all > 1 && !isFirst && wanted.size() == 1 && next < m_pilots.size() && !m_exposures.contains(next))
+        wanted.push_back(next);
+    const bool isOne = wanted.size() == 1 || all == 1;
+    std::vector<Measuring> work;
+    for (const std::size_t pilot : wanted)
+        work.push_back(measuringOf(pilot, isOne ? all : all / 2, stop));
+    std::future<std::optional<attractor::Exposure>> second;
+    try {
+        if (!isOne) second = std::async(std::launch::async, work.back());
+    } catch (const std::system_error&) { // no thread is to be had: one after the other
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (const auto measured = i == 1 && second.valid() ? second.get() : work[i]())
+            m_exposures.emplace(wanted[i], *measured);
 }
 
 std::optional<attractor::Exposure> FrameDrawing::exposureAt(int frame, const std::stop_token& stop) {
@@ -109,9 +143,10 @@ std::optional<attractor::Exposure> FrameDrawing::exposureAt(int frame, const std
             ? animation::moment(0)
             : animation::folded(animation::moment(frame), m_facts.loop, m_facts.length);
     const document::BetweenPilots between = document::betweenPilots(m_pilots, moment);
-    const auto before = pilot(between.before, stop);
-    const auto after = before ? pilot(between.after, stop) : std::nullopt;
-    return after ? std::optional(document::interpolated(*before, *after, between.share)) : std::nullopt;
+    measurePilots(between, stop);
+    const auto before = m_exposures.find(between.before), after = m_exposures.find(between.after);
+    if (before == m_exposures.end() || after == m_exposures.end()) return std::nullopt;
+    return document::interpolated(before->second, after->second, between.share);
 }
 
 ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const QByteArray& hash,

@@ -62,6 +62,8 @@ public:
     bool isTransparent(const std::vector<int>& frames) const;
 
 private:
+    using Measuring = std::function<std::optional<attractor::Exposure>()>;
+
     bool isPlane() const { return document::plane(m_source->entry()) != nullptr; }
     Failure startOf(const QString& path);
     ExportOutcome encodeLater(const QString& path, const PictureFormat& format,
@@ -72,7 +74,9 @@ private:
     std::vector<Request> momentsOf(int frame, RequestAt requestAt) const;
     // nullopt: the frame has its own, or the work is stopped.
     std::optional<attractor::Exposure> exposureAt(int frame, const std::stop_token& stop);
-    std::optional<attractor::Exposure> pilot(std::size_t index, const std::stop_token& stop);
+    void measurePilots(const document::BetweenPilots& between, const std::stop_token& stop);
+    Measuring measuringOf(std::size_t pilot, int threads, const std::stop_token& stop) const;
+    int threads() const;
 
     std::unique_ptr<FrameSource> m_source;
     FrameOptions m_options;

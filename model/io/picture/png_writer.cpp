@@ -79,7 +79,7 @@ bool PngWriter::State::writeHeader() {
     if (!deep()) { // few colours of the palette, and noise: neighbours' differences have more values than
                    // they
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-        png_set_compression_level(png, 3);
+        png_set_compression_level(png, 1); // the higher ones take longer for the same size
     }
     png_set_IHDR(png, info, png_uint_32(format.width), png_uint_32(format.height), deep() ? 16 : 8, colour,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -86,7 +86,39 @@ bool addToWebP(QIODevice& device, qint64 size, const QByteArray& text) {
            write(device, 4, littleEndian(quint32(size + 8 + packet.size() - 8)));
 }
 
+QByteArray chunk(const char* name, const QByteArray& data) {
+    return name + littleEndian(quint32(data.size())) + data;
+}
+
+QByteArray threeBytes(quint32 number) {
+    return littleEndian(number).first(3);
+}
+
 } // namespace
+
+std::optional<qint64> animatedWebP(QIODevice& device, qint64 size, const VideoSettings& settings,
+                                   std::int64_t pictures) {
+    constexpr qint64 riff = 12;
+    constexpr std::int64_t longest = (1 << 24) - 1; // milliseconds
+    constexpr char moves = 0x02, hasAlpha = 0x10, isNotBlended = 0x02;
+    const QByteArray head = read(device, 0, riff + 8);
+    if (head.mid(8).startsWith("WEBPVP8X")) return size;
+    if (!head.mid(8).startsWith("WEBPVP8L") || size % 2 != 0) return std::nullopt;
+    const QByteArray sides =
+        threeBytes(quint32(settings.width - 1)) + threeBytes(quint32(settings.height - 1));
+    const std::int64_t lasts =
+        std::min(longest, pictures * 1000 * settings.rate.seconds / settings.rate.frames);
+    const char flags = settings.isTransparent ? char(moves | hasAlpha) : moves;
+    const QByteArray frame =
+        QByteArray(6, '\0') + sides + threeBytes(quint32(lasts)) + QByteArray(1, isNotBlended);
+    QByteArray start = chunk("VP8X", flags + QByteArray(3, '\0') + sides) +
+                       chunk("ANIM", QByteArray(4, '\0') + char(settings.repeats ? 0 : 1) + '\0') + "ANMF" +
+                       littleEndian(quint32(frame.size() + size - riff)) + frame;
+    const qint64 whole = size + start.size();
+    const bool isMoved =
+        insert(device, size, riff, start) && write(device, 4, littleEndian(quint32(whole - 8)));
+    return isMoved ? std::optional(whole) : std::nullopt;
+}
 
 bool addVideoText(QIODevice& device, qint64 size, VideoFormat format, const QByteArray& text) {
     switch (format) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/video/format/video_format.h"
+#include "io/video/format/video_settings.h"
 
 #include <QByteArray>
 #include <QIODevice>
+
+#include <cstdint>
+#include <optional>
 
 namespace io {
 
@@ -12,5 +15,10 @@ namespace io {
 // programs pass over it: as a comment, as XMP, as iTXt. The device is open for reading and writing,
 // random-access. False when it cannot be read or written, or is no such file.
 bool addVideoText(QIODevice& device, qint64 size, VideoFormat format, const QByteArray& text);
+
+// Of pictures that are all the same, the encoder of WebP makes one that does not move: becomes an animation
+// of one frame, which lasts as long as they. The new size of the file; nullopt as above.
+std::optional<qint64> animatedWebP(QIODevice& device, qint64 size, const VideoSettings& settings,
+                                   std::int64_t pictures);
 
 } // namespace io

@@ -10,7 +10,9 @@
 #include "io/video/video_text.h"
 
 #include <algorithm>
+#include <functional>
 #include <future>
+#include <numeric>
 #include <system_error>
 #endif
 
@@ -28,22 +30,31 @@ struct VideoTexts {
 
 namespace {
 
+constexpr QRgb opaque = 0xff000000U;
+
+bool isOpaque(const QRgb* pixels, int count) {
+    return (std::accumulate(pixels, pixels + count, opaque, std::bit_and()) & opaque) == opaque;
+}
+
 // The picture with straight alpha, as PNG pictures have it: the same numbers whether it was drawn or read.
 QImage straight(const QImage& image) {
     if (image.format() != QImage::Format_ARGB32_Premultiplied)
         return image.convertToFormat(QImage::Format_ARGB32);
     QImage result(image.size(), QImage::Format_ARGB32);
+    if (result.isNull()) return result;
     for (int y = 0; y < result.height(); ++y) {
         const auto* from = reinterpret_cast<const QRgb*>(image.constScanLine(y));
-        std::transform(from, from + image.width(), reinterpret_cast<QRgb*>(result.scanLine(y)),
-                       [](QRgb pixel) { return qUnpremultiply(pixel); });
+        auto* to = reinterpret_cast<QRgb*>(result.scanLine(y));
+        if (isOpaque(from, image.width()))
+            std::copy_n(from, image.width(), to);
+        else
+            std::transform(from, from + image.width(), to, [](QRgb pixel) { return qUnpremultiply(pixel); });
     }
     return result;
 }
 
 // Straight alpha in BGRA, with sides that are even if they have to be; null when there is no memory.
 libav::Frame pictureOf(const QImage& image, const VideoSettings& settings) {
-    constexpr QRgb opaque = 0xff000000U;
     const VideoFormatFacts facts = factsOf(settings.format);
     const int width = image.width() + (facts.needsEvenSides ? image.width() % 2 : 0);
     const int height = image.height() + (facts.needsEvenSides ? image.height() % 2 : 0);
@@ -53,12 +64,16 @@ libav::Frame pictureOf(const QImage& image, const VideoSettings& settings) {
         const auto* from =
             reinterpret_cast<const QRgb*>(image.constScanLine(std::min(y, image.height() - 1)));
         auto* row = reinterpret_cast<QRgb*>(frame->data[0] + std::ptrdiff_t(y) * frame->linesize[0]);
-        for (int x = 0; x < width; ++x) {
-            const QRgb pixel = from[std::min(x, image.width() - 1)];
-            row[x] = !facts.storesAlpha       ? qPremultiply(pixel) | opaque
-                     : settings.isTransparent ? pixel
-                                              : pixel | opaque;
-        }
+        const auto shown = [&](QRgb pixel) {
+            return !facts.storesAlpha       ? qPremultiply(pixel) | opaque
+                   : settings.isTransparent ? pixel
+                                            : pixel | opaque;
+        };
+        if (isOpaque(from, image.width()))
+            std::copy_n(from, image.width(), row);
+        else
+            std::transform(from, from + image.width(), row, shown);
+        if (width > image.width()) row[width - 1] = row[width - 2];
     }
     return frame;
 }
@@ -185,8 +200,12 @@ void VideoWriter::State::finish(const Course& course) {
     encoder->finish();
     takeFailure();
     if (failure || course.stop.stop_requested()) return;
-    if (isAddedLater(settings.format) && !settings.systemText.isEmpty() &&
-        !addVideoText(file, encoder->size(), settings.format, libav::commentOf(settings.systemText)))
+    std::optional<qint64> size = encoder->size();
+    if (settings.format == VideoFormat::WebP) size = animatedWebP(file, *size, settings, encoder->pictures());
+    const bool isAdded =
+        size && (!isAddedLater(settings.format) || settings.systemText.isEmpty() ||
+                 addVideoText(file, *size, settings.format, libav::commentOf(settings.systemText)));
+    if (!isAdded)
         failure =
             file.failure() ? file.failure() : VideoTexts::tr("The animation cannot be stored in the video.");
     if (!failure) failure = file.commit();

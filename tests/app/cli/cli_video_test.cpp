@@ -24,6 +24,7 @@ private slots:
     void videosAreWhatTheyShouldBe_data();
     void videosAreWhatTheyShouldBe();
     void webPIsWhatItShouldBe();
+    void aWebPThatStandsStillIsAnAnimation();
     void framesShowThePictures_data();
     void framesShowThePictures();
     void transparencyIsStored_data();
@@ -200,6 +201,30 @@ void CliVideoTest::webPIsWhatItShouldBe() {
     const QImage shown = frame("a/first.webp", 0), wanted(path("b/f.1.png"));
     QCOMPARE(shown.size(), wanted.size());
     QCOMPARE(psnr(shown, wanted), 99.0);
+}
+
+// Its encoder makes one picture of several that are the same.
+void CliVideoTest::aWebPThatStandsStillIsAnAnimation() {
+    QByteArray still = read("wind.ifs");
+    write("still.ifs", still.replace("strength 9", "strength 0"));
+    for (const QByteArray background : {"", " --background transparent"}) {
+        QCOMPARE(run("animate still.ifs --entry once -o a/v.webp" + background + small).err, QByteArray());
+        QCOMPARE(run("animate still.ifs --entry once -o b/f.#.png --frames 1" + background + small).status,
+                 0);
+        const QByteArray bytes = read("a/v.webp");
+        QCOMPARE(qsizetype(qFromLittleEndian<quint32>(bytes.constData() + 4)) + 8, bytes.size());
+        QCOMPARE(bytes[20] & 0x12, background.isEmpty() ? 0x02 : 0x12);
+        const QByteArrayList frames = chunks(bytes, "ANMF");
+        QCOMPARE(frames.size(), 1);
+        QCOMPARE(qFromLittleEndian<quint32>(frames.first().constData() + 12) & 0xffffff, 300u); // 9 of 30
+        QByteArray picture = "RIFF----WEBP" + frames.first().mid(16);
+        qToLittleEndian(quint32(picture.size() - 8), picture.data() + 4);
+        write("a/first.webp", picture);
+        QCOMPARE(psnr(frame("a/first.webp", 0), QImage(path("b/f.1.png"))), 99.0);
+        QCOMPARE(run("info --json a/v.webp").entry(), run("info --json still.ifs --entry once").entry());
+        QCOMPARE(run("animate a/v.webp -o b/v.webp" + background + small).status, 0);
+        QCOMPARE(read("b/v.webp"), bytes);
+    }
 }
 
 void CliVideoTest::framesShowThePictures_data() {

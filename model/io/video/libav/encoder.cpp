@@ -36,7 +36,7 @@ Recipe recipeOf(const VideoSettings& settings) {
                 "libx264",
                 AV_PIX_FMT_YUV420P,
                 AV_PIX_FMT_YUV420P,
-                {{"preset", "medium"}, {"crf", "12"}, {"mbtree", "0"}},
+                {{"preset", "superfast"}, {"crf", "11"}, {"mbtree", "0"}},
                 {{"movflags", "+faststart"}}};
     case VideoFormat::WebM:
         // Frames that are never shown and transparency do not go together.

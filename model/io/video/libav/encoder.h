@@ -25,6 +25,7 @@ public:
 
     const Failure& failure() const { return m_failure; }
     qint64 size() const { return m_file.size(); } // of what has been written
+    std::int64_t pictures() const { return m_pictures; }
 
     // The next picture: AV_PIX_FMT_BGRA with straight alpha, or AV_PIX_FMT_PAL8 for a GIF.
     void add(AVFrame& picture);
