@@ -38,6 +38,7 @@ constexpr int smallBox = 32; // pixels wide
 constexpr std::size_t maxOpen = 1U << 18;
 constexpr std::size_t workPerLook = 1U << 14; // between two looks at the stop token
 constexpr auto maxCode = static_cast<float>(maxDepthCode);
+constexpr std::size_t chunk = 64; // points that are compared before any of them is stored
 
 // What a box touches.
 struct Touched {
@@ -153,39 +154,43 @@ HWY_ATTR static HWY_INLINE bool splatAt(const SolidWord& word, const Cover& cove
     [[maybe_unused]] const FloatVector height = hn::Set(d, static_cast<float>(band.rows()));
     [[maybe_unused]] const IntVector outside = hn::Set(di, static_cast<std::int32_t>(band.overflow()));
     std::uint32_t* HWY_RESTRICT keys = band.keys();
-    bool any = false;
     const kernels::CoverPoints& points = cover.nearestFirst[octant(word)];
-    for (std::size_t k = 0; k < cover.size; k += hn::Lanes(d)) {
-        const FloatVector x = hn::LoadU(d, points.x + k);
-        const FloatVector y = hn::LoadU(d, points.y + k);
-        const FloatVector z = hn::LoadU(d, points.z + k);
-        const FloatVector column = columns(x, y, z);
-        const FloatVector row = rows(x, y, z);
-        IntVector cell;
-        if constexpr (inside) {
-            cell = hn::Add(hn::Mul(truncated(row), stride), truncated(column));
-        } else {
-            const auto in = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
-                                    hn::And(hn::Ge(row, zero), hn::Lt(row, height)));
-            cell = hn::Add(hn::Mul(truncated(hn::IfThenElseZero(in, row)), stride),
-                           truncated(hn::IfThenElseZero(in, column)));
-            cell = hn::IfThenElse(hn::RebindMask(di, in), cell, outside);
+    alignas(64) std::uint32_t newKeys[chunk];
+    alignas(64) std::int32_t cells[chunk];
+    bool any = false;
+    for (std::size_t first = 0; first < cover.size; first += chunk) {
+        const std::size_t count = std::min(chunk, cover.size - first);
+        std::uint64_t nearer = 0;
+        for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
+            const FloatVector x = hn::LoadU(d, points.x + first + at);
+            const FloatVector y = hn::LoadU(d, points.y + first + at);
+            const FloatVector z = hn::LoadU(d, points.z + first + at);
+            const FloatVector column = columns(x, y, z);
+            const FloatVector row = rows(x, y, z);
+            IntVector cell;
+            if constexpr (inside) {
+                cell = hn::Add(hn::Mul(truncated(row), stride), truncated(column));
+            } else {
+                const auto in = hn::And(hn::And(hn::Ge(column, zero), hn::Lt(column, width)),
+                                        hn::And(hn::Ge(row, zero), hn::Lt(row, height)));
+                cell = hn::Add(hn::Mul(truncated(hn::IfThenElseZero(in, row)), stride),
+                               truncated(hn::IfThenElseZero(in, column)));
+                cell = hn::IfThenElse(hn::RebindMask(di, in), cell, outside);
+            }
+            const FloatVector depth = hn::Min(hn::Max(depths(x, y, z), zero), farthest);
+            const auto key = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, truncated(depth))), colour);
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(du, hn::Lt(key, hn::GatherIndex(du, keys, cell)), bits);
+            hn::Store(key, du, newKeys + at);
+            hn::Store(cell, di, cells + at);
+            nearer |= static_cast<std::uint64_t>(bits[0] | bits[1] << 8) << at;
         }
-        const FloatVector depth = hn::Min(hn::Max(depths(x, y, z), zero), farthest);
-        const auto key = hn::Or(hn::ShiftLeft<8>(hn::BitCast(du, truncated(depth))), colour);
-        const auto wins = hn::Lt(key, hn::GatherIndex(du, keys, cell));
-        if (hn::AllFalse(du, wins)) continue;
-        any = true;
-        alignas(64) std::uint32_t newKeys[kernels::solidLanes];
-        alignas(64) std::int32_t cells[kernels::solidLanes];
-        std::uint8_t bits[8] = {};
-        hn::Store(key, du, newKeys);
-        hn::Store(cell, di, cells);
-        hn::StoreMaskBits(du, wins, bits);
-        for (unsigned left = bits[0] | static_cast<unsigned>(bits[1]) << 8; left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            std::uint32_t& old = keys[cells[lane]];
-            old = std::min(old, newKeys[lane]); // several may fall into one cell
+        any = any || nearer != 0;
+        for (; nearer != 0; nearer &= nearer - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(nearer));
+            const std::uint32_t old = keys[cells[k]]; // several may fall into one cell
+            const std::uint32_t nearest = newKeys[k];
+            keys[cells[k]] = nearest < old ? nearest : old;
         }
     }
     return any;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 
@@ -23,31 +24,57 @@ std::optional<double> commonRatio(const PreparedSpace& system) {
     return ratio;
 }
 
-// Which of the points, in pixels, are the nearest ones of some pixel for some place of the grid of pixels.
+constexpr std::size_t steps = 8; // of a pixel, along each side
+
+// The pixels that a point falls into, along one axis, as the grid of pixels moves: `pixel` up to some step,
+// the next one from then on.
+struct Moving {
+    std::size_t pixel = 0;
+    std::size_t change = steps; // the first step at which it is the next one
+};
+
+Moving moving(double at, double low) {
+    const auto pixelAt = [&](std::size_t step) {
+        return static_cast<std::size_t>(at - (low - static_cast<double>(step) / steps));
+    };
+    Moving result{pixelAt(0), 1};
+    while (result.change < steps && pixelAt(result.change) == result.pixel)
+        ++result.change;
+    return result;
+}
+
+// Bit 8·y + x of a pixel stands for a place of the grid x and y steps from the first.
+using Places = std::uint64_t;
+constexpr Places firstColumn = 0x0101010101010101;
+constexpr Places firstSteps(std::size_t count) {
+    return count >= steps * steps ? ~Places{0} : (Places{1} << count) - 1;
+}
+
+// Of the points, in pixels and from the nearest to the farthest, those that are the nearest of some pixel for
+// some place of the grid of pixels.
 std::vector<bool> nearestSomewhere(const std::vector<Vector<3>>& points) {
-    constexpr int steps = 8; // of a pixel, along each side
     Vector<3> low = points.front();
     Vector<3> high = points.front();
     for (const Vector<3>& point : points) {
         low = low.cwiseMin(point);
         high = high.cwiseMax(point);
     }
-    const auto width = static_cast<std::size_t>(high.x() - low.x()) + 2;
-    const auto height = static_cast<std::size_t>(high.y() - low.y()) + 2;
-    constexpr auto none = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> nearest(width * height);
+    const auto width = static_cast<std::size_t>(high.x() - low.x()) + 3;
+    const auto height = static_cast<std::size_t>(high.y() - low.y()) + 3;
+    std::vector<Places> taken(width * height);
     std::vector<bool> result(points.size());
-    for (int step = 0; step < steps * steps; ++step) {
-        const double x = low.x() - static_cast<double>(step % steps) / steps;
-        const double y = low.y() - static_cast<double>(step / steps) / steps;
-        std::fill(nearest.begin(), nearest.end(), none);
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            std::size_t& best = nearest[static_cast<std::size_t>(points[k].y() - y) * width +
-                                        static_cast<std::size_t>(points[k].x() - x)];
-            if (best == none || points[k].z() < points[best].z()) best = k;
-        }
-        for (const std::size_t k : nearest)
-            if (k != none) result[k] = true;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const Moving x = moving(points[k].x(), low.x());
+        const Moving y = moving(points[k].y(), low.y());
+        const Places left = firstColumn * firstSteps(x.change), above = firstSteps(steps * y.change);
+        Places* const pixel = &taken[y.pixel * width + x.pixel];
+        const auto takes = [](Places& there, Places places) {
+            const bool isNew = (places & ~there) != 0;
+            there |= places;
+            return isNew;
+        };
+        result[k] = takes(pixel[0], left & above) | takes(pixel[1], ~left & above) |
+                    takes(pixel[width], left & ~above) | takes(pixel[width + 1], ~left & ~above);
     }
     return result;
 }
@@ -86,12 +113,17 @@ FacingCover::FacingCover(const PreparedSpace& system, const SpaceView& view,
     std::vector<Vector<3>> points;
     for (std::size_t k = 0; k < cover->size; ++k)
         points.emplace_back(linear * Vector<3>(from.x[k], from.y[k], from.z[k]));
-    const std::vector<bool> nearest = nearestSomewhere(points);
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        if (nearest[k]) order.push_back(k);
-    std::stable_sort(order.begin(), order.end(),
+    std::vector<std::size_t> all(points.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::stable_sort(all.begin(), all.end(),
                      [&](std::size_t a, std::size_t b) { return points[a].z() < points[b].z(); });
+    std::vector<Vector<3>> nearestFirst;
+    for (const std::size_t k : all)
+        nearestFirst.push_back(points[k]);
+    const std::vector<bool> nearest = nearestSomewhere(nearestFirst);
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (nearest[k]) order.push_back(all[k]);
     m_spacing = cover->spacing;
     m_size = static_cast<float>(size);
     while (order.size() % kernels::solidLanes != 0)

@@ -6,7 +6,10 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 using namespace attractor;
 
@@ -23,6 +26,33 @@ double farthest(const SpaceSamples& samples, const kernels::Cover& cover) {
                 nearest, std::max({std::abs(samples.x[k] - points.x[i]), std::abs(samples.y[k] - points.y[i]),
                                    std::abs(samples.z[k] - points.z[i])}));
         result = std::max(result, double(nearest));
+    }
+    return result;
+}
+
+ifs::Vector<3> point(const kernels::Cover& cover, const ifs::Matrix<3>& linear, std::size_t k) {
+    const kernels::CoverPoints& points = cover.nearestFirst[0];
+    return linear * ifs::Vector<3>(points.x[k], points.y[k], points.z[k]);
+}
+
+// Above and to the left of all points.
+ifs::Vector<2> corner(const kernels::Cover& cover, const ifs::Matrix<3>& linear) {
+    ifs::Vector<2> low = point(cover, linear, 0).head<2>();
+    for (std::size_t k = 1; k < cover.size; ++k)
+        low = low.cwiseMin(point(cover, linear, k).head<2>());
+    return low;
+}
+
+// Of every pixel that a point falls into.
+std::map<std::pair<int, int>, double> nearestDepths(const kernels::Cover& cover, const ifs::Matrix<3>& linear,
+                                                    const ifs::Vector<2>& shift,
+                                                    const ifs::Vector<2>& corner) {
+    std::map<std::pair<int, int>, double> result;
+    for (std::size_t k = 0; k < cover.size; ++k) {
+        const ifs::Vector<3> at = point(cover, linear, k);
+        const std::pair pixel(int(at.x() - (corner.x() - shift.x())), int(at.y() - (corner.y() - shift.y())));
+        const auto [nearest, isFirst] = result.try_emplace(pixel, at.z());
+        if (!isFirst) nearest->second = std::min(nearest->second, at.z());
     }
     return result;
 }
@@ -110,6 +140,28 @@ private slots:
         QVERIFY(menger.cover().size < 8000 / 2);
         QVERIFY(facing(systems::menger(), Perspective).isEmpty());
         QVERIFY(facing(systems::fern3(), Orthographic).isEmpty());
+    }
+
+    // Wherever the word lies between the pixels, to an eighth of one.
+    void facingCoversKeepWhatIsNearest() {
+        for (const systems::System3& system : {systems::menger(), systems::tetrahedron()}) {
+            const PreparedSpace prepared = preparedSpace(system);
+            const Covers covers(prepared);
+            const SpaceView view = spaceView(systems::spaceRequest(system, 800, 600).camera, {});
+            const auto known = covers.ofAtMost(8192);
+            const FacingCover facing(prepared, view, known);
+            const kernels::Cover kept = facing.cover();
+            const SeenWord box = seen(view.toPixels * prepared.fromBox(), view);
+            const ifs::Matrix<3> linear = box.onScreen.linear * (double(kept.onlyFor) / box.size());
+            const auto all = std::ranges::find(known, kept.spacing, &kernels::Cover::spacing);
+            QVERIFY(all != known.end() && all->size > kept.size);
+            for (int place = 0; place < 64; ++place) {
+                const ifs::Vector<2> shift(place % 8 / 8.0, place / 8 / 8.0);
+                const auto wanted = nearestDepths(*all, linear, shift, corner(*all, linear));
+                const auto found = nearestDepths(kept, linear, shift, corner(*all, linear));
+                QVERIFY(found == wanted);
+            }
+        }
     }
 };
 
