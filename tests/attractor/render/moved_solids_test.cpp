@@ -25,7 +25,7 @@ SpaceRequest movedSponge() {
     SpaceRequest request = systems::spaceRequest(systems::menger(), width, height);
     request.camera.height *= 1.6;
     const ifs::AffineMap<3> out{Eigen::AngleAxisd(0.4, Vector<3>(1, 2, 3).normalized()).toRotationMatrix(),
-                                Vector<3>(0.35, 0.25, 0.3)};
+                                Vector<3>(0.3, 0.45, -0.2)};
     const ifs::AffineMap<3> aside{1.5 * ifs::Matrix<3>::Identity(), Vector<3>(-0.7, 0.1, -0.1)};
     request.moved = {{{19}, out}, {{19, 3}, aside}};
     return request;

@@ -63,6 +63,7 @@ class SpaceBranchTest : public QObject {
 
 private slots:
     void aClickSelectsTheBranchUnderThePointer();
+    void aThinTwigIsHitNearby();
     void theDepthIsChosenByWheelAndKeys();
     void aDragTurnsTheViewAndSelectsNothing();
     void aBranchBecomesAMapOfItsOwnInOneStep();
@@ -103,6 +104,29 @@ void SpaceBranchTest::aClickSelectsTheBranchUnderThePointer() {
     QVERIFY(farthest(cornersOf(window.document, {0}), window.held().vertices()) < 1e-12);
     window.view->setTarget(SpaceView::Target::Branch);
     QVERIFY(farthest(cornersOf(window.document, {3, 5}), window.held().vertices()) < 1e-12);
+}
+
+// A few pixels beside the silhouette are as good as on it.
+void SpaceBranchTest::aThinTwigIsHitNearby() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    QPointF farRight(-1, 0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const ifs::Vector<3> at(corner & 1, corner >> 1 & 1, corner >> 2);
+        const QPointF pixel = view::toPoint(toScreen(window.camera(), at).pixel);
+        if (pixel.x() > farRight.x()) farRight = pixel;
+    }
+    const auto clickBeside = [&](double pixels) {
+        window.choice.choose({});
+        const QPointF at = farRight + QPointF(pixels, 0);
+        window.send(QEvent::MouseButtonPress, at, Qt::LeftButton);
+        window.send(QEvent::MouseButtonRelease, at, Qt::LeftButton);
+        return window.choice.branch();
+    };
+    QVERIFY(clickBeside(9).empty());
+    const Word beside = clickBeside(2.5);
+    QVERIFY(!beside.empty());
+    QCOMPARE(beside, clickBeside(-2));
 }
 
 void SpaceBranchTest::theDepthIsChosenByWheelAndKeys() {
