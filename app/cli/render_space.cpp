@@ -277,6 +277,11 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     if (support != nullptr && (overlay.maps || overlay.cage))
         return fittedWithMarks(camera, shown, placedIn(shown.fractal, stored), overlay, margin);
     if (shown.support) return attractor::fitted(camera, shown.support, margin);
+    if (support != nullptr && !document::space(shown.fractal)->moved.empty()) {
+        const document::Fractal placed = placedIn(shown.fractal, stored);
+        const auto reach = [&](const ifs::Vector<3>& u) { return document::extentAlong(placed, u).high; };
+        return attractor::fitted(camera, reach, margin);
+    }
     if (isBent) return attractor::fitted(camera, document::reachOfVertices(stored->current), margin);
     if (support != nullptr) return attractor::fitted(camera, *support, cage, margin);
     reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "

@@ -3,6 +3,7 @@
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 
+#include "ifs/cage/cage_preimage.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/extent/address_search.h"
 
@@ -56,22 +57,49 @@ std::optional<ifs::Vector<2>> Addresses::fixedPoint(const ifs::Word& word) const
     return m_placement(ifs::pieceOf<2>(m_pieces, address).change(*point));
 }
 
+namespace {
+
+// Where a point is displayed from, in coordinates of the code, and how far what is displayed `pixel` wide
+// reaches there.
+struct PointInCode {
+    ifs::Vector<3> at;
+    double pixel = 0;
+};
+std::optional<PointInCode> inCode(const Shape<3>& shape, const ifs::Vector<3>& displayed, double pixel) {
+    const ifs::AffineMap<3> placed = shape.cage ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
+    auto back = ifs::inverse(placed);
+    ifs::Vector<3> at = back ? (*back)(displayed) : ifs::Vector<3>::Zero();
+    if (shape.cage && ifs::bends(*shape.cage)) {
+        const ifs::CageDeformation bend(shape.cage->rest, shape.cage->current);
+        const auto found = ifs::preimage(bend, displayed, at);
+        if (!found) return std::nullopt;
+        at = *found;
+        back = ifs::inverse(ifs::AffineMap<3>{ifs::derivative(bend, at), ifs::Vector<3>::Zero()});
+    }
+    if (!back) return std::nullopt;
+    return PointInCode{at, pixel * ifs::spectralNorm<3>(back->linear)};
+}
+
+} // namespace
+
 ifs::Word addressInSpace(const Fractal& fractal, const ifs::Vector<3>& displayed, double pixel) {
     constexpr double reach = 3;     // pixels
     constexpr int maxNodes = 4'000; // the pointer moves on
     const Shape<3>* shape = space(fractal);
     if (!shape || !isSpaceExtentKnown(fractal)) return {};
-    if (shape->cage && ifs::bends(*shape->cage)) return {};
     const auto attractor = spaceSupport(fractal);
-    const auto back = ifs::inverse(shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>());
-    if (!attractor || !back) return {};
-    const double inCode = pixel * ifs::spectralNorm<3>(back->linear);
-    const ifs::AddressQueryIn<3> sought{(*back)(displayed)};
-    const auto nearest = ifs::addressNear(*attractor, {&sought, 1}, reach * inCode, inCode, maxNodes);
-    const std::vector<std::size_t> index = ifs::activeMaps(shape->system).index;
+    const auto point = attractor ? inCode(*shape, displayed, pixel) : std::nullopt;
+    if (!point) return {};
+    const ifs::ActiveMaps<3> active = ifs::activeMaps(shape->system);
+    std::vector<ifs::AddressQueryIn<3>> sought;
+    const auto moved = ifs::overMaps<3>(movedBranches(*shape), active.index);
+    for (const auto& [word, change] : ifs::pieces<3>(moved, active.maps.size()))
+        if (const auto back = ifs::inverse(change))
+            sought.push_back({(*back)(point->at), ifs::spectralNorm<3>(back->linear), word});
+    const auto nearest = ifs::addressNear(*attractor, sought, reach * point->pixel, point->pixel, maxNodes);
     ifs::Word word;
     for (const int letter : nearest ? nearest->address : ifs::Word{})
-        word.push_back(int(index[std::size_t(letter)]));
+        word.push_back(int(active.index[std::size_t(letter)]));
     return word;
 }
 

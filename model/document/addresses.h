@@ -30,8 +30,8 @@ private:
     std::vector<std::optional<ifs::AffineMap<2>>> m_unmoved; // the inverses of their changes
 };
 
-// The same in space, of a point of the attractor as it is displayed: no branch is shown elsewhere there.
-// Empty also where the cage bends, and as long as the extent is not known.
+// The same in space, of a point of the attractor as it is displayed. Empty also as long as the extent is not
+// known.
 ifs::Word addressInSpace(const Fractal& fractal, const ifs::Vector<3>& displayed, double pixel);
 
 // "3 2 3 2 …": the numbers that the user counts maps by, at most `longest` of them.

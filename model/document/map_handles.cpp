@@ -2,7 +2,7 @@
 #include "document/map_handles.h"
 #include "document/branch_as_map.h"
 #include "document/fractal_geometry.h"
-#include "document/recurring_branches.h"
+#include "document/shown_branch.h"
 
 #include "ifs/cage/map_handles.h"
 #include "ifs/extent/support_function.h"
@@ -16,39 +16,6 @@ namespace document {
 using ifs::AffineMap;
 using ifs::Vector;
 
-namespace {
-
-std::vector<ifs::MapId> idsOf(const System2& system, const ifs::Word& indices) {
-    std::vector<ifs::MapId> word;
-    for (const int index : indices)
-        word.push_back(system.maps[std::size_t(index)].id);
-    return word;
-}
-
-const MovedBranch<2>* find(const Fractal& fractal, const std::vector<ifs::MapId>& word) {
-    const auto& branches = plane(fractal)->moved;
-    const auto moved = std::ranges::find(branches, word, &MovedBranch<2>::word);
-    return moved == branches.end() ? nullptr : &*moved;
-}
-
-// What moves exactly this branch; what is inside it moves more.
-AffineMap<2> shownChange(std::span<const ifs::MovedBranch<2>> moved, const ifs::Word& branch) {
-    AffineMap<2> change;
-    for (const ifs::MovedBranch<2>& one : moved)
-        if (one.word == branch) change = change * one.change;
-    return change;
-}
-
-// Of the branches around this one, as they are shown.
-AffineMap<2> changeAround(std::span<const ifs::MovedBranch<2>> moved, const ifs::Word& branch) {
-    AffineMap<2> change;
-    for (std::size_t length = 0; length < branch.size(); ++length)
-        change = change * shownChange(moved, {branch.begin(), branch.begin() + std::ptrdiff_t(length)});
-    return change;
-}
-
-} // namespace
-
 MapHandles::MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
                        const AffineMap<2>& within)
     : m_fractal(std::move(fractal)), m_cage(cage), m_placement(placement(*m_fractal)), m_within(within) {}
@@ -56,21 +23,10 @@ MapHandles::MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::Contro
 MapHandles MapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
                                 const ifs::ControlCage<2>& cage, const ifs::Word& branch, bool recurs) {
     MapHandles handles(fractal, cage);
-    AffineMap<2> map;
-    for (const int index : branch)
-        map = map * system2(*fractal)->maps[std::size_t(index)].map;
-    const std::vector<ifs::MovedBranch<2>> moved = movedBranches(*fractal);
-    std::vector<ifs::MapId> word = idsOf(*system2(*fractal), branch);
-    const ifs::MapId last = word.back();
-    handles.m_within = changeAround(moved, branch); // moves it too, and stays as it is
-    AffineMap<2> change = shownChange(moved, branch);
-    if (const MovedBranch<2>* once = recurs ? find(*fractal, word) : nullptr) {
-        const auto back = ifs::inverse(once->change);
-        if (back) change = *back * change;
-        handles.m_within = handles.m_within * once->change;
-    }
-    handles.m_branch = recurs ? recurringWord(std::move(word)) : std::move(word);
-    handles.m_branchMap = {{last, change * map, {}}};
+    ShownBranch<2> shown = shownBranch(*plane(*fractal), branch, recurs);
+    handles.m_within = shown.within;
+    handles.m_branchMap = {{system2(*fractal)->maps[std::size_t(branch.back())].id, shown.map, {}}};
+    handles.m_branch = std::move(shown.word);
     return handles;
 }
 
@@ -137,12 +93,7 @@ void MapHandles::change(Fractal& fractal, std::size_t index, const AffineMap<2>&
         map = change * map;
         return;
     }
-    auto& branches = plane(fractal)->moved;
-    const auto moved = std::ranges::find(branches, m_branch, &MovedBranch<2>::word);
-    if (moved == branches.end())
-        branches.push_back({m_branch, change});
-    else
-        moved->change = change * moved->change;
+    moveShown(*plane(fractal), m_branch, change);
 }
 
 void MapHandles::changeDisplayed(Fractal& fractal, std::size_t index, const AffineMap<2>& displayed) const {
@@ -215,8 +166,7 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
     if (!letters) return std::nullopt;
     if (keepsCode(edit))
         return BranchHandles{MapHandles::ofBranch(fractal, cage, branch, edit == BranchEdit::Inside), 0};
-    const std::vector<ifs::MovedBranch<2>> branches = movedBranches(*fractal);
-    const AffineMap<2> moved = changeAround(branches, branch) * shownChange(branches, branch);
+    const AffineMap<2> moved = movedBy(*plane(*fractal), branch);
     if (branch.size() == 1) return BranchHandles{{fractal, cage, moved}, std::size_t(branch.front())};
     if (edit == BranchEdit::OwnMap && active.isLinked())
         return std::nullopt; // the maps that divide the others would have links of their own
@@ -229,25 +179,18 @@ std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>&
 }
 
 bool isMoved(const Fractal& fractal, const ifs::Word& branch) {
+    if (const Shape<3>* shape = space(fractal)) return isMoved(*shape, branch);
     const Shape<2>* shape = plane(fractal);
-    if (!shape || shape->moved.empty()) return false;
-    const auto isMap = [&](int index) { return std::size_t(index) < shape->system.maps.size(); };
-    if (!std::ranges::all_of(branch, isMap)) return false;
-    const std::vector<ifs::MapId> word = idsOf(shape->system, branch);
-    return find(fractal, word) || find(fractal, recurringWord(word));
+    return shape && isMoved(*shape, branch);
 }
 
 AffineMap<2> recurringMap(const Fractal& fractal, const ifs::Word& branch) {
-    const System2& system = *system2(fractal);
-    const MovedBranch<2>* moved = find(fractal, recurringWord(idsOf(system, branch)));
-    return (moved ? moved->change : AffineMap<2>{}) * ifs::composed<2>(ifs::mapsOf(system), branch);
+    return recurringMap(*plane(fractal), branch);
 }
 
 Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch) {
-    if (!isMoved(fractal, branch)) return fractal;
-    const std::vector<ifs::MapId> word = idsOf(*system2(fractal), branch), recurring = recurringWord(word);
-    std::erase_if(plane(fractal)->moved,
-                  [&](const MovedBranch<2>& moved) { return moved.word == word || moved.word == recurring; });
+    if (Shape<3>* shape = space(fractal)) putBack(*shape, branch);
+    if (Shape<2>* shape = plane(fractal)) putBack(*shape, branch);
     return fractal;
 }
 

@@ -71,25 +71,27 @@ void keepColours(attractor::Appearance& appearance, const ifs::IteratedFunctionS
     appearance.palette = shareOf(appearance.palette, at / count, (at + 1) / count);
 }
 
-// Branches that are moved stay moved, where they are parts of this one.
-std::vector<MovedBranch<2>> movedWithin(const Shape<2>& shape, std::size_t index) {
+// Branches that are moved stay moved, where they are parts of this one; what moves all of it is `whole`.
+template <int Dim> struct Within {
+    std::vector<MovedBranch<Dim>> moved{};
+    ifs::AffineMap<Dim> whole{};
+};
+template <int Dim> Within<Dim> within(const Shape<Dim>& shape, std::size_t index) {
     const auto& maps = shape.system.maps;
-    const ifs::AffineMap<2>& map = maps[index].map;
-    ifs::AffineMap<2> whole;
-    std::vector<MovedBranch<2>> moved;
-    const auto back = ifs::inverse<2>(map);
+    const ifs::AffineMap<Dim>& map = maps[index].map;
+    Within<Dim> result;
+    const auto back = ifs::inverse<Dim>(map);
     for (const auto& [word, change] : movedBranches(shape)) {
         if (word.empty() || std::size_t(word.front()) != index) continue;
         if (word.size() == 1) {
-            whole = whole * change;
+            result.whole = result.whole * change;
         } else if (back) {
-            moved.push_back({{}, *back * change * map});
+            result.moved.push_back({{}, *back * change * map});
             for (const int letter : std::span(word).subspan(1))
-                moved.back().word.push_back(maps[std::size_t(letter)].id);
+                result.moved.back().word.push_back(maps[std::size_t(letter)].id);
         }
     }
-    moved.push_back({{}, whole * map}); // all of the attractor
-    return moved;
+    return result;
 }
 
 // The map, or one that is nearly as flat.
@@ -142,7 +144,10 @@ Fractal soloed(Fractal fractal, ifs::MapId map) {
         const auto index = indexOf(shape->system, map);
         if (index && soloObstacle(fractal, map).isEmpty()) {
             keepColours(fractal.appearance, shape->system, *index, isByMap, isByAddress, isByBlend);
-            shape->moved = movedWithin(*shape, *index);
+            Within<2> inside = within(*shape, *index);
+            inside.moved.push_back(
+                {{}, inside.whole * shape->system.maps[*index].map}); // all of the attractor
+            shape->moved = std::move(inside.moved);
         }
     } else if (Shape<3>* solid = space(fractal)) {
         const auto index = indexOf(solid->system, map);
@@ -152,7 +157,9 @@ Fractal soloed(Fractal fractal, ifs::MapId map) {
         keepColours(fractal.appearance, solid->system, *index, isByMap || colour == SolidColour::Map,
                     isByAddress || colour == SolidColour::Address,
                     isByBlend && attractor::showsCloud(fractal.inSpace.look));
-        solid->cage = cageOnto(solid->cage, thickened(solid->system.maps[*index].map));
+        Within<3> inside = within(*solid, *index);
+        solid->cage = cageOnto(solid->cage, thickened(inside.whole * solid->system.maps[*index].map));
+        solid->moved = std::move(inside.moved);
     }
     return fractal;
 }

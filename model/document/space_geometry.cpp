@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/space_geometry.h"
+#include "document/fractal_geometry.h"
+#include "ifs/cage/cage_surface.h"
 
 #include <QCoreApplication>
 
@@ -42,16 +44,28 @@ double farthest(const std::vector<ifs::Vector<3>>& points, const ifs::Vector<3>&
     return most;
 }
 
-// Points that contain what is displayed: without an attractor, or where it is bent, the cage; of very many
-// maps the simplex around them, because asking all of them takes long.
+// Points that contain what is displayed: without an attractor, or where it is bent, the cage and the
+// simplices around moved branches; of very many maps the simplex around them, because asking all of them
+// takes long.
 std::vector<ifs::Vector<3>> pointsAround(const Fractal& fractal, const ifs::ControlCage<3>& cage) {
-    const System3& system = *system3(fractal);
-    if (system.maps.size() <= manyMapsInSpace || ifs::bends(cage) || !spaceSupport(fractal))
+    const Shape<3>& shape = *space(fractal);
+    const bool isMoved = !shape.moved.empty();
+    const bool bends = ifs::bends(cage);
+    if (!spaceSupport(fractal) || (!isMoved && (bends || shape.system.maps.size() <= manyMapsInSpace)))
         return cage.current;
-    const ifs::AffineMap<3> placed = ifs::displayMap(cage);
     std::vector<ifs::Vector<3>> points;
-    for (const ifs::Vector<3>& vertex : fractal.supports.simplexInSpace(system).rest)
-        points.push_back(placed(vertex));
+    std::optional<ifs::CageDeformation> bend;
+    if (bends) {
+        points = cage.current;
+        bend.emplace(cage.rest, cage.current);
+    }
+    const ifs::AffineMap<3> placed = ifs::displayMap(cage);
+    const auto vertices = fractal.supports.simplexInSpace(shape.system).rest;
+    for (const ifs::AffineMap<3>& piece : shownPieces(shape))
+        for (const ifs::Vector<3>& vertex : vertices) {
+            const ifs::Vector<3> at = piece(vertex);
+            points.push_back(bend ? (*bend)(at) : placed(at));
+        }
     return points;
 }
 
@@ -62,14 +76,30 @@ std::optional<Reach> reachOf(const Fractal& fractal, double tolerance) {
     if (!support || ifs::bends(*cage) || system3(fractal)->maps.size() > manyMapsInSpace)
         return
             [points = pointsAround(fractal, *cage)](const ifs::Vector<3>& u) { return farthest(points, u); };
-    return [support, placed = ifs::displayMap(*cage), tolerance](const ifs::Vector<3>& u) {
-        const ifs::Vector<3> inner = placed.linear.transpose() * u;
-        const auto value = (*support)(inner, tolerance * support->radius() * inner.norm());
-        return value.value + (tolerance > precision ? value.error : 0) + u.dot(placed.translation);
+    std::vector<ifs::AffineMap<3>> pieces = shownPieces(*space(fractal));
+    for (ifs::AffineMap<3>& piece : pieces)
+        piece = ifs::displayMap(*cage) * piece;
+    return [support, pieces = std::move(pieces), tolerance](const ifs::Vector<3>& u) {
+        double farthest = -HUGE_VAL;
+        for (const ifs::AffineMap<3>& placed : pieces) {
+            const ifs::Vector<3> inner = placed.linear.transpose() * u;
+            const auto value = (*support)(inner, tolerance * support->radius() * inner.norm());
+            const double reach =
+                value.value + (tolerance > precision ? value.error : 0) + u.dot(placed.translation);
+            farthest = std::max(farthest, reach);
+        }
+        return farthest;
     };
 }
 
 } // namespace
+
+std::vector<ifs::AffineMap<3>> shownPieces(const Shape<3>& shape) {
+    if (shape.moved.empty()) return std::vector<ifs::AffineMap<3>>(1);
+    const ifs::ActiveMaps<3> active = ifs::activeMaps(shape.system);
+    const auto moved = ifs::overMaps<3>(movedBranches(shape), active.index);
+    return ifs::pieceMaps<3>(ifs::pieces<3>(moved, active.maps.size()), active.maps);
+}
 
 QString spaceObstacle(const Fractal& fractal) {
     if (space(fractal)) return {};
@@ -138,6 +168,7 @@ attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::Or
     if (shape) {
         request.system = shape->system;
         request.cage = shape->cage;
+        request.moved = movedBranches(*shape);
     }
     request.clip = fractal.inSpace.clip;
     if (solidColour(fractal) == attractor::SolidColour::Address) request.key = attractor::SolidKey::Address;

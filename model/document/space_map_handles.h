@@ -3,12 +3,14 @@
 
 #include "document/fractal.h"
 #include "document/map_handles.h"
+#include "ifs/cage/cage_surface.h"
 #include "ifs/cage/control_cage.h"
 #include "ifs/system/branch.h"
 
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace document {
 
@@ -19,38 +21,52 @@ class SpaceMapHandles {
 public:
     using Corners = std::array<ifs::Vector<3>, 4>;
 
-    // nullopt unless the fractal is a system in space. `cage` is the one in force; one of more than four
-    // vertices gives way to the minimal canonical simplex, moved as the cage says. The maps are shown and
-    // moved as they are seen inside the piece that `within` makes of the attractor.
+    // nullopt unless the fractal is a system in space. `cage` is the one in force; of one of more than
+    // four vertices, four make the largest tetrahedron, bent as the cage says. The maps are shown
+    // and moved as they are seen inside the piece that `within` makes of the attractor.
     static std::optional<SpaceMapHandles> of(std::shared_ptr<const Fractal> fractal,
                                              const ifs::ControlCage<3>& cage,
                                              const ifs::AffineMap<3>& within = {});
+    // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
+    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
+    // The word has indices of maps.
+    static std::optional<SpaceMapHandles> ofBranch(const std::shared_ptr<const Fractal>& fractal,
+                                                   const ifs::ControlCage<3>& cage, const ifs::Word& branch,
+                                                   bool recurs);
 
-    std::size_t count() const { return system3(*m_fractal)->maps.size(); }
+    std::size_t count() const { return m_branch.empty() ? system3(*m_fractal)->maps.size() : 1; }
     Corners corners(std::size_t index) const; // images of the tetrahedron's vertices
-    // The same under w_σ, a word of indices; nullopt where one is of no map.
+    // The same under w_σ, a word of indices, where the branch is shown; nullopt where one is of no map.
     std::optional<Corners> corners(const ifs::Word& branch) const;
 
     // Unless the placement, or the piece, is flat.
-    bool canBeMoved() const { return m_back.has_value(); }
+    bool canBeMoved() const;
     // The fractal with the corners of one map moved by these offsets: a change of rank one for each that is
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
-    // the fractal as it is. Maps must be movable.
+    // the fractal as it is. Maps must be movable. Where the cage bends, a corner that it takes nowhere stays.
     Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
     // One map turned by an angle about the image of `root`, a point in coordinates of the code, which stays:
     // a branch that swings. Counter-clockwise for the one to whom `axis`, of length 1, points. Otherwise as
-    // above.
+    // above; where the cage bends, to first order in the middle of the map.
     Fractal withMapSwung(std::size_t index, const ifs::Vector<3>& root, const ifs::Vector<3>& axis,
                          double angle) const;
 
 private:
     SpaceMapHandles() = default;
+    ifs::AffineMap<3> mapAt(std::size_t index) const;
+    ifs::Vector<3> shown(const ifs::Vector<3>& x) const;
+    // By how much x is to be moved to be displayed so far from where it is.
+    ifs::Vector<3> inPiece(const ifs::Vector<3>& x, const ifs::Vector<3>& offset) const;
 
     std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<3> m_cage;
     ifs::Simplex<3> m_rest;
-    ifs::AffineMap<3> m_placed;              // what displays a map
-    std::optional<ifs::AffineMap<3>> m_back; // of m_placed
+    ifs::AffineMap<3> m_placed;              // what displays a map where nothing bends
+    std::optional<ifs::AffineMap<3>> m_back; // of m_placed; where the cage bends, of m_within
+    ifs::AffineMap<3> m_within;
+    std::shared_ptr<const ifs::CageDeformation> m_bend; // after m_within
+    std::vector<ifs::MapId> m_branch;                   // that is moved; empty: maps are
+    ifs::AffineMap<3> m_branchMap;
 };
 
 // The lowest point of what is displayed in space, in coordinates of the code: where a plant stands. nullopt
@@ -62,8 +78,8 @@ struct SpaceBranchHandles {
     SpaceMapHandles handles;
     std::size_t index = 0;
 };
-// nullopt when the word is empty or names a map that takes no part; where keepsCode(), since solids are shown
-// where their maps put them; and for BranchEdit::OwnMap of more than one symbol where maps are linked.
+// nullopt when the word is empty or names a map that takes no part, and for BranchEdit::OwnMap of more than
+// one symbol where maps are linked.
 std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<const Fractal>& fractal,
                                                        const ifs::ControlCage<3>& cage,
                                                        const ifs::Word& branch, BranchEdit edit);

@@ -142,6 +142,33 @@ private slots:
         QVERIFY(!soloObstacle(fractal, idOf(fractal, 0)).isEmpty());
     }
 
+    // Its branches are where they are in the whole.
+    void inSpaceBranchesStayMoved() {
+        Fractal fractal = inSpace();
+        const auto maps = ifs::mapsOf(*system3(fractal));
+        ifs::AffineMap<3> up;
+        up.translation = {0.1, 0.7, 0.2};
+        ifs::AffineMap<3> large;
+        large.linear *= 2;
+        space(fractal)->moved = {{{idOf(fractal, 1)}, up},
+                                 {{idOf(fractal, 1), idOf(fractal, 2)}, large},
+                                 {{idOf(fractal, 3), idOf(fractal, 2)}, up}};
+        const auto shownAt = [&](const Fractal& of, const ifs::Word& word) {
+            const auto pieces = ifs::pieces<3>(movedBranches(*space(of)), maps.size());
+            const ifs::Vector<3> x = ifs::composed<3>(maps, word)(ifs::Vector<3>(0.3, 0.2, 0.1));
+            const auto& cage = space(of)->cage;
+            const ifs::AffineMap<3> display = cage ? ifs::displayMap(*cage) : ifs::AffineMap<3>();
+            return ifs::Vector<3>(display(ifs::pieceOf<3>(pieces, word).change(x)));
+        };
+        for (const std::size_t index : {1U, 3U, 0U}) {
+            const Fractal alone = soloed(fractal, idOf(fractal, index));
+            for (int letter = 0; letter < 4; ++letter)
+                QVERIFY(
+                    (shownAt(alone, {letter, 0, 0}) - shownAt(fractal, {int(index), letter, 0, 0})).norm() <
+                    1e-12);
+        }
+    }
+
     // The part that the map makes, in its colour and in its place; y points upwards.
     void thumbnailsShowTheImage() {
         const Fractal fractal = triangle();

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "document/fractal_geometry.h"
+#include "document/shown_branch.h"
 #include "document/space_geometry.h"
 #include "document/space_map_handles.h"
+#include "ifs/cage/cage_surface.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/links.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace document;
@@ -41,6 +45,19 @@ const ifs::ControlCage<3>& cageOf(const Fractal& fractal) {
 
 Corners seen(const Fractal& fractal, const ifs::Word& branch) {
     return *SpaceMapHandles::of(held(fractal), cageOf(fractal))->corners(branch);
+}
+
+constexpr std::array edits{BranchEdit::OwnMap, BranchEdit::LastMap, BranchEdit::Display, BranchEdit::Inside};
+
+// A box around it of which one corner is pulled out.
+void bendIn(Fractal& fractal) {
+    ifs::ControlCage<3> cage;
+    for (int k = 0; k < 8; ++k)
+        cage.rest.emplace_back((k & 1) != 0 ? 2.0 : -1.0, (k & 2) != 0 ? 2.0 : -1.0,
+                               (k & 4) != 0 ? 2.0 : -1.0);
+    cage.current = cage.rest;
+    cage.current[7] += Vector<3>(1, 0.5, -0.3);
+    space(fractal)->cage = cage;
 }
 
 double farthest(const Corners& a, const Corners& b) {
@@ -140,6 +157,87 @@ private slots:
         QVERIFY((maps[std::size_t(moved[0].word.back())].linear - old[3].map.linear).norm() < 1e-15);
     }
 
+    // Only here: the code stays, the branch goes where it is pulled, again and again, and can be put back.
+    void aBranchIsShownElsewhere() {
+        const Fractal fractal = fourPieces();
+        const ifs::Word word{2, 1};
+        const auto branch = branchHandlesInSpace(held(fractal), cageOf(fractal), word, BranchEdit::Display);
+        QVERIFY(branch);
+        QCOMPARE(branch->handles.count(), std::size_t(1));
+        const Vector<3> by(0.3, -0.2, 0.4);
+        const Fractal once = branch->handles.withCornersMoved(
+            0, {Vector<3>::Zero(), by, Vector<3>::Zero(), Vector<3>::Zero()});
+        Corners wanted = seen(fractal, word);
+        wanted[1] += by;
+        QVERIFY(farthest(seen(once, word), wanted) < 1e-12);
+        QVERIFY(isSameSystem(once, fractal));
+        QCOMPARE(space(once)->moved.size(), std::size_t(1));
+        // What is in it goes along, what is beside it stays.
+        QVERIFY(farthest(seen(once, {2, 1, 0}), seen(fractal, {2, 1, 0})) > 0.01);
+        QVERIFY(farthest(seen(once, {2, 0}), seen(fractal, {2, 0})) == 0);
+        const auto again = branchHandlesInSpace(held(once), cageOf(once), word, BranchEdit::Display);
+        const Fractal twice = again->handles.withCornersMoved(0, {by, by, by, by});
+        for (Vector<3>& corner : wanted)
+            corner += by;
+        QVERIFY(farthest(seen(twice, word), wanted) < 1e-12);
+        QCOMPARE(space(twice)->moved.size(), std::size_t(1));
+        QVERIFY(isMoved(twice, word) && !isMoved(twice, {2}) && !isMoved(fractal, word));
+        QVERIFY(withBranchPutBack(twice, word) == fractal);
+        QVERIFY(withBranchPutBack(twice, {2}) == twice);
+        // A part of it is pulled where it is shown.
+        const auto part = branchHandlesInSpace(held(twice), cageOf(twice), {2, 1, 3}, BranchEdit::LastMap);
+        Corners partly = seen(twice, {2, 1, 3});
+        const Fractal after = part->handles.withCornersMoved(
+            3, {Vector<3>::Zero(), Vector<3>::Zero(), 0.1 * by, Vector<3>::Zero()});
+        partly[2] += 0.1 * by;
+        QVERIFY(farthest(seen(after, {2, 1, 3}), partly) < 1e-12);
+    }
+
+    // Here and inside it: the branch in the branch moves alike.
+    void aBranchMovesInsideItself() {
+        const Fractal fractal = fourPieces();
+        const auto branch = branchHandlesInSpace(held(fractal), cageOf(fractal), {3}, BranchEdit::Inside);
+        const Vector<3> by(0.1, 0.2, -0.1);
+        const Fractal after = branch->handles.withCornersMoved(0, {by, by, by, by});
+        const auto& map = system3(fractal)->maps[3].map;
+        const ifs::AffineMap<3> step = recurringMap(*space(after), {3});
+        QVERIFY((step.linear - map.linear).norm() < 1e-12);
+        const ifs::AffineMap<3> placed = ifs::displayMap(cageOf(after));
+        Corners inner;
+        for (std::size_t i = 0; i < inner.size(); ++i)
+            inner[i] = placed(step(step(cageOf(after).rest[i])));
+        QVERIFY(farthest(seen(after, {3, 3}), inner) < 1e-12);
+        QVERIFY(farthest(seen(fractal, {3, 3}), inner) > 0.1);
+        QVERIFY(isSameSystem(after, fractal));
+        QVERIFY(isMoved(after, {3}));
+        QVERIFY(withBranchPutBack(after, {3}) == fractal);
+    }
+
+    // Where the cage bends, what is pulled goes along as well.
+    void branchesBendWithTheCage() {
+        Fractal fractal = fourPieces();
+        bendIn(fractal);
+        const ifs::CageDeformation bend(cageOf(fractal).rest, cageOf(fractal).current);
+        // Every other corner of the box.
+        const auto& box = cageOf(fractal).rest;
+        const Corners rest{box[0], box[3], box[6], box[5]};
+        const auto& maps = system3(fractal)->maps;
+        const Corners before = seen(fractal, {2, 1});
+        for (std::size_t i = 0; i < rest.size(); ++i)
+            QVERIFY((before[i] - bend(maps[2].map(maps[1].map(rest[i])))).norm() < 1e-12);
+        const Vector<3> by(0.02, -0.03, 0.01);
+        for (const BranchEdit edit : edits) {
+            const auto branch = branchHandlesInSpace(held(fractal), cageOf(fractal), {2, 1}, edit);
+            QVERIFY(branch && branch->handles.canBeMoved());
+            const Fractal after = branch->handles.withCornersMoved(
+                branch->index, {Vector<3>::Zero(), Vector<3>::Zero(), by, Vector<3>::Zero()});
+            Corners wanted = before;
+            wanted[2] += by;
+            const Corners is = seen(after, edit == BranchEdit::OwnMap ? ifs::Word{0} : ifs::Word{2, 1});
+            QVERIFY2(farthest(is, wanted) < 1e-7, qPrintable(QString::number(farthest(is, wanted))));
+        }
+    }
+
     // A map turns about the image of the lowest point, as it is seen.
     void aMapSwingsAboutItsRoot() {
         const Fractal fractal = fourPieces();
@@ -169,11 +267,13 @@ private slots:
         const auto taken = [&](const ifs::Word& word, BranchEdit edit) {
             return branchHandlesInSpace(held(fractal), cageOf(fractal), word, edit).has_value();
         };
-        QVERIFY(!taken({}, BranchEdit::OwnMap));
-        QVERIFY(!taken({2, 1}, BranchEdit::Display));
+        for (const BranchEdit edit : edits)
+            QVERIFY(!taken({}, edit));
         system3(fractal)->maps[1].weight = 0; // takes no part
-        QVERIFY(!taken({2, 1}, BranchEdit::OwnMap));
-        QVERIFY(taken({2, 3}, BranchEdit::OwnMap));
+        for (const BranchEdit edit : edits) {
+            QVERIFY(!taken({2, 1}, edit));
+            QVERIFY(taken({2, 3}, edit));
+        }
         fractal = fourPieces();
         const auto& maps = system3(fractal)->maps;
         system3(fractal)->links = {{maps[0].id, maps[1].id, 0.5}};

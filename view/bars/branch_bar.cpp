@@ -22,7 +22,6 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStackedWidget>
-#include <QStandardItemModel>
 
 #include <array>
 #include <memory>
@@ -168,12 +167,9 @@ void BranchBar::follow() {
     m_putBack->setToolTip(isMoved
                               ? tr("Shows the branch in its original position, given by its maps")
                               : tr("Shows all branches in their original positions, given by their maps"));
-    // Solids are shown where their maps put them.
-    if (auto* edits = qobject_cast<QStandardItemModel*>(m_edit->model()))
-        for (const int last : {1, 2})
-            edits->item(m_edit->count() - last)->setEnabled(!document::space(fractal));
-    const document::Shape<2>* shape = document::plane(fractal);
-    const bool canPutBack = shape && !shape->moved.empty();
+    const document::Shape<2>* plane = document::plane(fractal);
+    const document::Shape<3>* space = document::space(fractal);
+    const bool canPutBack = (plane && !plane->moved.empty()) || (space && !space->moved.empty());
     if (!canPutBack) takeFocusFrom(m_putBack);
     m_putBack->setVisible(canPutBack);
     const bool isHeld = m_space && m_space->heldMap();
@@ -204,8 +200,10 @@ void BranchBar::putBack() {
     const bool isMoved = document::isMoved(fractal, word);
     if (isMoved)
         fractal = document::withBranchPutBack(fractal, word);
-    else if (document::Shape<2>* shape = document::plane(fractal))
-        shape->moved.clear();
+    else if (document::Shape<2>* plane = document::plane(fractal))
+        plane->moved.clear();
+    else if (document::Shape<3>* space = document::space(fractal))
+        space->moved.clear();
     m_document->edit(isMoved ? tr("Put branch %1 back").arg(document::addressText(word, word.size()))
                              : tr("Put all branches back"),
                      fractal);
@@ -244,8 +242,7 @@ BranchBar::Swung BranchBar::swungInSpace() {
         emit m_canvas->message(
             !locked.isEmpty()
                 ? locked
-                : tr("Maps cannot swing while the cage is flat or bends the picture. First open "
-                     "or reset the cage."));
+                : tr("Maps cannot swing while the cage is flat. First open or reset the cage."));
         return nullptr;
     }
     return [handles = *handles, map = *map, root = *root,

@@ -58,14 +58,13 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     const ifs::Word branch = m_choice->branch();
     const auto cage = document::knownSpaceCage(m_document->fractal());
     if (branch.empty() || !cage) return std::nullopt;
-    const bool isElsewhere = document::keepsCode(m_choice->edit());
-    obstacle = isElsewhere
-                   ? tr("In space a branch is always shown where its maps put it. Choose “New map for "
-                        "this branch” or “Last map of the address” below.")
-                   : m_choice->lockObstacle();
+    obstacle = m_choice->lockObstacle();
     if (!obstacle.isEmpty()) return std::nullopt;
-    auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, m_choice->edit());
-    auto drag = held ? SpaceMapDrag::of(std::move(held->handles), held->index) : std::nullopt;
+    const document::BranchEdit edit = m_choice->edit();
+    auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, edit);
+    auto drag = held ? SpaceMapDrag::of(std::move(held->handles), held->index,
+                                        edit == document::BranchEdit::Inside ? branch : ifs::Word())
+                     : std::nullopt;
     if (drag)
         m_choice->beginDrag();
     else

@@ -330,7 +330,7 @@ void SpaceInput::endDrag() {
 }
 
 void SpaceInput::chooseBranchAt(const QPointF& position) {
-    const auto point = m_navigation.pointUnder(position);
+    const auto point = m_navigation.pointNear(position);
     if (!point) return;
     m_focused.reset();
     emit message(m_branch.chooseAt(*point, 1 / pixelsPerUnit(m_navigation.camera())));

@@ -4,6 +4,7 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/geometry/canvas_note.h"
 #include "document/edits/map_locks.h"
+#include "document/shown_branch.h"
 #include "document/space_geometry.h"
 
 #include <QLineF>
@@ -104,18 +105,19 @@ std::optional<SpaceMapDrag> SpaceMaps::drag(QString& obstacle) const {
     const auto cage = map ? document::knownSpaceCage(*before) : std::nullopt;
     auto handles = cage ? SpaceMapHandles::of(before, *cage) : std::nullopt;
     auto drag = handles ? SpaceMapDrag::of(*std::move(handles), *map) : std::nullopt;
-    if (!drag)
-        obstacle = tr("Maps cannot be dragged while the cage is flat or bends the picture. First open or "
-                      "reset the cage.");
+    if (!drag) obstacle = tr("Maps cannot be dragged while the cage is flat. First open or reset the cage.");
     return drag;
 }
 
-SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::size_t map)
-    : m_handles(std::move(handles)), m_map(map), m_corners(m_handles.corners(map)) {}
+SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::size_t map, ifs::Word inside)
+    : m_handles(std::move(handles)),
+      m_map(map),
+      m_corners(m_handles.corners(map)),
+      m_inside(std::move(inside)) {}
 
-std::optional<SpaceMapDrag> SpaceMapDrag::of(SpaceMapHandles handles, std::size_t map) {
+std::optional<SpaceMapDrag> SpaceMapDrag::of(SpaceMapHandles handles, std::size_t map, ifs::Word inside) {
     if (!handles.canBeMoved() || map >= handles.count()) return std::nullopt;
-    return SpaceMapDrag(std::move(handles), map);
+    return SpaceMapDrag(std::move(handles), map, std::move(inside));
 }
 
 SpaceMapDrag::Moved SpaceMapDrag::at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const {
@@ -130,10 +132,17 @@ SpaceMapDrag::Moved SpaceMapDrag::at(const std::vector<ifs::Vector<3>>& vertices
             offset *= share;
         return m_handles.withCornersMoved(m_map, part);
     };
-    const auto mapsAt = [&](double share) { return ifs::activeMaps(*document::system3(after(share))).maps; };
+    const auto mapsAt = [&](double share) {
+        const document::Fractal fractal = after(share);
+        return m_inside.empty() ? ifs::activeMaps(*document::system3(fractal)).maps
+                                : std::vector{document::recurringMap(*document::space(fractal), m_inside)};
+    };
     const ifs::SafeWay<3> way =
         safety == Safety::StopAtAttractor ? ifs::safeWay<3>(mapsAt) : ifs::SafeWay<3>{};
     if (way.share == 1) return {after(1), {}};
+    if (!m_inside.empty())
+        return {after(way.share),
+                tr("Stopped: beyond this, the branch would not become smaller inside itself.")};
     return {after(way.share), stopNote<3>(*document::system3(after(way.share)), way)};
 }
 

@@ -70,11 +70,14 @@ private:
 // One drag of a map in space, from what it was when it began.
 class SpaceMapDrag {
 public:
-    // nullopt while the map cannot be moved, because the placement is flat.
-    static std::optional<SpaceMapDrag> of(document::SpaceMapHandles handles, std::size_t map);
+    // nullopt while the map cannot be moved, because the placement is flat. `inside`: the branch that is
+    // moved and moves inside itself.
+    static std::optional<SpaceMapDrag> of(document::SpaceMapHandles handles, std::size_t map,
+                                          ifs::Word inside = {});
 
     // The fractal with the corners of the map there or, where none has moved, with its middle there; or as
-    // much of the way as leaves an attractor; then `stop` says why.
+    // much of the way as leaves an attractor, or lets a branch inside itself be smaller; then `stop` says
+    // why.
     struct Moved {
         document::Fractal fractal;
         QString stop;
@@ -83,11 +86,14 @@ public:
     Moved at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const;
 
 private:
-    SpaceMapDrag(document::SpaceMapHandles handles, std::size_t map);
+    Q_DECLARE_TR_FUNCTIONS(SpaceMapDrag)
+
+    SpaceMapDrag(document::SpaceMapHandles handles, std::size_t map, ifs::Word inside);
 
     document::SpaceMapHandles m_handles;
     std::size_t m_map;
     document::SpaceMapHandles::Corners m_corners;
+    ifs::Word m_inside;
 };
 
 } // namespace view

@@ -194,4 +194,19 @@ std::optional<ifs::Vector<3>> SpaceNavigation::pointUnder(const QPointF& positio
     return toWorld(m_camera, {pixel, depth});
 }
 
+std::optional<ifs::Vector<3>> SpaceNavigation::pointNear(const QPointF& position) const {
+    constexpr int reach = 4; // pixels
+    double nearest = reach + 0.5;
+    std::optional<ifs::Vector<3>> result;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+            const double away = std::hypot(x, y);
+            const auto point = away < nearest ? pointUnder(position + QPointF(x, y)) : std::nullopt;
+            if (!point) continue;
+            nearest = away;
+            result = point;
+        }
+    return result;
+}
+
 } // namespace view

@@ -59,6 +59,8 @@ public:
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
+    // The one that is seen nearest to it, a few pixels away at most: twigs are thin.
+    std::optional<ifs::Vector<3>> pointNear(const QPointF& position) const;
 
 signals:
     void changed();

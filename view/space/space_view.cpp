@@ -161,6 +161,7 @@ void SpaceView::fixDirection(const attractor::Direction& direction, const QStrin
     setAccessibleName(tr("Canvas in space: %1").arg(title));
     m_navigation.fixDirection(direction);
     m_input.fixDirection();
+    m_touch.fixDirection();
     showNote();
     layOut();
 }
@@ -179,6 +180,7 @@ void SpaceView::setUpWidget() {
     setAcceptDrops(false); // a file dropped here is the window's business
     viewport()->setAcceptDrops(false);
     viewport()->setMouseTracking(true);
+    viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
     viewport()->setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Canvas in space"));
     setWhatsThis(
@@ -202,11 +204,13 @@ void SpaceView::describeFocus() {
         size = std::max(size, corner.norm());
     const ifs::Vector<3> at = io::withoutNoise(vertices[*vertex], 1e-15 * size);
     const auto map = m_maps.selected();
-    const QString pattern = map                   ? tr("Map %5, corner %1 at %2, %3, %4")
-                            : m_branch.isActive() ? tr("Corner %1 of the branch at %2, %3, %4")
-                                                  : tr("Vertex %1 at %2, %3, %4");
-    QString text =
-        pattern.arg(*vertex + 1).arg(at.x(), 0, 'g', 6).arg(at.y(), 0, 'g', 6).arg(at.z(), 0, 'g', 6);
+    const QString corner = map                   ? tr("Map %5, corner %1 at %2, %3, %4")
+                           : m_branch.isActive() ? tr("Corner %1 of the branch at %2, %3, %4")
+                                                 : tr("Vertex %1 at %2, %3, %4");
+    const QString middle =
+        map ? tr("Map %4, its middle at %1, %2, %3") : tr("The middle of the branch at %1, %2, %3");
+    QString text = holdsMap() && *vertex == SpaceMaps::middle ? middle : corner.arg(*vertex + 1);
+    text = text.arg(at.x(), 0, 'g', 6).arg(at.y(), 0, 'g', 6).arg(at.z(), 0, 'g', 6);
     if (map) text = text.arg(*map + 1);
     setAccessibleDescription(text);
 }
@@ -362,8 +366,24 @@ bool SpaceView::event(QEvent* event) {
 }
 
 bool SpaceView::viewportEvent(QEvent* event) {
-    if (event->type() == QEvent::Leave) m_input.leave();
-    return QGraphicsView::viewportEvent(event);
+    bool isOurs = false;
+    switch (event->type()) {
+    case QEvent::Leave:
+        m_input.leave();
+        break;
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        isOurs = m_touch.touch(static_cast<QTouchEvent&>(*event));
+        break;
+    case QEvent::NativeGesture:
+        isOurs = m_touch.gesture(static_cast<QNativeGestureEvent&>(*event));
+        break;
+    default:
+        break;
+    }
+    return isOurs || QGraphicsView::viewportEvent(event);
 }
 
 void SpaceView::resizeEvent(QResizeEvent*) {

@@ -4,6 +4,7 @@
 #include "space/solid_item.h"
 #include "space/space_input.h"
 #include "space/space_outlines_item.h"
+#include "space/space_touch.h"
 
 #include <QGraphicsView>
 
@@ -117,6 +118,7 @@ private:
     bool m_isExtentKnown = false;
     bool m_isFixed = false;
     bool m_wasShown = false;
+    SpaceTouch m_touch{m_input, m_navigation};
 };
 
 } // namespace view

@@ -58,11 +58,23 @@ private:
     static constexpr double rounding = 1e-9; // of a sum of probabilities, at most
     static constexpr double minSamples = 32;
 
-    Node root() const {
-        Node node;
-        node.word = m_view.toPixels * m_system.fromBox();
-        node.seen = seen(node.word, m_view);
-        return node;
+    // The pieces of what is shown that meet the view.
+    std::vector<Node> roots() const {
+        std::vector<Node> result;
+        Node root;
+        root.word = m_view.toPixels * m_system.fromBox();
+        root.seen = seen(root.word, m_view);
+        for (const PreparedSpace::Piece& piece : m_system.pieces()) {
+            Node node = root;
+            for (const int letter : piece.word)
+                node = child(node, static_cast<std::size_t>(letter));
+            if (piece.isMoved) {
+                node.word = root.word * piece.map;
+                node.seen = seen(node.word, m_view);
+            }
+            if (node.seen.meets(m_view.size)) result.push_back(node);
+        }
+        return result;
     }
 
     Node child(const Node& node, std::size_t i) const {
@@ -96,10 +108,9 @@ private:
     // Level by level.
     std::vector<Node> leaves(double threshold, const std::stop_token& stop) {
         std::vector<Node> done;
-        std::vector<Node> open{root()};
+        std::vector<Node> open = roots();
         std::vector<Node> next;
         std::size_t looks = 0;
-        if (!open.front().seen.meets(m_view.size)) open.clear();
         while (!open.empty()) {
             std::erase_if(open, [&](const Node& node) {
                 if (!isLeaf(node, threshold)) return false;

@@ -91,10 +91,11 @@ struct CloudRendering::State {
 };
 
 void CloudRendering::State::start(SpaceRequest newRequest) {
-    const bool sameSystem = !system.maps.empty() && newRequest.system == request.system;
+    const bool sameSystem =
+        !system.maps.empty() && newRequest.system == request.system && newRequest.moved == request.moved;
     request = std::move(newRequest);
     request.appearance.supersample = std::clamp(request.appearance.supersample, 1, 4);
-    if (!sameSystem) system = preparedSpace(request.system);
+    if (!sameSystem) system = preparedSpace(request.system, request.moved);
     const int side = request.appearance.supersample;
     OrbitCamera camera = request.camera;
     camera.size.width = std::max(0, camera.size.width) * side;

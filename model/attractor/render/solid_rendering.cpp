@@ -88,9 +88,10 @@ SolidRendering& SolidRendering::operator=(SolidRendering&&) noexcept = default;
 
 void SolidRendering::restart(SpaceRequest request) {
     State& state = *m_state;
-    const bool sameSystem = !state.scene.system.maps.empty() && request.system == state.request.system;
+    const bool sameSystem = !state.scene.system.maps.empty() && request.system == state.request.system &&
+                            request.moved == state.request.moved;
     state.request = std::move(request);
-    if (!sameSystem) state.scene.setSystem(preparedSpace(state.request.system));
+    if (!sameSystem) state.scene.setSystem(preparedSpace(state.request.system, state.request.moved));
     const auto& cage = state.request.cage;
     state.cage = cage && ifs::isValid(*cage) ? ifs::displayMap(*cage) : ifs::AffineMap<3>();
     state.scene.setKey(state.request.key);

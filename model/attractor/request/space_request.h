@@ -6,10 +6,12 @@
 #include "attractor/request/render_request.h"
 #include "attractor/request/space_appearance.h"
 #include "ifs/cage/control_cage.h"
+#include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace attractor {
 
@@ -46,6 +48,8 @@ struct SpaceRequest {
     std::uint64_t samples = 10'000'000; // in one pass, all spent on words that meet the view
     std::uint64_t seed = 1;
     std::optional<Exposure> exposure; // of an earlier frame, to be kept
+
+    std::vector<ifs::MovedBranch<3>> moved{}; // before the cage; words over indices in the system
 };
 
 } // namespace attractor

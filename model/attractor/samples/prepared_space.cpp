@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace attractor {
 
@@ -92,8 +93,23 @@ ifs::AffineMap<3> PreparedSpace::fromBox() const {
     return {halfExtent.asDiagonal(), centre};
 }
 
-PreparedSpace preparedSpace(const ifs::IteratedFunctionSystem<3>& system) {
+std::vector<PreparedSpace::Piece> PreparedSpace::pieces() const {
+    std::vector<Piece> result;
+    for (auto& [word, change] : ifs::pieces<3>(moved, maps.size())) {
+        Piece piece{{}, {}, !(change == ifs::AffineMap<3>())};
+        if (piece.isMoved) piece.map = inBox(change);
+        for (const int letter : word)
+            piece.map = piece.map * inBox(maps[static_cast<std::size_t>(letter)]);
+        piece.word = std::move(word);
+        result.push_back(std::move(piece));
+    }
+    return result;
+}
+
+PreparedSpace preparedSpace(const ifs::IteratedFunctionSystem<3>& system,
+                            std::span<const ifs::MovedBranch<3>> moved) {
     PreparedSpace result{finiteMaps(system)};
+    result.moved = ifs::overMaps<3>(moved, result.index);
     if (result.maps.empty()) {
         result.note = RenderNote::NoMaps;
         return result;

@@ -3,9 +3,11 @@
 
 #include "attractor/request/render_request.h"
 #include "ifs/system/affine_map.h"
+#include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace attractor {
@@ -19,14 +21,26 @@ struct PreparedSpace : ifs::ActiveMaps<3> {
     bool isCertified = false; // the box is
     // Composing maps shrinks: an attractor is known, or orbits contract in the mean.
     bool contracts = true;
-    RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
+    RenderNote note = RenderNote::None;       // None, NoMaps, NoAttractor or Undecided
+    std::vector<ifs::MovedBranch<3>> moved{}; // words over `maps`
 
     // In coordinates in which the box is [−1, 1]³.
     ifs::AffineMap<3> inBox(const ifs::AffineMap<3>& map) const;
     ifs::AffineMap<3> fromBox() const; // those coordinates → the code's
+
+    // A part of what is shown: all that begins with `word` through `map`, change∘w_word in box coordinates.
+    // Walks of the address tree begin with the pieces; without moved branches, with its root.
+    struct Piece {
+        ifs::Word word;
+        ifs::AffineMap<3> map;
+        bool isMoved = false; // else `map` is the product of the maps
+    };
+    std::vector<Piece> pieces() const;
 };
 
-PreparedSpace preparedSpace(const ifs::IteratedFunctionSystem<3>& system);
+// `moved` has words over indices in the system; a word with a map that takes no part names nothing.
+PreparedSpace preparedSpace(const ifs::IteratedFunctionSystem<3>& system,
+                            std::span<const ifs::MovedBranch<3>> moved = {});
 
 // Maps in box coordinates, one array per coefficient (linear by rows, then the shift), padded with zeros to a
 // multiple of 16.

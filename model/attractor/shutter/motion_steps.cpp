@@ -71,11 +71,11 @@ TrackedPoints trackedPoints(const RenderRequest& request) {
 
 TrackedPoints trackedPoints(const SpaceRequest& request) {
     TrackedPoints points{{}, request.camera.size};
-    const PreparedSpace system = preparedSpace(request.system);
+    const PreparedSpace system = preparedSpace(request.system, request.moved);
     if (system.maps.empty() || !isUsable(request.camera)) return points;
     const bool isPlaced = request.cage && ifs::isValid(*request.cage);
     const ifs::AffineMap<3> cage = isPlaced ? ifs::displayMap(*request.cage) : ifs::AffineMap<3>();
-    track<3>(system.maps, {}, system.centre, [&](const ifs::Vector<3>& x) {
+    track<3>(system.maps, system.moved, system.centre, [&](const ifs::Vector<3>& x) {
         points.pixels.push_back(toScreen(request.camera, cage(x)).pixel);
     });
     return points;

@@ -27,7 +27,10 @@ public:
         : m_view(view), m_sign(end == End::Near ? -1 : 1) {
         for (const ifs::AffineMap<3>& map : system.maps)
             m_maps.push_back(system.inBox(map));
-        add(rootWord(view.toPixels * system.fromBox(), view));
+        const ifs::AffineMap<3> box = view.toPixels * system.fromBox();
+        for (const PreparedSpace::Piece& piece : system.pieces())
+            add(piece.isMoved ? WalkedWord{box * piece.map}
+                              : walkedTo(piece.word, rootWord(box, view), m_maps, view));
     }
 
     // −HUGE_VAL when nothing is in view.

@@ -48,26 +48,42 @@ void SolidScene::setSystem(PreparedSpace prepared) {
     covers = Covers(system);
 }
 
+// The pieces of what is shown; by address, parts of them that are long enough to know their colours.
 void SolidScene::setKey(SolidKey newKey) {
     key = newKey;
-    roots.assign(1, {});
+    roots.clear();
     const std::size_t count = boxMaps.size();
-    if (key == SolidKey::Map || count == 0) return;
+    if (count == 0) return;
+    for (const PreparedSpace::Piece& piece : system.pieces()) {
+        roots.push_back({piece.map, kernels::SolidWord::uncoloured, piece.word, piece.isMoved});
+        if (!piece.word.empty()) roots.back().colour = colours[static_cast<std::size_t>(piece.word.front())];
+    }
+    if (key == SolidKey::Map) return;
     constexpr std::size_t steps = 256;
     constexpr std::size_t maxLength = 8;
-    std::size_t words = 1;
-    for (std::size_t length = 0; length < maxLength && (length == 0 || words * count <= steps); ++length) {
-        std::vector<Root> longer;
-        for (const Root& root : roots)
-            for (std::size_t i = 0; i < count; ++i) {
-                longer.push_back({root.word * boxMaps[i], 0, root.address});
-                longer.back().address.push_back(i);
-            }
-        roots = std::move(longer);
+    std::size_t words = 1, length = 0;
+    for (; length < maxLength && (length == 0 || words * count <= steps); ++length)
         words *= count;
+    for (std::size_t shorter = 0; shorter < length; ++shorter) {
+        std::vector<Root> longer;
+        for (Root& root : roots) {
+            if (root.address.size() > shorter) {
+                longer.push_back(std::move(root));
+                continue;
+            }
+            for (std::size_t i = 0; i < count; ++i) {
+                longer.push_back({root.word * boxMaps[i], 0, root.address, root.isMoved});
+                longer.back().address.push_back(static_cast<int>(i));
+            }
+        }
+        roots = std::move(longer);
     }
-    for (std::size_t i = 0; i < roots.size(); ++i)
-        roots[i].colour = static_cast<int>(i * steps / roots.size());
+    for (Root& root : roots) {
+        std::size_t number = 0;
+        for (std::size_t k = 0; k < length; ++k)
+            number = number * count + static_cast<std::size_t>(root.address[k]);
+        root.colour = static_cast<int>(number * steps / words);
+    }
 }
 
 void SolidScene::setView(const SpaceView& newView) {
@@ -77,8 +93,9 @@ void SolidScene::setView(const SpaceView& newView) {
         m_bends->follow(*view.bend, view.afterBend, view.toPixels * system.fromBox(), boxMaps);
         view.bends = m_bends;
     }
-    // Bent, its words are seen from as many sides.
-    facing = view.bend ? FacingCover() : FacingCover(system, view, covers.ofAtMost(facingPoints));
+    // Bent or moved, its words are seen from as many sides.
+    const bool isSeenAlike = !view.bend && system.moved.empty();
+    facing = isSeenAlike ? FacingCover(system, view, covers.ofAtMost(facingPoints)) : FacingCover();
 }
 
 void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
@@ -162,12 +179,9 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
     m_children.clear();
     const ifs::AffineMap<3> box = scene.view.toPixels * scene.system.fromBox();
     for (const SolidScene::Root& root : scene.roots) {
-        WalkedWord word = rootWord(box, scene.view);
-        if (scene.view.bend) // one after the other, so that every walk finds the same words
-            for (const std::size_t i : root.address)
-                word = childWord(word, i, scene.boxMaps[i], scene.view);
-        else
-            word.word = box * root.word;
+        WalkedWord word{box * root.word};
+        if (scene.view.bend && !root.isMoved) // one after the other, so that every walk finds the same words
+            word = walkedTo(root.address, rootWord(box, scene.view), scene.boxMaps, scene.view);
         m_children.push_back({std::move(word), root.colour});
     }
     openSorted(scene, firstRow);

@@ -33,7 +33,8 @@ struct SolidScene {
     struct Root {
         ifs::AffineMap<3> word;
         int colour = kernels::SolidWord::uncoloured;
-        std::vector<std::size_t> address{}; // the maps that lead to it
+        ifs::Word address{};  // the maps that lead to it
+        bool isMoved = false; // it is elsewhere than they put it
     };
     std::vector<Root> roots;
 

@@ -158,6 +158,15 @@ WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::Affin
     return result;
 }
 
+WalkedWord walkedTo(const ifs::Word& address, WalkedWord word, std::span<const ifs::AffineMap<3>> maps,
+                    const SpaceView& view) {
+    for (const int letter : address) {
+        const auto index = static_cast<std::size_t>(letter);
+        word = childWord(word, index, maps[index], view);
+    }
+    return word;
+}
+
 StraightWord straightened(WalkedWord& word, const SpaceView& view) {
     if (!view.bend) return {word.word};
     if (word.follows) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace attractor {
 
@@ -75,6 +76,8 @@ struct WalkedWord {
 WalkedWord rootWord(const ifs::AffineMap<3>& box, const SpaceView& view);
 WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::AffineMap<3>& map,
                      const SpaceView& view);
+WalkedWord walkedTo(const ifs::Word& address, WalkedWord word, std::span<const ifs::AffineMap<3>> maps,
+                    const SpaceView& view);
 // As above; remembers in `word` what is to be known of the words in it.
 StraightWord straightened(WalkedWord& word, const SpaceView& view);
 

@@ -37,14 +37,20 @@ public:
         ifs::AffineMap<3> toGrid;
         toGrid.linear /= request.side;
         toGrid.translation = -cover.origin / request.side;
-        m_root = toGrid * request.placement * request.system.fromBox();
+        const ifs::AffineMap<3> box = toGrid * request.placement * request.system.fromBox();
+        for (const PreparedSpace::Piece& piece : request.system.pieces())
+            m_pieces.push_back(box * piece.map);
     }
 
     VoxelCover::Outcome run(const std::function<void(double)>& progress, const std::stop_token& stop) {
         constexpr std::uint64_t between = 1U << 20; // words between two looks at the clock
-        if (isDone(m_root)) return VoxelCover::Outcome::Done;
-        m_open.push_back({m_root, 0});
-        while (!m_open.empty()) {
+        std::size_t begun = 0;
+        while (!m_open.empty() || begun < m_pieces.size()) {
+            if (m_open.empty()) {
+                const ifs::AffineMap<3>& piece = m_pieces[begun++];
+                if (!isDone(piece)) m_open.push_back({piece, 0});
+                continue;
+            }
             Open& open = m_open.back();
             if (open.next == m_maps.size()) {
                 m_open.pop_back();
@@ -54,7 +60,7 @@ public:
             if (++m_cover.words > VoxelCover::maxWords) return VoxelCover::Outcome::TooManyWords;
             if (m_cover.words % between == 0) {
                 if (stop.stop_requested()) return VoxelCover::Outcome::Stopped;
-                if (progress) progress(share());
+                if (progress) progress((double(begun) - 1 + share()) / double(m_pieces.size()));
             }
             if (!isDone(word)) m_open.push_back({word, 0});
         }
@@ -67,7 +73,7 @@ private:
         std::size_t next; // of its children
     };
 
-    double share() const {
+    double share() const { // of the piece
         double part = 1;
         double result = 0;
         for (std::size_t k = 0; k < std::min<std::size_t>(m_open.size(), 8); ++k) {
@@ -109,8 +115,8 @@ private:
     }
 
     VoxelCover& m_cover;
-    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
-    ifs::AffineMap<3> m_root;
+    std::vector<ifs::AffineMap<3>> m_maps;   // in box coordinates
+    std::vector<ifs::AffineMap<3>> m_pieces; // of what is shown, box → voxels
     std::vector<Open> m_open;
 };
 

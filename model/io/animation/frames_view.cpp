@@ -42,18 +42,31 @@ FrameSupport supportOf(const document::Shape<3>& shape) {
     const attractor::PreparedSpace system = attractor::preparedSpace(shape.system);
     const ifs::AffineMap<3> cage = shape.cage ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
     auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    std::vector<ifs::AffineMap<3>> pieces = document::shownPieces(shape);
+    for (ifs::AffineMap<3>& piece : pieces)
+        piece = cage * piece;
+    const auto farthest = [pieces](const auto& reach) {
+        double result = -infinity;
+        for (const ifs::AffineMap<3>& placed : pieces)
+            result = std::max(result, reach(placed));
+        return result;
+    };
     if (!support)
         return {[=, centre = system.centre, halfExtent = system.halfExtent](const ifs::Vector<3>& u) {
-                    const ifs::Vector<3> inner = cage.linear.transpose() * u;
-                    return u.dot(cage(centre)) + inner.cwiseAbs().dot(halfExtent);
+                    return farthest([&](const ifs::AffineMap<3>& placed) {
+                        const ifs::Vector<3> inner = placed.linear.transpose() * u;
+                        return u.dot(placed(centre)) + inner.cwiseAbs().dot(halfExtent);
+                    });
                 },
                 false};
     const auto shared = std::make_shared<const ifs::SupportFunction<3>>(*std::move(support));
     return {[=](const ifs::Vector<3>& u) {
         constexpr double tolerance = 1e-4; // of the size: a margin is hundreds of times wider
-        const ifs::Vector<3> inner = cage.linear.transpose() * u;
-        const auto value = (*shared)(inner, tolerance * shared->radius() * inner.norm());
-        return u.dot(cage.translation) + value.value + value.error;
+        return farthest([&](const ifs::AffineMap<3>& placed) {
+            const ifs::Vector<3> inner = placed.linear.transpose() * u;
+            const auto value = (*shared)(inner, tolerance * shared->radius() * inner.norm());
+            return u.dot(placed.translation) + value.value + value.error;
+        });
     }};
 }
 

@@ -4,13 +4,14 @@
 #include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/space_orbit.h"
 #include "attractor/voxels/voxel_cover.h"
-#include "document/space_geometry.h"
+#include "document/fractal_geometry.h"
 #include "ifs/cage/cage_surface.h"
 #include "io/exchange/point_colour.h"
 #include "io/text/number.h"
 
 #include <QtEndian>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -26,12 +27,16 @@ public:
     Surroundings(const attractor::PreparedSpace& system, const ifs::AffineMap<3>& placement,
                  const std::stop_token& stop) {
         constexpr double resolution = 192;
-        const ifs::Vector<3> middle = placement(system.centre);
-        const ifs::Vector<3> half = placement.linear.cwiseAbs() * system.halfExtent;
-        const double side = 2 * half.maxCoeff() / resolution;
+        ifs::Vector<3> low = ifs::Vector<3>::Constant(HUGE_VAL), high = -low;
+        for (const attractor::PreparedSpace::Piece& piece : system.pieces()) {
+            const ifs::AffineMap<3> box = placement * system.fromBox() * piece.map;
+            const ifs::Vector<3> half = box.linear.cwiseAbs().rowwise().sum();
+            low = low.cwiseMin(box.translation - half);
+            high = high.cwiseMax(box.translation + half);
+        }
+        const double side = (high - low).maxCoeff() / resolution;
         if (!system.isCertified || !(side > 0)) return;
-        m_cover =
-            attractor::voxelCover({system, placement, middle - half, middle + half, side, reach}, {}, stop);
+        m_cover = attractor::voxelCover({system, placement, low, high, side, reach}, {}, stop);
         m_isKnown = m_cover.outcome == attractor::VoxelCover::Outcome::Done;
     }
 
@@ -84,19 +89,38 @@ struct SpacePoints::State {
     State(const PointCloud& wanted, const std::stop_token& stop)
         : cloud(wanted),
           shape(*document::space(wanted.fractal)),
-          system(attractor::preparedSpace(shape.system)),
+          system(attractor::preparedSpace(shape.system, document::movedBranches(shape))),
           orbit(system, wanted.seed,
                 attractor::colourCoordinates<3>(wanted.fractal.appearance, shape.system, system)),
           bytes(headerOf(wanted)) {
         if (shape.cage) placement = ifs::displayMap(*shape.cage);
         if (shape.cage && ifs::bends(*shape.cage)) bend.emplace(shape.cage->rest, shape.cage->current);
         if (wanted.format == PointFormat::Ply) surroundings = Surroundings(system, placement, stop);
+        for (const ifs::MovedBranch<3>& piece : pieces)
+            if (piece.word.size() > address.size()) address.resize(piece.word.size());
+        for (std::size_t known = 0; known < address.size(); ++known)
+            next();
+    }
+
+    const attractor::SpaceOrbit::Point& next() {
+        const attractor::SpaceOrbit::Point& point = orbit.next();
+        if (address.empty()) return point;
+        std::shift_right(address.begin(), address.end(), 1);
+        address.front() = int(point.lastMap);
+        return point;
+    }
+
+    // Of a point of the orbit, as its branch is moved.
+    ifs::Vector<3> shown(const ifs::Vector<3>& x) const {
+        return address.empty() ? x : ifs::pieceOf<3>(pieces, address).change(x);
     }
 
     const PointCloud& cloud;
     const document::Shape<3>& shape;
     attractor::PreparedSpace system;
     attractor::SpaceOrbit orbit;
+    std::vector<ifs::MovedBranch<3>> pieces = ifs::pieces<3>(system.moved, system.maps.size());
+    ifs::Word address; // as much of the newest point's as tells its piece
     ifs::AffineMap<3> placement;
     std::optional<ifs::CageDeformation> bend; // in place of it; normals are those of the placement
     Surroundings surroundings;
@@ -110,9 +134,10 @@ SpacePoints::~SpacePoints() = default;
 
 void SpacePoints::add() {
     State& state = *m_state;
-    const attractor::SpaceOrbit::Point& point = state.orbit.next();
+    const attractor::SpaceOrbit::Point& point = state.next();
     const std::size_t map = state.system.index[point.lastMap];
-    const ifs::Vector<3> x = state.bend ? (*state.bend)(point.x) : state.placement(point.x);
+    const ifs::Vector<3> inCode = state.shown(point.x);
+    const ifs::Vector<3> x = state.bend ? (*state.bend)(inCode) : state.placement(inCode);
     if (state.cloud.format == PointFormat::Csv) {
         for (int k = 0; k < 3; ++k)
             state.bytes += formatNumber(x[k]) + ',';

@@ -2,12 +2,14 @@
 #include "io/solid/openscad.h"
 
 #include "attractor/samples/prepared_space.h"
+#include "document/fractal_geometry.h"
 #include "ifs/extent/extent.h"
 #include "io/solid/printable_solid.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -76,10 +78,29 @@ QByteArray programText(const document::Fractal& fractal, const attractor::Prepar
     for (const ifs::AffineMap<3>& map : system.maps)
         text += "    " + matrixText(map) + " part(level - 1);\n";
     text += "  }\n}\n\n";
-    const auto& cage = document::space(fractal)->cage;
-    const ifs::AffineMap<3> placement = cage ? ifs::displayMap(*cage) : ifs::AffineMap<3>();
-    if (!(placement == ifs::AffineMap<3>())) text += matrixText(placement) + ' ';
-    return text + "part(depth);\n";
+    const document::Shape<3>& shape = *document::space(fractal);
+    const ifs::AffineMap<3> placement = shape.cage ? ifs::displayMap(*shape.cage) : ifs::AffineMap<3>();
+    for (const auto& [word, change] : ifs::pieces<3>(system.moved, system.maps.size())) {
+        const ifs::AffineMap<3> shown = placement * change * ifs::composed<3>(system.maps, word);
+        if (!(shown == ifs::AffineMap<3>())) text += matrixText(shown) + ' ';
+        text += word.empty() ? QByteArray("part(depth);\n")
+                             : "part(max(0, depth - " + QByteArray::number(int(word.size())) + "));\n";
+    }
+    return text;
+}
+
+// By how much a part is stretched on its way to where it is shown, and the longest word of a piece.
+struct Pieces {
+    double stretch = 0;
+    int longest = 0;
+};
+Pieces piecesOf(const attractor::PreparedSpace& system, const ifs::Matrix<3>& placed) {
+    Pieces result;
+    for (const auto& [word, change] : ifs::pieces<3>(system.moved, system.maps.size())) {
+        result.stretch = std::max(result.stretch, ifs::spectralNorm<3>(placed * change.linear));
+        result.longest = std::max(result.longest, int(word.size()));
+    }
+    return result;
 }
 
 } // namespace
@@ -89,7 +110,8 @@ OpenScad openScad(const document::Fractal& fractal, double detail) {
     result.failure = obstacleToSolid(fractal);
     if (result.failure) return result;
     const document::Shape<3>* shape = document::space(fractal);
-    const attractor::PreparedSpace system = attractor::preparedSpace(shape->system);
+    const attractor::PreparedSpace system =
+        attractor::preparedSpace(shape->system, document::movedBranches(*shape));
     const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
     if (!support) {
         result.failure = Text::tr("“%1” has no certified attractor, so it has no solid.").arg(fractal.name);
@@ -99,8 +121,8 @@ OpenScad openScad(const document::Fractal& fractal, double detail) {
     const ifs::Matrix<3> placed =
         shape->cage ? ifs::displayMap(*shape->cage).linear : ifs::Matrix<3>::Identity();
     const ifs::Matrix<3> half = ((box.max - box.min) / 2 + ifs::Vector<3>::Constant(box.error)).asDiagonal();
-    const double stretch = ifs::spectralNorm<3>(placed);
-    result.depth = detail > 0 ? 0 : usualDepth(system.maps.size());
+    const auto [stretch, longest] = piecesOf(system, placed);
+    result.depth = std::max(longest, detail > 0 ? 0 : usualDepth(system.maps.size()));
     result.bound = stretch * largestPart(system.maps, half, result.depth);
     while (detail > 0 && result.bound > detail && result.bound < HUGE_VAL)
         result.bound = stretch * largestPart(system.maps, half, ++result.depth);

@@ -2,12 +2,15 @@
 #include "io/solid/printable_solid.h"
 
 #include "attractor/voxels/voxel_cover.h"
+#include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 #include "ifs/extent/extent.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,12 +32,18 @@ struct Box {
     ifs::Vector<3> max;
 };
 
-Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& placement) {
+Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& placement,
+          const std::vector<ifs::AffineMap<3>>& pieces) {
     constexpr double fine = 1e-7; // of the size
     const auto reach = [&](const ifs::Vector<3>& u) {
-        const ifs::Vector<3> inner = placement.linear.transpose() * u;
-        const auto value = support(inner, fine * support.radius() * inner.norm());
-        return value.value + value.error + u.dot(placement.translation);
+        double farthest = -HUGE_VAL;
+        for (const ifs::AffineMap<3>& piece : pieces) {
+            const ifs::AffineMap<3> placed = placement * piece;
+            const ifs::Vector<3> inner = placed.linear.transpose() * u;
+            const auto value = support(inner, fine * support.radius() * inner.norm());
+            farthest = std::max(farthest, value.value + value.error + u.dot(placed.translation));
+        }
+        return farthest;
     };
     Box box;
     for (int k = 0; k < 3; ++k) {
@@ -95,12 +104,12 @@ private:
     Failure prepare() {
         if (Failure obstacle = obstacleToSolid(m_fractal)) return obstacle;
         const document::Shape<3>* shape = document::space(m_fractal);
-        m_system = attractor::preparedSpace(shape->system);
+        m_system = attractor::preparedSpace(shape->system, document::movedBranches(*shape));
         const auto support = m_system.isCertified ? ifs::SupportFunction<3>::of(m_system.maps) : std::nullopt;
         if (!support)
             return Text::tr("“%1” has no certified attractor, so it has no solid.").arg(m_fractal.name);
         if (shape->cage) m_placement = ifs::displayMap(*shape->cage);
-        m_box = boxOf(*support, m_placement);
+        m_box = boxOf(*support, m_placement, document::shownPieces(*shape));
         const double longest = (m_box.max - m_box.min).maxCoeff();
         if (!(longest < HUGE_VAL)) return Text::tr("“%1” is too large for a solid.").arg(m_fractal.name);
         if (!(longest > 0) && (m_options.voxel == 0 || m_options.longest > 0))

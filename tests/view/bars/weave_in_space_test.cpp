@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "bridges/render_bridge.h"
+#include "document/edits/space_cage_edits.h"
 #include "document/space_map_handles.h"
+#include "ifs/cage/cage_surface.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 
@@ -105,6 +108,53 @@ private slots:
         window.pull(60);
         QCOMPARE(window.bar.swing()->value(), 60);
         window.letGo();
+    }
+
+    // Where the cage bends, it swings as it is seen, to first order.
+    void itSwingsWhereTheCageBends() {
+        Weaving window;
+        document::Fractal bent =
+            *document::withPolyhedronFitted(window.document.fractal(), document::SpacePolyhedron::Box);
+        document::space(bent)->cage->current[7] += ifs::Vector<3>(0.2, 0.3, 0.1);
+        window.document.edit(QStringLiteral("Bend"), bent);
+        QVERIFY(ifs::bends(*document::space(window.document.fractal())->cage));
+        window.view->holdMap(6);
+        const auto before = ifs::mapsOf(window.system());
+        window.pull(2);
+        const auto after = ifs::mapsOf(window.system());
+        QVERIFY(after[6] != before[6]);
+        const ifs::CageDeformation bend(document::space(bent)->cage->rest,
+                                        document::space(bent)->cage->current);
+        const ifs::Vector<3> root = *document::rootInSpace(bent, ifs::Vector<3>::UnitY());
+        QVERIFY((bend(after[6](root)) - bend(before[6](root))).norm() < 0.02); // about its root
+        QVERIFY((after[6].linear - before[6].linear).norm() > 0.01);
+        window.letGo();
+    }
+
+    // Branches that a file shows elsewhere go back, one or all.
+    void movedBranchesArePutBack() {
+        document::Fractal moved = cubeOfEight();
+        const auto& maps = document::system3(moved)->maps;
+        ifs::AffineMap<3> change;
+        change.translation = {0.5, 1, 0};
+        document::space(moved)->moved = {{{maps[3].id}, change}, {{maps[3].id, maps[5].id}, change}};
+        Weaving window(moved);
+        window.canvas.setTool(view::CanvasView::Tool::Branch);
+        view::BranchChoice& choice = window.canvas.tools().branchTool().choice();
+        QPushButton* putBack = window.bar.putBackButton();
+        QVERIFY(putBack->isVisibleTo(&window.bar));
+        choice.choose({3, 5, 1});
+        QVERIFY(document::isMoved(window.document.fractal(), choice.branch()));
+        putBack->click();
+        QCOMPARE(window.document.undoStack()->undoText(), QStringLiteral("Put branch 4 6 back"));
+        QCOMPARE(document::space(window.document.fractal())->moved.size(), std::size_t(1));
+        QVERIFY(putBack->isVisibleTo(&window.bar));
+        putBack->click();
+        QVERIFY(window.document.fractal() == cubeOfEight());
+        QVERIFY(!putBack->isVisibleTo(&window.bar));
+        window.document.undoStack()->undo();
+        window.document.undoStack()->undo();
+        QVERIFY(window.document.fractal() == moved);
     }
 
     void aFlatCageIsSaid() {

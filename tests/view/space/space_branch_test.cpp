@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/tools/branch_choice.h"
+#include "document/edits/space_cage_edits.h"
+#include "document/shown_branch.h"
 #include "document/space_map_handles.h"
+#include "ifs/cage/cage_surface.h"
 #include "space/four_views.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
@@ -60,10 +63,14 @@ class SpaceBranchTest : public QObject {
 
 private slots:
     void aClickSelectsTheBranchUnderThePointer();
+    void aThinTwigIsHitNearby();
     void theDepthIsChosenByWheelAndKeys();
     void aDragTurnsTheViewAndSelectsNothing();
     void aBranchBecomesAMapOfItsOwnInOneStep();
     void theLastMapOfItsAddressChanges();
+    void onlyHereTheCodeStays();
+    void insideItselfItStaysSmaller();
+    void aBentSolidIsTakenByItsBranches();
     void escapeBringsTheBranchBack();
     void theKeyboardMovesTheBranch();
     void anotherEntryEndsTheDrag();
@@ -97,6 +104,29 @@ void SpaceBranchTest::aClickSelectsTheBranchUnderThePointer() {
     QVERIFY(farthest(cornersOf(window.document, {0}), window.held().vertices()) < 1e-12);
     window.view->setTarget(SpaceView::Target::Branch);
     QVERIFY(farthest(cornersOf(window.document, {3, 5}), window.held().vertices()) < 1e-12);
+}
+
+// A few pixels beside the silhouette are as good as on it.
+void SpaceBranchTest::aThinTwigIsHitNearby() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    QPointF farRight(-1, 0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const ifs::Vector<3> at(corner & 1, corner >> 1 & 1, corner >> 2);
+        const QPointF pixel = view::toPoint(toScreen(window.camera(), at).pixel);
+        if (pixel.x() > farRight.x()) farRight = pixel;
+    }
+    const auto clickBeside = [&](double pixels) {
+        window.choice.choose({});
+        const QPointF at = farRight + QPointF(pixels, 0);
+        window.send(QEvent::MouseButtonPress, at, Qt::LeftButton);
+        window.send(QEvent::MouseButtonRelease, at, Qt::LeftButton);
+        return window.choice.branch();
+    };
+    QVERIFY(clickBeside(9).empty());
+    const Word beside = clickBeside(2.5);
+    QVERIFY(!beside.empty());
+    QCOMPARE(beside, clickBeside(-2));
 }
 
 void SpaceBranchTest::theDepthIsChosenByWheelAndKeys() {
@@ -187,6 +217,82 @@ void SpaceBranchTest::theLastMapOfItsAddressChanges() {
     QCOMPARE(window.choice.branch(), (Word{3, 5}));
 }
 
+void SpaceBranchTest::onlyHereTheCodeStays() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    window.choice.setEdit(BranchEdit::Display);
+    window.clickTheFace();
+    const document::Fractal before = window.document.fractal();
+    const Corners was = cornersOf(window.document, {3, 5});
+    const QPointF middle = window.held().handle(view::SpaceMaps::middle);
+    window.drag(middle, middle + QPointF(120, -60));
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QVERIFY(document::isSameSystem(window.document.fractal(), before));
+    QCOMPARE(document::space(window.document.fractal())->moved.size(), std::size_t(1));
+    QCOMPARE(window.choice.branch(), (Word{3, 5}));
+    // The handles are where the branch is now, and a click there finds it again.
+    const Corners is = cornersOf(window.document, {3, 5});
+    QVERIFY(farthest(is, window.held().vertices()) < 1e-12);
+    QVERIFY((is[0] - was[0]).norm() > 0.1);
+    QVERIFY(window.rests());
+    const ifs::Vector<3> shift = is[0] - was[0];
+    window.choice.choose({});
+    window.click(ifs::Vector<3>(1, 0.6, 0.3) + shift);
+    QCOMPARE(window.choice.branch(), (Word{3, 5}));
+    window.document.undoStack()->undo();
+    QVERIFY(window.document.fractal() == before);
+    window.document.undoStack()->redo();
+    QVERIFY(cornersOf(window.document, {3, 5}) == is);
+}
+
+// It is held back where it would no longer shrink from one branch to the next.
+void SpaceBranchTest::insideItselfItStaysSmaller() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    window.choice.setEdit(BranchEdit::Inside);
+    window.choice.setDepth(1);
+    window.clickTheFace();
+    QCOMPARE(window.choice.branch(), Word{3});
+    const QPointF middle = window.held().handle(view::SpaceMaps::middle);
+    const QPointF corner = window.held().handle(0);
+    window.send(QEvent::MouseButtonPress, corner, Qt::LeftButton, Qt::AltModifier);
+    const QPointF far = middle + 40 * (corner - middle);
+    window.send(QEvent::MouseMove, far, Qt::LeftButton, Qt::AltModifier);
+    QVERIFY2(window.view->note().startsWith(QStringLiteral("Stopped")), qPrintable(window.view->note()));
+    const auto step = document::recurringMap(*document::space(window.document.fractal()), {3});
+    QVERIFY(ifs::spectralRadius<3>(step.linear) < 1);
+    QVERIFY(ifs::spectralRadius<3>(step.linear) > 0.9);
+    window.send(QEvent::MouseButtonRelease, far, Qt::LeftButton, Qt::AltModifier);
+    QVERIFY(window.view->note().isEmpty());
+    QCOMPARE(document::system3(window.document.fractal())->maps.size(), std::size_t(8));
+}
+
+// A cage of more vertices bends the solid, and its branches are chosen and dragged all the same.
+void SpaceBranchTest::aBentSolidIsTakenByItsBranches() {
+    BranchWindow window;
+    document::Fractal bent =
+        *document::withPolyhedronFitted(window.document.fractal(), document::SpacePolyhedron::Box);
+    document::space(bent)->cage->current[0] -= ifs::Vector<3>(0.2, 0.3, 0.1);
+    QVERIFY(ifs::bends(*document::space(bent)->cage));
+    window.document.edit(QStringLiteral("Bend"), bent);
+    QVERIFY(window.rests());
+    const auto& cage = *document::space(bent)->cage;
+    const ifs::CageDeformation bend(cage.rest, cage.current);
+    window.click(bend({1, 0.6, 0.3}));
+    QCOMPARE(window.choice.branch(), (Word{3, 5}));
+    QCOMPARE(window.held().count(), std::size_t(5));
+    const Corners was = cornersOf(window.document, {3, 5});
+    QVERIFY(farthest(was, window.held().vertices()) < 1e-12);
+    window.choice.setEdit(BranchEdit::Display);
+    const QPointF corner = window.held().handle(1);
+    window.drag(corner, corner + QPointF(12, -7));
+    const Corners is = cornersOf(window.document, {3, 5});
+    const QPointF moved = view::toPoint(toScreen(window.camera(), is[1]).pixel);
+    QVERIFY(QLineF(moved, corner + QPointF(12, -7)).length() < 1);
+    QVERIFY((is[0] - was[0]).norm() < 1e-7);
+    QVERIFY(window.lastSaid() == QStringLiteral("Branch 4 6"));
+}
+
 void SpaceBranchTest::escapeBringsTheBranchBack() {
     BranchWindow window;
     QVERIFY(window.rests());
@@ -214,6 +320,12 @@ void SpaceBranchTest::theKeyboardMovesTheBranch() {
     window.clickTheFace();
     QTest::keyClick(window.view.get(), Qt::Key_Tab);
     QVERIFY(window.view->accessibleDescription().startsWith(QStringLiteral("Corner 1 of the branch")));
+    for (int corner = 1; corner < 5; ++corner)
+        QTest::keyClick(window.view.get(), Qt::Key_Tab);
+    QVERIFY(
+        window.view->accessibleDescription().startsWith(QStringLiteral("The middle of the branch at 0.")));
+    for (int corner = 1; corner < 5; ++corner)
+        QTest::keyClick(window.view.get(), Qt::Key_Backtab);
     QTest::keyClick(window.view.get(), Qt::Key_Right);
     QCOMPARE(window.document.undoStack()->undoText(), QStringLiteral("Move corner 1 of branch 4 6"));
     QCOMPARE(document::system3(window.document.fractal())->maps.size(), std::size_t(15));
@@ -246,12 +358,6 @@ void SpaceBranchTest::whatCannotBeDoneIsSaid() {
     window.clickTheFace();
     document::Fractal fractal = window.document.fractal();
     const QPointF corner = window.held().handle(1);
-    window.choice.setEdit(BranchEdit::Display);
-    window.drag(corner, corner + QPointF(10, 10));
-    QVERIFY(window.lastSaid().contains(QStringLiteral("In space")));
-    QVERIFY(window.document.fractal() == fractal);
-
-    window.choice.setEdit(BranchEdit::OwnMap);
     auto label = fractal.mapLabels.of(document::system3(fractal)->maps[3].id);
     label.isLocked = true;
     fractal.mapLabels.set(document::system3(fractal)->maps[3].id, label);

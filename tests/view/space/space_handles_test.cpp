@@ -259,12 +259,16 @@ void SpaceHandlesTest::aCornerOfABoxBendsTheSolid() {
     const QPoint inTheCorner = (corner + QPointF(12, -12)).toPoint(); // where nothing was
     QVERIFY(lightness(window.view->picture(), inTheCorner) > 60);
     QVERIFY(window.view->picture().pixel(inTheCorner) != before.pixel(inTheCorner));
-    // Its maps cannot be dragged meanwhile.
-    QSignalSpy messages(window.view.get(), &SpaceView::message);
+    // Its maps are dragged meanwhile, and stay under the pointer.
     window.view->setTarget(SpaceView::Target::Maps);
-    const QPoint held = window.view->mapItem().handle(0).toPoint();
-    QTest::mouseClick(window.view->viewport(), Qt::LeftButton, {}, held);
-    QCOMPARE(messages.size(), 1);
+    const QPointF held = window.view->mapItem().handle(3);
+    const auto maps = ifs::mapsOf(*document::system3(window.document.fractal()));
+    window.drag(held, held + QPointF(-9, 7));
+    const auto after = ifs::mapsOf(*document::system3(window.document.fractal()));
+    QVERIFY(after[0] != maps[0]);
+    QVERIFY(std::equal(maps.begin() + 1, maps.end(), after.begin() + 1));
+    QVERIFY(QLineF(window.view->mapItem().handle(3), held + QPointF(-9, 7)).length() < 0.01);
+    window.document.undoStack()->undo();
     window.view->setTarget(SpaceView::Target::Cage);
     window.document.undoStack()->undo();
     QVERIFY(window.rests());
