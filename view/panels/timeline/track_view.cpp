@@ -265,7 +265,9 @@ KeyMove TrackView::moveKind() const {
     return m_modifiers & Qt::ControlModifier ? KeyMove::Copy : KeyMove::Move;
 }
 
+// A key that was not selected moves alone, though Ctrl and Shift have added it to the others.
 void TrackView::dragKeysTo(const QPointF& point) {
+    if (!std::exchange(m_wasSelected, true)) m_timeline->select({m_held});
     const int by = snapped(int(std::lround((point.x() - m_pressed.x()) / m_scale)));
     m_by =
         document::possibleMove(m_timeline->document().entryFractal(), m_timeline->selected(), by, moveKind());
