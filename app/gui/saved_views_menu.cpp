@@ -70,8 +70,11 @@ void SavedViewsMenu::save() {
                 document::Document& document = *context().document;
                 if (document.currentId() != entry) return;
                 const document::SavedView view{dialog->name(), camera};
-                document.editEntry(tr("Save the view “%1”").arg(view.name),
-                                   document::withSavedView(document.entryFractal(), view));
+                const document::Fractal& before = document.entryFractal();
+                document.editEntry((document::savedView(before, view.name) ? tr("Replace the view “%1”")
+                                                                           : tr("Save the view “%1”"))
+                                       .arg(view.name),
+                                   document::withSavedView(before, view));
             });
     dialog->open();
 }

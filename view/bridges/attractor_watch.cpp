@@ -1,11 +1,86 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/attractor_watch.h"
 
+#include "document/edits/animation_edits.h"
 #include "widgets/number_text.h"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 namespace view {
+
+namespace {
+
+constexpr int mostFrames = 240, fewestFrames = 32;
+constexpr std::size_t mostMaps = 20'000; // of all frames together
+
+double frameOf(const animation::Moment& moment) {
+    return double(moment.numerator) / double(moment.denominator);
+}
+
+std::size_t mapCount(const document::Fractal& entry) {
+    if (const auto* flat = document::plane(entry)) return flat->system.maps.size();
+    const auto* solid = document::space(entry);
+    return solid ? solid->system.maps.size() : 0;
+}
+
+// Of what decides whether there is an attractor.
+std::set<int> keyFramesOfMaps(const document::Fractal& entry) {
+    std::set<int> frames;
+    for (const document::TrackKeys& one : document::tracksOf(entry))
+        if (one.track.kind == document::Track::Kind::Map)
+            for (const auto& key : one.keys)
+                frames.insert(key.frame);
+    return frames;
+}
+
+std::set<int> framesLookedAt(const document::Fractal& entry, const std::set<int>& keys, int length) {
+    const std::size_t maps = std::max(mapCount(entry), std::size_t(1));
+    const int count = std::clamp(int(mostMaps / maps), fewestFrames, mostFrames);
+    const int step = (length + count - 1) / count;
+    std::set<int> frames;
+    for (int frame = 0; frame <= length; frame += step)
+        frames.insert(frame);
+    for (auto key = keys.begin(); key != keys.end() && int(frames.size()) < 2 * mostFrames; ++key)
+        frames.insert(*key);
+    return frames;
+}
+
+QString list(const std::vector<int>& frames) {
+    constexpr std::size_t most = 8;
+    QStringList texts;
+    for (std::size_t i = 0; i < std::min(frames.size(), most); ++i)
+        texts << QString::number(frames[i]);
+    if (frames.size() > most) texts << QStringLiteral("…");
+    return texts.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+std::optional<AttractorLoss> attractorLoss(const document::Fractal& entry, const std::stop_token& stop) {
+    const auto first = document::firstWithoutAttractor(entry, stop);
+    const auto facts = document::animationFacts(entry);
+    if (!first || !facts) return std::nullopt;
+    AttractorLoss loss{*first, {}, {}, false, facts->motions > 0};
+    const std::set<int> keys = keyFramesOfMaps(entry);
+    std::vector<int> lostKeys;
+    for (const int frame : framesLookedAt(entry, keys, facts->length)) {
+        if (stop.stop_requested()) return std::nullopt;
+        const auto verdict = document::lossAt(entry, animation::moment(frame));
+        if (!verdict) continue;
+        if (loss.frames.empty()) loss.first = {animation::moment(frame), *verdict};
+        loss.frames.push_back(frame);
+        if (keys.contains(frame)) lostKeys.push_back(frame);
+    }
+    loss.isAtKeys = !lostKeys.empty();
+    loss.keys = std::move(lostKeys);
+    if (loss.isAtKeys || keys.empty()) return loss;
+    const auto after = keys.upper_bound(int(frameOf(loss.first.moment)));
+    if (after != keys.begin()) loss.keys.push_back(*std::prev(after));
+    if (after != keys.end()) loss.keys.push_back(*after);
+    return loss;
+}
 
 AttractorWatch::AttractorWatch(QObject* parent)
     : QObject(parent), m_work([this](const std::optional<Lost>& lost) {
@@ -18,35 +93,41 @@ void AttractorWatch::look(std::shared_ptr<const document::Fractal> entry) {
     m_work.cancel();
     if (!m_entry || !document::animationFacts(*m_entry)) return setLost(std::nullopt);
     m_work.submit([looked = m_entry](const std::stop_token& stop) -> std::optional<Lost> {
-        const Lost lost = document::firstWithoutAttractor(*looked, stop);
+        const Lost lost = attractorLoss(*looked, stop);
         if (stop.stop_requested()) return std::nullopt;
         return std::optional<Lost>(std::in_place, lost);
     });
 }
 
-std::optional<double> AttractorWatch::lostFrame() const {
-    if (!m_lost) return std::nullopt;
-    return double(m_lost->moment.numerator) / double(m_lost->moment.denominator);
+// The first moment alone where no whole frame is known.
+std::vector<double> AttractorWatch::lostFrames() const {
+    if (!m_lost) return {};
+    if (m_lost->frames.empty()) return {frameOf(m_lost->first.moment)};
+    return {m_lost->frames.begin(), m_lost->frames.end()};
+}
+
+QString AttractorWatch::advice() const {
+    const QString frames = list(m_lost->keys);
+    if (frames.isEmpty()) return m_lost->hasMotions ? tr("Weaken the motions.") : tr("Change the maps.");
+    if (m_lost->hasMotions)
+        return tr("Weaken the motions, or change the keys of the maps (frames: %1).").arg(frames);
+    if (m_lost->isAtKeys) return tr("Change the keys of the maps (frames: %1).").arg(frames);
+    return tr("Set a key there, or change the keys of the maps (frames: %1).").arg(frames);
 }
 
 QString AttractorWatch::sentence() const {
     if (!m_lost) return {};
-    const QString frame = roundedNumber(*lostFrame(), 2);
-    if (m_lost->verdict == ifs::Verdict::Undecided)
+    const QString frame = roundedNumber(frameOf(m_lost->first.moment), 2);
+    if (m_lost->first.verdict == ifs::Verdict::Undecided)
         return tr("At frame %1, it could not be decided whether there is an attractor.").arg(frame);
-    return (m_hasMotions
-                ? tr("At frame %1, there is no attractor. Weaken the motions, or set a key there.")
-                : tr("At frame %1, there is no attractor. Set a key there, or change those around it."))
-        .arg(frame);
+    return tr("At frame %1, there is no attractor.").arg(frame) + u' ' + advice();
 }
 
 void AttractorWatch::setLost(const Lost& lost) {
-    const auto frame = lostFrame();
+    const auto frames = lostFrames();
     const QString before = sentence();
     m_lost = lost;
-    const auto facts = m_entry ? document::animationFacts(*m_entry) : std::nullopt;
-    m_hasMotions = facts && facts->motions > 0;
-    if (frame != lostFrame() || before != sentence()) emit changed();
+    if (frames != lostFrames() || before != sentence()) emit changed();
 }
 
 } // namespace view

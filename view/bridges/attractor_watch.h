@@ -9,8 +9,21 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace view {
+
+// Where an animation has no attractor for certain.
+struct AttractorLoss {
+    document::MomentWithoutAttractor first; // a whole frame, where one is known
+    std::vector<int> frames;                // all that have none, of those looked at
+    std::vector<int> keys;                  // of maps, where it is lost, or else the ones around `first`
+    bool isAtKeys = false;
+    bool hasMotions = false;
+};
+// All frames are looked at, or evenly spaced ones of a long animation or a large system. nullopt: nothing is
+// lost, or stopped before that was known.
+std::optional<AttractorLoss> attractorLoss(const document::Fractal& entry, const std::stop_token& stop);
 
 // Whether an animation has an attractor all the time: looked for in the background.
 class AttractorWatch : public QObject {
@@ -22,21 +35,21 @@ public:
     // Until it is known, what was known of the entry before stays; nullptr is known at once.
     void look(std::shared_ptr<const document::Fractal> entry);
     // nullopt: no moment is known that has none.
-    const std::optional<document::MomentWithoutAttractor>& lost() const { return m_lost; }
-    std::optional<double> lostFrame() const;
+    const std::optional<AttractorLoss>& lost() const { return m_lost; }
+    std::vector<double> lostFrames() const;
     QString sentence() const; // empty where nothing is lost
 
 signals:
     void changed();
 
 private:
-    using Lost = std::optional<document::MomentWithoutAttractor>;
+    using Lost = std::optional<AttractorLoss>;
     void setLost(const Lost& lost);
+    QString advice() const;
 
     std::shared_ptr<const document::Fractal> m_entry; // the one that has been looked at
     Lost m_lost;
-    bool m_hasMotions = false; // the entry that m_lost is of
-    NewestWork<Lost> m_work;   // last: it stops before the rest goes
+    NewestWork<Lost> m_work; // last: it stops before the rest goes
 };
 
 } // namespace view

@@ -36,9 +36,10 @@ SaveViewDialog::SaveViewDialog(const document::Fractal& fractal, QWidget* parent
     m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // so that nothing jumps
     m_note->setAlignment(Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_save = buttons->addButton(tr("&Save"), QDialogButtonBox::AcceptRole);
+    m_save = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
     m_save->setDefault(true);
-    m_save->setWhatsThis(tr("Keeps the view with the fractal: one step of the history."));
+    m_save->setWhatsThis(tr("Keeps the view with the fractal: one step of the history. A view of "
+                            "the same name is replaced."));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(caption);
     layout->addWidget(m_name);
@@ -77,6 +78,7 @@ void SaveViewDialog::check() {
     else if (name != m_name->text().simplified())
         note = tr("Saved as “%1”.").arg(name);
     m_note->setText(note);
+    m_save->setText(isTaken ? tr("&Replace") : tr("&Save"));
     m_save->setEnabled(!name.isEmpty() && !isFull);
 }
 

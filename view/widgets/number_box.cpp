@@ -31,6 +31,12 @@ std::optional<int> whole(const std::optional<double>& value, int min, int max) {
     return static_cast<int>(*value);
 }
 
+// Not 1.000 or 1,000, which may be groups of digits.
+bool hasDecimals(const QString& typed) {
+    const qsizetype point = std::max(typed.lastIndexOf(u'.'), typed.lastIndexOf(u','));
+    return point >= 0 && typed.size() - point != 4 && !isExpression(typed);
+}
+
 // The box has the value again, and goes on showing what is being typed.
 template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Value value) {
     const QString text = edit.text();
@@ -113,6 +119,7 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
+    if (hasDecimals(typed)) return QValidator::Intermediate; // else the next digit would join those before
     if (state == QValidator::Acceptable || !isExpression(typed)) {
         if (!isGrouped) {
             text = plain;
@@ -126,10 +133,11 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
                                                            : QValidator::Intermediate;
 }
 
+// The nearest number that the box can have, where a plain number was typed.
 void WholeNumberBox::fixup(QString& text) const {
-    bool isNumber = false;
-    const qlonglong number = withoutUnits(*this, text).toLongLong(&isNumber);
-    if (isNumber) text = QString::number(std::clamp<qlonglong>(number, minimum(), maximum()));
+    const QString typed = withoutUnits(*this, text);
+    const auto number = isExpression(typed) ? std::nullopt : typedNumber(typed);
+    if (number) text = QString::number(int(std::clamp<double>(std::round(*number), minimum(), maximum())));
 }
 
 void WholeNumberBox::wheelEvent(QWheelEvent* event) {

@@ -2,20 +2,25 @@
 #include "snapshot_commands.h"
 
 #include "app/gui/window_fixture.h"
+#include "dialogs/saved_views_dialog.h"
 
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
 using namespace Qt::StringLiterals;
 
-// Snapshots in a window that shows how the attractor is built.
+// Snapshots in a window that shows how the attractor is built, and views that are saved.
 class SnapshotCommandsTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
     void aChaosGameIsNotCompared();
+    void aViewIsNotReplacedUnsaid();
 
 private:
+    QString saveView(const QString& name);
     view::SnapshotLook* look() const { return m_window->findChild<SnapshotCommands*>()->look(); }
 };
 
@@ -46,6 +51,32 @@ void SnapshotCommandsTest::aChaosGameIsNotCompared() {
     QVERIFY(!look()->isOn());
     QVERIFY(canvas->options().overlaysVisible());
     m_window->document().undoStack()->setClean();
+}
+
+// The button that was clicked.
+QString SnapshotCommandsTest::saveView(const QString& name) {
+    for (QAction* action : m_window->findChildren<QAction*>())
+        if (action->text() == u"&Save View…"_s) action->trigger();
+    auto* dialog = m_window->findChild<view::SaveViewDialog*>();
+    if (!dialog) return {};
+    dialog->findChild<QLineEdit*>()->setText(name);
+    QString text;
+    for (auto* button : dialog->findChildren<QPushButton*>())
+        if (button->isDefault()) text = button->text();
+    dialog->accept();
+    delete dialog;
+    return text;
+}
+
+void SnapshotCommandsTest::aViewIsNotReplacedUnsaid() {
+    document::Document& document = m_window->document();
+    QCOMPARE(saveView(u"tip"_s), u"&Save"_s);
+    QCOMPARE(document.undoStack()->undoText(), u"Save the view “tip”"_s);
+    m_window->findChild<view::CanvasView*>()->navigation().zoomBy(2);
+    QCOMPARE(saveView(u"tip"_s), u"&Replace"_s);
+    QCOMPARE(document.undoStack()->undoText(), u"Replace the view “tip”"_s);
+    QCOMPARE(document::savedViews(document.fractal()).size(), std::size_t(1));
+    document.undoStack()->setClean();
 }
 
 QTEST_MAIN(SnapshotCommandsTest)

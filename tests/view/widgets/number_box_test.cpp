@@ -34,6 +34,7 @@ private slots:
     void wholeNumbersAreComputed();
     void digitsStandInGroups();
     void otherNumbersAreNotWhole();
+    void decimalsAreRoundedNotJoined();
 
 private:
     static void type(QAbstractSpinBox& box, const QString& text) {
@@ -266,6 +267,25 @@ void NumberBoxTest::otherNumbersAreNotWhole() {
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 7); // the last whole number
     QCOMPARE(box.text(), QStringLiteral("7"));
+}
+
+// 10.5 is not 105.
+void NumberBoxTest::decimalsAreRoundedNotJoined() {
+    for (const auto language : {QLocale::C, QLocale::German}) {
+        WholeNumberBox box;
+        box.setLocale(language);
+        box.setRange(0, 4000);
+        box.setKeyboardTracking(false);
+        for (const auto& [typed, expected] :
+             {std::pair{"10.5", 11}, {"10,4", 10}, {"1600.25", 1600}, {"7.", 7}, {"2.50", 3}}) {
+            box.setValue(30);
+            type(box, QLatin1String(typed));
+            QCOMPARE(box.text(), QLatin1String(typed));
+            QTest::keyClick(&box, Qt::Key_Return);
+            QCOMPARE(box.value(), expected);
+            QCOMPARE(box.text(), QString::number(expected));
+        }
+    }
 }
 
 QTEST_MAIN(NumberBoxTest)

@@ -20,6 +20,14 @@ constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
+constexpr double narrowestFigures = 0.72; // of their usual width
+
+// The digits that must be shown are drawn narrower, as in a drag, rather than left out of sight.
+void squeeze(std::vector<int>& widths, int room) {
+    const double share = double(room) / std::accumulate(widths.begin(), widths.end(), 0);
+    for (int& width : widths)
+        width = int(width * std::max(share, narrowestFigures));
+}
 
 } // namespace
 
@@ -69,6 +77,7 @@ void MapsColumns::fit() {
         std::ranges::transform(code, widths.begin(), [this](int column) { return widthOf(column); });
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
+    if (decimals < 0) squeeze(widths, room);
     // What is left is for longer names, if all digits are there, then for those that come up in a drag.
     int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
     if (isNamed) {

@@ -8,8 +8,8 @@ class QTableView;
 namespace view {
 
 // The widths of the columns of the table of maps. Code and weight fit the width of the table: names become
-// shorter first, then the numbers have fewer decimals, but never fewer than three digits. Further columns are
-// scrolled to.
+// shorter first, then the numbers have fewer decimals, but never fewer than three digits, then these are
+// drawn narrower. Further columns are scrolled to.
 class MapsColumns : public QObject {
     Q_OBJECT
 

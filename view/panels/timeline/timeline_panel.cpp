@@ -149,7 +149,7 @@ void TimelinePanel::watch(const document::Change& change) {
 void TimelinePanel::showLost() {
     m_lost->setText(m_watch.sentence());
     m_lost->setVisible(m_watch.lost().has_value());
-    m_tracks->setFlawedFrame(m_watch.lostFrame());
+    m_tracks->setFlawedFrames(m_watch.lostFrames());
 }
 
 bool TimelinePanel::showsTracks() const {

@@ -265,7 +265,9 @@ KeyMove TrackView::moveKind() const {
     return m_modifiers & Qt::ControlModifier ? KeyMove::Copy : KeyMove::Move;
 }
 
+// A key that was not selected moves alone, though Ctrl and Shift have added it to the others.
 void TrackView::dragKeysTo(const QPointF& point) {
+    if (!std::exchange(m_wasSelected, true)) m_timeline->select({m_held});
     const int by = snapped(int(std::lround((point.x() - m_pressed.x()) / m_scale)));
     m_by =
         document::possibleMove(m_timeline->document().entryFractal(), m_timeline->selected(), by, moveKind());
@@ -299,12 +301,11 @@ void TrackView::mouseReleaseEvent(QMouseEvent* event) {
     m_modifiers = event->modifiers();
     const Drag ended = std::exchange(m_drag, Drag::None);
     if (ended == Drag::Keys) {
-        const int by = std::exchange(m_by, 0);
         const bool toggles = m_modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
         std::vector<KeyAt> others = m_timeline->selected();
         std::erase(others, m_held);
         if (m_hasMoved)
-            m_timeline->keys().move(by, moveKind());
+            m_timeline->keys().move(std::exchange(m_by, 0), moveKind());
         else if (!toggles)
             m_timeline->select({m_held});
         else if (m_wasSelected)
@@ -465,8 +466,8 @@ RulerPlace TrackView::rulerPlace() const {
     return {area, xOf(0), m_scale, m_timeline->timing(), rulerUnit()};
 }
 
-void TrackView::setFlawedFrame(std::optional<double> frame) {
-    m_flawed = frame;
+void TrackView::setFlawedFrames(std::vector<double> frames) {
+    m_flawed = std::move(frames);
     viewport()->update();
 }
 
@@ -478,7 +479,8 @@ void TrackView::paintRuler(QPainter& painter) const {
     painter.drawLine(ruler.bottomLeft(), ruler.bottomRight());
     painter.setClipRect(ruler.adjusted(namesWidth(), 0, 0, 0));
     paintRulerMarks(painter, rulerPlace(), playheadFlag(), m_timeline->tracks(), palette());
-    if (m_flawed) paintFlaw(painter, QPointF(xOf(*m_flawed), 1), rowHeight() - 2, palette());
+    for (const double frame : m_flawed)
+        paintFlaw(painter, QPointF(xOf(frame), 1), rowHeight() - 2, palette());
     painter.setClipping(false);
 }
 

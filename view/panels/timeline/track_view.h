@@ -35,7 +35,7 @@ public:
     double pixelsPerFrame() const { return m_scale; }
     void fitLength();                                 // all frames into the width
     void reveal();                                    // the playhead and the current row
-    void setFlawedFrame(std::optional<double> frame); // marked in the ruler
+    void setFlawedFrames(std::vector<double> frames); // marked in the ruler
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -96,7 +96,7 @@ private:
     double m_scale = 8; // pixels for one frame
     bool m_isFitted = true;
     int m_down = 0; // that rows are scrolled, if there are so many
-    std::optional<double> m_flawed;
+    std::vector<double> m_flawed;
     Drag m_drag = Drag::None;
     QPointF m_pressed, m_pointer;
     Qt::KeyboardModifiers m_modifiers;

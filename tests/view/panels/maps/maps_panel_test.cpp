@@ -117,6 +117,32 @@ private slots:
         QVERIFY2(shown.startsWith(QStringLiteral("-0.12")), qPrintable(shown));
     }
 
+    // As a moment of an animation has them: with three digits, a small number is long.
+    void longNumbersAreDrawnNarrower() {
+        m_panel->resize(390, 600);
+        m_document->setFile(
+            document::fileOf(withTriangle(fractalOf({{-0.0333, 0.0189, -0.231, -0.65, -0.0864, 0.262, 0.25},
+                                                     {0.61, -0.00225, 0.00444, 0.31, 0.0693, 3.49, 0.25}}))));
+        QTableView* table = m_panel->table();
+        for (int column = 0; column <= MapsModel::Weight; ++column) {
+            const int right = table->columnViewportPosition(column) + table->columnWidth(column);
+            QVERIFY2(table->isColumnHidden(column) || column == MapsModel::Name ||
+                         right <= table->viewport()->width(),
+                     qPrintable(QString::number(column)));
+        }
+        QCOMPARE(m_panel->model()->index(1, MapsModel::B).data().toString(), QStringLiteral("-0.00225"));
+        const auto picture = [&] {
+            return table->viewport()
+                ->grab(table->visualRect(table->model()->index(1, MapsModel::B)))
+                .toImage();
+        };
+        const QImage before = picture();
+        document::Fractal changed = m_document->fractal();
+        document::system2(changed)->maps[1].map.linear(0, 1) = -0.00226; // the last digit is in sight
+        m_document->edit(QStringLiteral("change"), changed);
+        QVERIFY(picture() != before);
+    }
+
     // As wide as it takes in fractions of a pixel.
     void kindsAreNotCutOff() {
         QTableView* table = m_panel->table();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "bridges/attractor_watch.h"
 #include "dialogs/export/animation_export_dialog.h"
 #include "document/animated_fractal.h"
 #include "document/edits/animation_edits.h"
@@ -9,6 +10,7 @@
 
 #include <QLabel>
 
+#include <algorithm>
 #include <memory>
 
 // The window says when an animation loses its attractor: in the timeline, and before an export.
@@ -19,6 +21,9 @@ private slots:
     void initTestCase() { support::useOwnSettings(); }
     void theTimelineSaysWhen();
     void motionsAreNamedWhereThereAreSome();
+    void theKeysToChangeAreNamed();
+    void allFramesWithoutOneAreMarked();
+    void longAnimationsAreLookedAtHereAndThere();
     void theExportSaysWhen();
 };
 
@@ -48,6 +53,18 @@ document::Fractal growing() {
     shape.animation->maps = {{shape.system.maps[0].id,
                               {{0, {ifs::affineMap(.5, 0, 0, .5, 0, 0), 1}, {}},
                                {32, {ifs::affineMap(1.5, 0, 0, 1.5, 0, 0), 1}, {}}}}};
+    return fractal;
+}
+
+// One map keyed with these factors at frames 0, 24 and 48.
+document::Fractal keyed(double first, double middle, double last) {
+    document::Fractal fractal = growing();
+    document::Shape<2>& shape = *document::plane(fractal);
+    shape.animation->length = 48;
+    auto& keys = shape.animation->maps[0].keys;
+    keys.clear();
+    for (const auto& [frame, factor] : {std::pair{0, first}, {24, middle}, {48, last}})
+        keys.push_back({frame, {ifs::affineMap(factor, 0, 0, factor, 0, 0), 1}, {}});
     return fractal;
 }
 
@@ -92,7 +109,7 @@ void LostAttractorTest::theTimelineSaysWhen() {
         return tracks.viewport()->grab(QRect(middle - QPoint(3, 6), QSize(7, 12))).toImage();
     };
     QVERIFY(redPixels(ruler(frame)) > 12);
-    QCOMPARE(redPixels(ruler(frame + 6)), 0);
+    QCOMPARE(redPixels(ruler(frame + 16)), 0); // where the maps shrink
 
     document.editEntry(QStringLiteral("Weaken"), breathing(0.1));
     QTRY_VERIFY_WITH_TIMEOUT(!warning->isVisible(), patience);
@@ -114,6 +131,52 @@ void LostAttractorTest::motionsAreNamedWhereThereAreSome() {
     QVERIFY2(!warning->text().contains(QStringLiteral("motion")), qPrintable(warning->text()));
     document.setFile(document::fileOf(breathing(0.5)));
     QTRY_VERIFY_WITH_TIMEOUT(warning->text().contains(QStringLiteral("motions")), patience);
+}
+
+// And the frame is one that can be gone to, though the moments that are tried first are 1.5 frames apart.
+void LostAttractorTest::theKeysToChangeAreNamed() {
+    document::Document document;
+    view::TimelinePanel panel(&document);
+    panel.show();
+    const QLabel* warning = warningIn(panel);
+    document.setFile(document::fileOf(keyed(0.5, 1.3, 0.5)));
+    QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), patience);
+    QVERIFY2(warning->text().contains(QStringLiteral("(frames: 24)")), qPrintable(warning->text()));
+    QVERIFY2(!warning->text().contains(QStringLiteral(".5")), qPrintable(warning->text()));
+    const auto loss = view::attractorLoss(document.entryFractal(), {});
+    QVERIFY(loss && loss->isAtKeys);
+    QCOMPARE(loss->keys, std::vector<int>{24});
+    QCOMPARE(loss->first.moment, animation::moment(loss->frames.front()));
+    QVERIFY(warning->text().contains(QStringLiteral("At frame %1,").arg(loss->frames.front())));
+    QVERIFY(!view::attractorLoss(keyed(0.5, 0.9, 0.5), {}));
+}
+
+void LostAttractorTest::allFramesWithoutOneAreMarked() {
+    document::Document document;
+    view::TimelinePanel panel(&document);
+    panel.resize(900, 300);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    document.setFile(document::fileOf(keyed(0.5, 1.3, 0.5)));
+    QTRY_VERIFY_WITH_TIMEOUT(warningIn(panel)->isVisible(), patience);
+    const view::TrackView& tracks = *panel.trackView();
+    for (int frame = 1; frame < 48; ++frame) {
+        const QPoint top = tracks.rulerPosition(frame);
+        const QImage mark = tracks.viewport()->grab(QRect(top - QPoint(1, 6), QSize(3, 12))).toImage();
+        const bool isLost = document::lossAt(document.entryFractal(), animation::moment(frame)).has_value();
+        QVERIFY2((redPixels(mark) > 6) == isLost, qPrintable(QString::number(frame)));
+    }
+}
+
+void LostAttractorTest::longAnimationsAreLookedAtHereAndThere() {
+    document::Fractal fractal = keyed(0.5, 1.3, 0.5);
+    document::plane(fractal)->animation->length = 100'000;
+    document::plane(fractal)->animation->maps[0].keys[2].frame = 99'999;
+    const auto loss = view::attractorLoss(fractal, {});
+    QVERIFY(loss);
+    QVERIFY(loss->frames.size() < 500);
+    QVERIFY(std::ranges::find(loss->frames, 24) != loss->frames.end()); // all keys are looked at
+    QCOMPARE(loss->keys, std::vector<int>{24});
 }
 
 void LostAttractorTest::theExportSaysWhen() {
