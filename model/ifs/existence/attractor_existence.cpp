@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/attractor_existence.h"
 
+#include "ifs/existence/common_matrix.h"
 #include "ifs/existence/conditioning.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
@@ -208,6 +209,12 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
                          .contractivity = std::max(better->longest, minContractivity),
                          .witness = {better->slowest},
                          .normEquivalence = better->condition,
+                         .norm = NormKind::Ellipsoidal};
+    if (const auto common = commonMatrixNorm<Dim>(maps))
+        return Existence{.verdict = Verdict::EventuallyContractive,
+                         .contractivity = common->contractivity,
+                         .witness = {0},
+                         .normEquivalence = common->equivalence,
                          .norm = NormKind::Ellipsoidal};
     const std::span<const AffineMap<Dim>> seen =
         better ? std::span<const AffineMap<Dim>>(better->maps) : maps;

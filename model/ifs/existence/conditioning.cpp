@@ -5,11 +5,14 @@
 #include "ifs/existence/norm_descent.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ifs {
 
@@ -108,6 +111,39 @@ template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap
         for (int n = 0; n < tries && isAnyShorter(); ++n) {}
 }
 
+// Maps that keep a flag of directions are triangular along it, and as short as the diagonals are, once the
+// directions are stretched enough against each other. Those of a sum of the maps are tried, in every order.
+template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+    constexpr double leastShare = 1e-4, minGain = 1e-6;
+    if (maps.size() > maxWork / 50) return;
+    Matrix<Dim> sum = Matrix<Dim>::Zero(); // with weights of which no two maps cancel
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        sum += maps[i].linear / double(i + 1);
+    const Eigen::EigenSolver<Matrix<Dim>> solver(sum);
+    if (solver.info() != Eigen::Success) return;
+    const Matrix<Dim> directions = solver.pseudoEigenvectors();
+    std::array<int, Dim> order{};
+    std::iota(order.begin(), order.end(), 0);
+    do {
+        Matrix<Dim> flag;
+        for (int k = 0; k < Dim; ++k)
+            flag.col(k) = directions.col(order[std::size_t(k)]);
+        const Matrix<Dim> back = flag.inverse();
+        if (!back.allFinite()) return;
+        for (double share = 1; share > leastShare; share /= 4) {
+            Vector<Dim> stretch;
+            for (int k = 0; k < Dim; ++k)
+                stretch[k] = std::pow(share, Dim - 1 - k);
+            Matrix<Dim> root = stretch.asDiagonal() * back;
+            root /= spectralNorm<Dim>(root);
+            const std::vector<double> lengths = norms<Dim>(seenThrough<Dim>(root, maps));
+            const double enough = best.longest * (1 - minGain); // to stretch the directions further
+            if (std::ranges::all_of(lengths, [enough](double length) { return length < enough; }))
+                best = {root, std::ranges::max(lengths)};
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
 } // namespace
 
 // Each rounded once where a long double is longer. With W near U⁻¹ and W U = I + E, the exact maps are
@@ -146,6 +182,24 @@ std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<
     return result;
 }
 
+namespace {
+
+template <int Dim>
+std::optional<Conditioned<Dim>> seenIn(const Matrix<Dim>& root, std::span<const AffineMap<Dim>> maps) {
+    // A power of two, so that the size of the attractor stays about the same.
+    int exponent = 0;
+    std::frexp(spectralNorm<Dim>(root.inverse()), &exponent);
+    AffineMap<Dim> mean{Matrix<Dim>::Zero(), Vector<Dim>::Zero()};
+    for (const auto& map : maps) {
+        mean.linear += map.linear / double(maps.size());
+        mean.translation += map.translation / double(maps.size());
+    }
+    return seenFrom<Dim>(
+        {(std::ldexp(1, exponent) * root).inverse(), fixedPoint(mean).value_or(Vector<Dim>::Zero())}, maps);
+}
+
+} // namespace
+
 template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const AffineMap<Dim>> maps) {
     const double before = std::ranges::max(norms<Dim>(maps));
     if (!(before >= 1)) return std::nullopt;
@@ -154,19 +208,13 @@ template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const A
     refine(best, maps);
     constexpr double contracts = 1 - 1e-9;
     if (!(best.longest < contracts)) descend(best, maps);
-    if (!(best.longest < before)) return std::nullopt;
-
-    // A power of two, so that the size of the attractor stays about the same.
-    int exponent = 0;
-    std::frexp(spectralNorm<Dim>(best.root.inverse()), &exponent);
-    AffineMap<Dim> mean{Matrix<Dim>::Zero(), Vector<Dim>::Zero()};
-    for (const auto& map : maps) {
-        mean.linear += map.linear / double(maps.size());
-        mean.translation += map.translation / double(maps.size());
-    }
-    return seenFrom<Dim>(
-        {(std::ldexp(1, exponent) * best.root).inverse(), fixedPoint(mean).value_or(Vector<Dim>::Zero())},
-        maps);
+    auto result = best.longest < before ? seenIn<Dim>(best.root, maps) : std::nullopt;
+    if (result && result->longest < contracts) return result;
+    // Also where rounding takes away what the best norm gains.
+    Coordinates<Dim> flag{Matrix<Dim>::Identity(), before};
+    alongFlag(flag, maps);
+    auto other = flag.longest < before ? seenIn<Dim>(flag.root, maps) : std::nullopt;
+    return other && !(result && result->longest <= other->longest) ? other : result;
 }
 
 template std::optional<Conditioned<2>> seenFrom(const AffineMap<2>&, std::span<const AffineMap<2>>);

@@ -54,6 +54,38 @@ template <int Dim> Verdict rotationVerdict(const std::vector<AffineMap<Dim>>& ma
     return exactExpansion<Dim>(maps, {0}) == Expansion::Yes ? Verdict::None : Verdict::Undecided;
 }
 
+// Leaning matrices with ρ = 1 − 1e-4 … 1 − 1e-13 but for rounding.
+template <int Dim> void decideCommonMatrices() {
+    Random random(17);
+    for (int n = 0; n < 60; ++n) {
+        Matrix<Dim> form = Matrix<Dim>::Zero(), basis = Matrix<Dim>::Identity();
+        for (int k = 0; k < Dim; ++k)
+            form(k, k) = k == 0 ? 1 - std::pow(10, uniform(random, -13, -4)) : uniform(random, -.9, .9);
+        for (int k = 1; k < Dim; ++k)
+            basis.col(k) += std::pow(10, uniform(random, 0, 2)) * randomVector<Dim>(random);
+        const AffineMap<Dim> map{basis * form * basis.inverse(), randomVector<Dim>(random)};
+        const std::vector<AffineMap<Dim>> maps{map, {-map.linear, randomVector<Dim>(random)}};
+        const bool expands = exactExpansion<Dim>(maps, {0}) == Expansion::Yes;
+        for (const std::span<const AffineMap<Dim>> some : {std::span(maps).first(1), std::span(maps)}) {
+            const Existence existence = classify<Dim>(some);
+            QVERIFY2(expands == (existence.verdict == Verdict::None) &&
+                         existence.verdict != Verdict::Undecided,
+                     qPrintable(QStringLiteral("matrix %1").arg(n)));
+        }
+        const Existence one = classify<Dim>(std::span(maps).first(1));
+        if (expands || one.wordLength != 1) continue;
+        QVERIFY(one.contractivity < 1);
+        const double stretch = 1 + (1 - one.contractivity) * (1 - 1e-3); // by less than 1/γ
+        const std::vector<AffineMap<Dim>> stretched{map,
+                                                    {stretch * Matrix<Dim>::Identity(), map.translation}};
+        QVERIFY(exactExpansion<Dim>(stretched, {0, 1}) == Expansion::No);
+        Matrix<Dim> power = map.linear;
+        for (double length = 1; length < 1e9; length *= 2, power *= power.eval())
+            QVERIFY(spectralNorm<Dim>(power) <=
+                    one.normEquivalence * std::pow(one.contractivity, length) * (1 + 1e-6));
+    }
+}
+
 } // namespace
 
 class AttractorExistenceTest : public QObject {
@@ -171,6 +203,45 @@ private slots:
         }
         const Maps2 eventually{affineMap(1 - 1e-12, 3, 0, .5, 0, 0)};
         QVERIFY(classify<2>(eventually).verdict != Verdict::None);
+    }
+
+    // Along a flag that all of them keep, these are as short as their diagonals; no search leads there. One
+    // map is a flag of its own.
+    void flagsAreFound() {
+        const auto map = [](std::initializer_list<double> entries) {
+            AffineMap<3> result;
+            result.linear = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(entries.begin());
+            return result;
+        };
+        const std::vector<AffineMap<3>> one{
+            map({24.272754553835124, 23.930793100849513, 3.8947724409928517, -23.50678246672049,
+                 -23.18696997674112, -3.687271741551109, -1.6089668755841986, -1.587237417683673,
+                 -0.24790140966439603})};
+        const std::vector<AffineMap<3>> three{
+            map({0.5572661655828814, 0.8312355541505789, -0.05501487180212977, -0.09782093754833618,
+                 0.39237317014857737, 0.11710835691155458, 0.4413347147554258, -0.003050575311713849,
+                 -0.12795261156895288}),
+            map({1.2693256499926804, 0.5531572334233523, -0.9068279565020141, -0.38421971518141806,
+                 0.8400140149082894, 0.5386207238997007, 1.4039543479021057, 0.6808406188470664,
+                 -1.204066112335775}),
+            map({0.8023500291210237, -0.9513996302509914, -0.22976841736365547, 0.24265155742947297,
+                 -0.3374810870055035, -0.3919956881435448, -0.25145079854255437, -0.9546481066345569,
+                 0.7034885225995458})};
+        for (const auto& maps : {one, three}) {
+            const Existence existence = classify<3>(maps);
+            QCOMPARE(existence.verdict, Verdict::EventuallyContractive);
+            QVERIFY(existence.contractivity > 0.97 && existence.contractivity < 0.99);
+        }
+        // By 3·10⁻⁵ a step, along directions 10 times as long as wide.
+        const std::vector<AffineMap<2>> slow{affineMap(1.145293958287127, -0.43914804425768905,
+                                                       0.29686993619262564, 0.10287175121705514, 0.12, 0.25)};
+        QCOMPARE(classify<2>(slow).verdict, Verdict::EventuallyContractive);
+    }
+
+    // Near ρ = 1 too, of one map, and of two that differ by a sign.
+    void commonMatricesAreDecided() {
+        decideCommonMatrices<2>();
+        decideCommonMatrices<3>();
     }
 
     // What expands by no more than rounding can cost is not said to expand.
