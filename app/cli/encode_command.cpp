@@ -124,6 +124,11 @@ public:
             return ExitStatus::InputProblems;
         }
         m_size = QImageReader(pathOf(0), "png").size();
+        for (int index = 1; index < int(m_numbers.size()); ++index) // rather than after all that come before
+            if (const auto obstacle = obstacleOf(pathOf(index))) {
+                reportError(pathOf(index), *obstacle);
+                return ExitStatus::InputProblems;
+            }
         const QString output = fileNameOf(m_arguments.output);
         VideoSource source;
         source.count = int(m_numbers.size());
@@ -173,18 +178,22 @@ private:
         return false;
     }
 
+    std::optional<QString> obstacleOf(const QString& path) const {
+        if (const auto damage = io::pngDamage(path)) return damage;
+        const QSize size = QImageReader(path, "png").size();
+        if (size == m_size) return std::nullopt;
+        return tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of a video must "
+                  "have the same size.")
+            .arg(size.width())
+            .arg(size.height())
+            .arg(m_size.width())
+            .arg(m_size.height());
+    }
+
     QImage read(int index) {
         const QString path = pathOf(index);
-        if (const auto damage = io::pngDamage(path)) return refused(path, *damage);
+        if (const auto obstacle = obstacleOf(path)) return refused(path, *obstacle); // by now
         QImageReader reader(path, "png");
-        const QSize size = reader.size();
-        if (size != m_size)
-            return refused(path, tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures "
-                                    "of a video must have the same size.")
-                                     .arg(size.width())
-                                     .arg(size.height())
-                                     .arg(m_size.width())
-                                     .arg(m_size.height()));
         reader.setAllocationLimit(0); // the video takes pictures of this size
         const QImage image = reader.read();
         return image.isNull() ? refused(path, tr("The picture cannot be read: %1.").arg(reader.errorString()))

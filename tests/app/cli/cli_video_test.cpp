@@ -421,6 +421,7 @@ void CliVideoTest::brokenSequencesAreRefused() {
         const Result result = run("encode a/f.#.png -o b/v.mp4");
         QCOMPARE(result.status, status);
         QVERIFY2(result.err.contains(sentence), result.err.constData());
+        QCOMPARE(result.err.count('\n'), 1); // nothing of a library's own
         QVERIFY(files("b").isEmpty());
     };
     const QByteArray third = read("a/f.3.png");
@@ -428,6 +429,8 @@ void CliVideoTest::brokenSequencesAreRefused() {
     refused(1, "3-4");
     write("a/f.4.png", third);
     write("a/f.3.png", third.first(third.size() - 20));
+    refused(1, "f.3.png");
+    write("a/f.3.png", third.first(100)); // within what comes before the pixels
     refused(1, "f.3.png");
     write("a/f.3.png", "no picture");
     refused(1, "not a PNG");
