@@ -74,7 +74,7 @@ private:
                 if (const io::Failure failure = m_drawing->finish()) return failed(*failure);
                 m_bar.clear();
                 reportError(QStringLiteral("barycage-cli"),
-                            tr("Interrupted; %1 of %2 frames are complete.").arg(i).arg(files.size()));
+                            tr("Interrupted; frames written: %1 of %2.").arg(i).arg(files.size()));
             }
             if (done != ExitStatus::Done) return done;
         }

@@ -46,11 +46,9 @@ std::vector<int> filesOf(const AnimateArguments& arguments, const Input& input,
     const auto facts = *document::animationFacts(entry);
     const int count = animation::frameCount(facts.loop, facts.length);
     if (isAnyBeyond(arguments.ranges, count))
-        reportWarning(
-            input.name,
-            tr("The animation of “%1” has %2 frames; those in --frames after the last one are ignored.")
-                .arg(printableLine(entry.name))
-                .arg(count));
+        reportWarning(input.name,
+                      tr("The last frame of “%1” has the number %2; larger ones in --frames are ignored.")
+                          .arg(printableLine(entry.name), QString::number(count)));
     const std::vector<int> all = filesIn(arguments.ranges, count);
     std::vector<int> files;
     for (auto i = std::size_t(arguments.part.i); i < all.size(); i += std::size_t(arguments.part.n))

@@ -44,7 +44,11 @@ QString tr(const char* text) {
 }
 
 void check(EncodeArguments& arguments) {
-    checkPattern(fileNameOf(arguments.pattern));
+    const QString pattern = fileNameOf(arguments.pattern);
+    if (QFileInfo(pattern).suffix().toLower() != u"png")
+        throw UsageError{tr("The pictures are .png files with a name such as NAME.####.png, and “%1” is not.")
+                             .arg(pattern)};
+    checkPattern(pattern);
     const QString output = fileNameOf(arguments.output);
     const auto format = io::videoFormat(QFileInfo(output).suffix());
     if (!format)
@@ -62,9 +66,9 @@ std::vector<int> numbersThere(const QString& pattern) {
     const qsizetype first = name.indexOf(u'#');
     const qsizetype width = name.count(u'#');
     const QRegularExpression form(QStringLiteral("^%1([0-9]{%2,9})%3$")
-                                      .arg(QRegularExpression::escape(name.first(first)))
-                                      .arg(width)
-                                      .arg(QRegularExpression::escape(name.sliced(first + width))));
+                                      .arg(QRegularExpression::escape(name.first(first)),
+                                           QString::number(width),
+                                           QRegularExpression::escape(name.sliced(first + width))));
     std::vector<int> numbers;
     for (const QString& file : info.dir().entryList(QDir::Files | QDir::Hidden)) {
         const auto match = form.match(file);
@@ -172,6 +176,7 @@ private:
     bool isAnyTransparent() const {
         for (int index = 0; index < int(m_numbers.size()); ++index) {
             const QImageReader reader(pathOf(index), "png");
+            if (!reader.canRead()) return false; // what that is, is said when its turn comes
             const QImage::Format format = reader.imageFormat();
             if (QImage(1, 1, format).hasAlphaChannel()) return true;
         }

@@ -8,6 +8,7 @@
 #include "usage_error.h"
 
 #include "animation/moment.h"
+#include "document/animated_fractal.h"
 #include "document/edits/morph_edits.h"
 #include "io/fractint/entry_writer.h"
 
@@ -117,10 +118,13 @@ ExitStatus morph(const MorphArguments& arguments) {
         if (pin.from >= mapCount(*from->fractal) || pin.to >= mapCount(*to->fractal))
             throw UsageError{
                 tr("--pin %1:%2 names a map that does not exist.").arg(pin.from + 1).arg(pin.to + 1)};
-    for (const document::Entry* entry : {from, to})
+    for (const document::Entry* entry : {from, to}) {
+        const QString name = printableLine(entry->fractal->name);
         if (hasMovedBranches(*entry->fractal))
-            reportWarning(input->name, tr("The moved branches of “%1” are not part of the morph.")
-                                           .arg(printableLine(entry->fractal->name)));
+            reportWarning(input->name, tr("The moved branches of “%1” are not part of the morph.").arg(name));
+        if (document::animationFacts(*entry->fractal))
+            reportWarning(input->name, tr("The animation of “%1” is not part of the morph.").arg(name));
+    }
     const document::MorphOutcome outcome = document::morphed(*from->fractal, *to->fractal, length, pins);
     if (!outcome.fractal) {
         reportError(input->name, sentence(outcome.flaw));

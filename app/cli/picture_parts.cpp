@@ -47,8 +47,7 @@ Share shareArgument(const char* option, const std::string& text) {
         throw UsageError{
             tr("%1 “%2” is not valid: write i/n, where n is the number of parts, at most %3, and "
                "i counts from 0 to n − 1.")
-                .arg(QLatin1String(option), whole)
-                .arg(maxParts)};
+                .arg(QLatin1String(option), whole, QString::number(maxParts))};
     return share;
 }
 
@@ -67,7 +66,7 @@ Rows bandArgument(const RenderArguments& arguments, int height) {
     const auto boundary = [&](int number) { return int(std::int64_t(height) * number / share.count); };
     const Rows rows{boundary(share.index), boundary(share.index + 1)};
     if (rows.first == rows.end)
-        throw UsageError{tr("--band %1 has no rows: the picture is %2 pixels high.")
+        throw UsageError{tr("--band %1 has no rows: the height of the picture is %2.")
                              .arg(QString::fromStdString(*arguments.band))
                              .arg(height)};
     return rows;
@@ -247,9 +246,8 @@ ExitStatus resume(Sums sums, const RenderArguments& arguments, const Interrupt& 
     const std::uint64_t points = countArgument("--points", *arguments.points, 1, maxPoints);
     const std::uint64_t there = std::accumulate(sums.passes.begin(), sums.passes.end(), std::uint64_t{0});
     if (points <= there)
-        throw UsageError{tr("“%1” already has %2 points; --points must be larger.")
-                             .arg(fileNameOf(*arguments.resume))
-                             .arg(there)};
+        throw UsageError{tr("--points must be larger than %2, which “%1” already has.")
+                             .arg(fileNameOf(*arguments.resume), QString::number(there))};
     addPass(sums, points - there);
     if (isDivided(arguments)) {
         const Rows rows = bandArgument(arguments, heightOf(sums));

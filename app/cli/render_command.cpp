@@ -173,15 +173,14 @@ private:
     static void sayInterrupted(std::size_t written, std::size_t all) {
         reportError(QStringLiteral("barycage-cli"),
                     written == 0 ? tr("Interrupted; nothing was written.")
-                                 : tr("Interrupted; %1 of %2 pictures were written.").arg(written).arg(all));
+                                 : tr("Interrupted; pictures written: %1 of %2.").arg(written).arg(all));
     }
 
     static void sayLate(std::size_t written, std::size_t all) {
-        reportError(
-            QStringLiteral("barycage-cli"),
-            written == 0
-                ? tr("The time limit has passed; nothing was written.")
-                : tr("The time limit has passed; %1 of %2 pictures were written.").arg(written).arg(all));
+        reportError(QStringLiteral("barycage-cli"),
+                    written == 0
+                        ? tr("The time limit has passed; nothing was written.")
+                        : tr("The time limit has passed; pictures written: %1 of %2.").arg(written).arg(all));
     }
 
     ExitStatus draw(const Task& task, double before, double all) {

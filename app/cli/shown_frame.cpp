@@ -21,7 +21,8 @@ QString frameObstacle(const document::Fractal& entry, const animation::Moment& m
     if (!facts) return {};
     const int last = animation::lastFrame(facts->loop, facts->length);
     if (!animation::isAfter(moment, last)) return {};
-    return tr("“%1” has the frames 0 to %2; --frame is after the last one.").arg(entry.name).arg(last);
+    return tr("“%1” has the frames 0 to %2; --frame is after the last one.")
+        .arg(entry.name, QString::number(last));
 }
 
 Frames::Frames(const document::Fractal& entry, const RenderArguments& arguments)

@@ -106,12 +106,10 @@ QString sentenceOfKeptOrder(const QString& name) {
 }
 
 QString sentenceOfCounts(const document::CouplingOutcome& outcome, const Sources& sources) {
-    return tr("“%1” has %2 active maps and “%3” has %4; they must have the same number. Divide maps into "
+    return tr("“%1” and “%2” must have the same number of active maps; they have %3 and %4. Divide maps into "
               "several until they do.")
-        .arg(printableLine(sources.first->fractal->name))
-        .arg(outcome.fromCount)
-        .arg(printableLine(sources.second->fractal->name))
-        .arg(outcome.toCount);
+        .arg(printableLine(sources.first->fractal->name), printableLine(sources.second->fractal->name),
+             QString::number(outcome.fromCount), QString::number(outcome.toCount));
 }
 
 void warnOfMovedBranches(const document::Entry& entry, const QString& fileName) {

@@ -212,7 +212,9 @@ Change::Parts Document::replace(const std::shared_ptr<const Fractal>& entry) {
 }
 
 QString Document::textOf(const QString& text, std::optional<int> keyedFrame) {
-    return keyedFrame ? tr("%1 (frame %2)", "what is done, at which frame").arg(text).arg(*keyedFrame) : text;
+    return keyedFrame
+               ? tr("%1 (frame %2)", "what is done, at which frame").arg(text, QString::number(*keyedFrame))
+               : text;
 }
 
 void Document::markSaved(const FractalFile& saved) {

@@ -49,11 +49,8 @@ QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, c
     case document::CouplingFlaw::Counts:
         break;
     }
-    return Text::tr("“%1” has %2 active maps and “%3” has %4. Both must have the same number.")
-        .arg(from)
-        .arg(flaw.fromCount)
-        .arg(to)
-        .arg(flaw.toCount);
+    return Text::tr("“%1” and “%2” must have the same number of active maps; they have %3 and %4.")
+        .arg(from, to, QString::number(flaw.fromCount), QString::number(flaw.toCount));
 }
 
 QString sentenceOf(const ifs::Tear& tear) {

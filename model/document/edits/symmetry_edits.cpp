@@ -71,10 +71,7 @@ QString symmetryObstacle(const Fractal& fractal, std::size_t groupOrder) {
     if (groupOrder <= 1 || maps <= most / groupOrder) return {};
     return Text::
         tr("“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.")
-            .arg(fractal.name)
-            .arg(maps)
-            .arg(groupOrder)
-            .arg(most);
+            .arg(fractal.name, QString::number(maps), QString::number(groupOrder), QString::number(most));
 }
 
 Fractal withSymmetry(Fractal fractal, const ifs::Symmetry<2>& symmetry) {

@@ -32,9 +32,8 @@ QByteArray submitText(const ClusterJob& job) {
                "set -euo pipefail\n"
                "cd \"$(dirname -- \"$(readlink -f -- \"${BASH_SOURCE[0]}\")\")\"\n"
                "exec ./submit-animation.sh %1 '#1' '%2' %3 %4\n")
-        .arg(QLatin1String(entryFile), outputName(job))
-        .arg(std::clamp(job.tasks, 1, frames))
-        .arg(options(job.animation).join(u' '))
+        .arg(QLatin1String(entryFile), outputName(job), QString::number(std::clamp(job.tasks, 1, frames)),
+             options(job.animation).join(u' '))
         .toUtf8();
 }
 
@@ -44,7 +43,7 @@ QByteArray readmeText(const ClusterJob& job) {
         QStringLiteral("%1x%2").arg(job.animation.size.width()).arg(job.animation.size.height());
     return QStringLiteral(
                "# %1 on a cluster\n\n"
-               "This folder draws %2 frames of %3 pixels with Slurm. Put it where all machines can "
+               "This folder draws its frames (%2 of %3 pixels) with Slurm. Put it where all machines can "
                "read and write it; they need `barycage-cli` %4. Then run:\n\n"
                "    ./submit.sh\n\n"
                "The result is `%5`. Frames that are complete are not drawn again: after an "

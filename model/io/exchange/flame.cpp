@@ -455,7 +455,7 @@ private:
         QString candidate = name;
         int& number = m_numbers[name.toCaseFolded()];
         for (number = std::max(number, 2); m_names.contains(candidate.toCaseFolded()); ++number)
-            candidate = QStringLiteral("%1_%2").arg(name).arg(number);
+            candidate = QStringLiteral("%1_%2").arg(name, QString::number(number));
         m_names.insert(candidate.toCaseFolded());
         return candidate;
     }

@@ -124,7 +124,7 @@ ParsedEntry EntryParser::parse() && {
              {},
              1,
              1,
-             Text::tr("%1 more problems in this entry are not listed.").arg(m_suppressed)});
+             Text::tr("Other problems in this entry, not listed: %1.").arg(m_suppressed)});
     for (Problem& problem : m_entry.problems)
         problem.entry = m_entry.fractal.name;
     return std::move(m_entry);
@@ -444,8 +444,8 @@ void EntryParser::explainShape() {
         }
         i = end;
     }
-    fail(odd->span.begin, Text::tr("This line has %1 numbers and the entry has %2, which is not a multiple "
-                                   "of %3: a map has %3 numbers%4.")
+    fail(odd->span.begin, Text::tr("Numbers are missing or left over: this line has %1, the entry has %2, "
+                                   "and each map has %3%4.")
                               .arg(oddCount)
                               .arg(tokens.size())
                               .arg(wanted)

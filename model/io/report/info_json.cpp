@@ -4,6 +4,7 @@
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 #include "document/recurring_branches.h"
+#include "ifs/dimension/moments.h"
 #include "ifs/extent/extent.h"
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
@@ -56,11 +57,13 @@ template <int Dim> void writeMap(JsonWriter& json, const ifs::WeightedMap<Dim>& 
     json.member("weight_in_file", map.weight);
     json.member("norm", ifs::spectralNorm<Dim>(map.map.linear));
     json.member("determinant", ifs::determinant<Dim>(map.map.linear));
+    const auto enclosed = ifs::enclosedFixedPoint(map.map);
     json.key("fixed_point");
-    if (const auto fixed = ifs::fixedPoint(map.map))
+    if (const auto fixed = enclosed ? enclosed->point : ifs::fixedPoint(map.map))
         writeVector<Dim>(json, *fixed);
     else
         json.null();
+    json.member("fixed_point_error", enclosed ? std::optional(enclosed->error) : std::nullopt);
     json.endObject();
 }
 

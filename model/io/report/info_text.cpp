@@ -464,7 +464,7 @@ void addAnimation(Lines& lines, const document::Fractal& fractal) {
     const auto facts = document::animationFacts(fractal);
     if (!facts) return;
     lines.add(Text::tr("animation"),
-              Text::tr("%1 frames at %2 per second, %3; tracks: %4, motions: %5")
+              Text::tr("frames: %1, %2 per second, %3; tracks: %4, motions: %5")
                   .arg(animation::frameCount(facts->loop, facts->length))
                   .arg(digits(double(facts->rate.frames) / facts->rate.seconds), loopText(facts->loop))
                   .arg(facts->tracks)

@@ -128,8 +128,7 @@ OpenScad openScad(const document::Fractal& fractal, double detail) {
         result.bound = stretch * largestPart(system.maps, half, ++result.depth);
     if (!(result.bound < HUGE_VAL)) {
         result.failure = Text::tr("“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.")
-                             .arg(fractal.name)
-                             .arg(OpenScad::maxParts);
+                             .arg(fractal.name, QString::number(OpenScad::maxParts));
         return result;
     }
     result.text = programText(fractal, system, box, result.depth);

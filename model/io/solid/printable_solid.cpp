@@ -56,8 +56,7 @@ Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& place
 QString failureOf(VoxelCover::Outcome outcome, const QString& name) {
     if (outcome == VoxelCover::Outcome::TooManyVoxels)
         return Text::tr("The solid of “%1” would need more than %2 million voxels. Choose larger voxels.")
-            .arg(name)
-            .arg(attractor::VoxelGrid::maxVoxels / 1'000'000);
+            .arg(name, QString::number(attractor::VoxelGrid::maxVoxels / 1'000'000));
     return Text::tr(
                "The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger "
                "voxels.")
@@ -143,8 +142,7 @@ private:
             m_solid.failure =
                 Text::tr("The surface of “%1” would have more than %2 million triangles. Choose "
                          "larger voxels.")
-                    .arg(m_fractal.name)
-                    .arg(attractor::SurfaceMesh::maxTriangles / 1'000'000);
+                    .arg(m_fractal.name, QString::number(attractor::SurfaceMesh::maxTriangles / 1'000'000));
             return;
         }
         m_solid.mesh = *std::move(mesh);

@@ -174,8 +174,9 @@ private:
             fail(map.first(),
                  Text::tr("After the count, a map consists of its weight and a matrix of 3 rows."));
         else if (value(count) != double(m_table.rows.size()))
-            fail(count,
-                 Text::tr("The table declares %1 maps but has %2.").arg(count.text).arg(m_table.rows.size()));
+            fail(count, Text::tr("The count says %1, but the number of maps is %2.")
+                            .arg(count.text)
+                            .arg(m_table.rows.size()));
     }
 
     void addMatrix(const Row& map) {
@@ -295,11 +296,10 @@ private:
         const bool isNoNumber = !value(cells.first());
         if (isNoNumber && m_labels != Labels::Named) return fail(cells.first(), notANumber(cells.first()));
         if (m_most > 0 && m_fewest == m_most)
-            return fail(
-                cells.first(),
-                Text::tr("This row has %1 numbers, but the header names %2 columns.").arg(count).arg(m_most));
+            return fail(cells.first(),
+                        Text::tr("The header names %2 columns, but this row has %1.").arg(count).arg(m_most));
         fail(cells.first(),
-             Text::tr("This row has %1 numbers; a map has 6 numbers, or 7 with its weight.").arg(count));
+             Text::tr("A map has 6 numbers, or 7 with its weight; this row has %1.").arg(count));
     }
 
     static QString notANumber(const Cell& cell) {

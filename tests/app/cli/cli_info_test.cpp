@@ -17,6 +17,7 @@ private slots:
     void cageAndBranchesInSpace();
     void factsOfTheFern();
     void factsInSpace();
+    void fixedPointsHaveErrors();
     void unknownFactsAreNull();
     void everyNameIsAString_data();
     void everyNameIsAString();
@@ -169,6 +170,17 @@ void CliInfoTest::factsInSpace() {
     compare(tetra[QLatin1String("similarity_dimension")].toDouble(), 2, 1e-12);
     compare(tetra[QLatin1String("affinity_dimension")].toDouble(), 2, 1e-12); // of similarities, the same
     QVERIFY(!hull.toObject().contains(QLatin1String("area")));
+}
+
+// Also of maps that are almost translations.
+void CliInfoTest::fixedPointsHaveErrors() {
+    const Result result = run("info - --json", "a {\n .9999999 0 0 .9999999 1 2 1\n 1 0 0 .5 1 0 1\n}\n");
+    const QJsonArray maps = result.entry()[QLatin1String("maps")].toArray();
+    const double there = 1 / (1 - .9999999), error = maps[0][QLatin1String("fixed_point_error")].toDouble(1);
+    compare(maps[0][QLatin1String("fixed_point")], there, 2 * there, error + 1e-15 * there);
+    QVERIFY(error < 1e-10 * there);
+    QVERIFY(maps[1][QLatin1String("fixed_point")].isNull());
+    QVERIFY(maps[1][QLatin1String("fixed_point_error")].isNull());
 }
 
 void CliInfoTest::unknownFactsAreNull() {

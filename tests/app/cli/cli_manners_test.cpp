@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QJsonArray>
 #include <QProcess>
+#include <QRegularExpression>
 
 #include <csignal>
 
@@ -20,6 +21,9 @@ private slots:
     void wrongOptionsAreNamed();
     void messagesAreOurs_data();
     void messagesAreOurs();
+    void onesAreSingular_data();
+    void onesAreSingular();
+    void percentSignsOfNamesStay();
     void helpHasGroupsAndDefaults();
     void helpIsFoundByEveryName();
     void countsAreTakenAsTheyAreWritten_data();
@@ -83,6 +87,8 @@ void CliMannersTest::messagesAreOurs_data() {
     };
     row("",
         "Give a command: info, render, convert, gallery, animate, encode, morph, merge, collage or steal.");
+    row("encode - -o x.gif",
+        "The pictures are .png files with a name such as NAME.####.png, and “-” is not.");
     row("render systems.ifs -o", "-o needs a value: -o OUT.");
     row("render systems.ifs", "-o OUT is missing. Usage: barycage-cli render FILE... -o OUT");
     row("render -o x.png", "FILE is missing. Usage: barycage-cli render");
@@ -108,6 +114,64 @@ void CliMannersTest::messagesAreOurs() {
     QCOMPARE(result.status, 2);
     QVERIFY2(result.err.contains(": error: " + said), result.err.constData());
     QVERIFY(pictures("x.*").isEmpty());
+}
+
+void CliMannersTest::onesAreSingular_data() {
+    QTest::addColumn<QByteArray>("input");
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QByteArray>("said");
+    const auto row = [](const char* arguments, const char* input, const char* said) {
+        QTest::newRow(said) << QByteArray(input) << QByteArray(arguments) << QByteArray(said);
+    };
+    row("info -", "a {\n .5 0 0 .5 0 0 1\n 2\n}\n", "this line has 1, the entry has 8, and each map has 7.");
+    row("info -", "a (3D) {\n .5\n}\n", "this line has 1, the entry has 1, and each map has 13 in an entry");
+    row("info -", "a,b,c,d,e,f,p\n.5,0,0,.5,0,0,1\n1\n", "names 7 columns, but this row has 1.");
+    row("info -", "1\n1 .5 0 0 0 .5 0 0 0 1\n1 .5 0 0 0 .5 1 0 0 1\n", "but the number of maps is 2.");
+    row("info -", "a {\n ; barycage: animation 1 24/1 cycle\n .5 0 0 .5 0 0 1\n}\n",
+        "frames: 1, 24 per second");
+    row("animate - -o x.##.png --frames 9", "a {\n ; barycage: animation 1 24/1 cycle\n .5 0 0 .5 0 0 1\n}\n",
+        "The last frame of “a” has the number 1; larger ones");
+    row("render - -o x.sum --size 9x1 --band 0/2", "a {\n .5 0 0 .5 0 0 1\n}\n",
+        "has no rows: the height of the picture is 1.");
+    row("steal - --entry a --from b --map 0,0",
+        "a {\n .5 0 0 .5 0 0 1\n}\nb {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n",
+        "“a” and “b” must have the same number of active maps; they have 1 and 2.");
+}
+
+void CliMannersTest::onesAreSingular() {
+    QFETCH(QByteArray, input);
+    QFETCH(QByteArray, arguments);
+    QFETCH(QByteArray, said);
+    const Result result = run(arguments, input);
+    QVERIFY2((result.out + result.err).contains(said), (result.out + result.err).constData());
+    static const QRegularExpression plural(
+        QStringLiteral("\\b1 (more )?(active )?(number|map|frame|entr|pixel|"
+                       "point|column|vertic|facet|problem|picture)(s|ies|es)\\b"));
+    QVERIFY2(!plural.match(QString::fromUtf8(result.out + result.err)).hasMatch(), result.err.constData());
+}
+
+// What is put in the places of a message has no places of its own.
+void CliMannersTest::percentSignsOfNamesStay() {
+    const QByteArray moving =
+                         "%1%2%3%4 {\n ; barycage: animation 8 24/1 cycle\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 "
+                         "0 .5\n}\n",
+                     single = "a%2 {\n .5 0 0 .5 0 0 1\n}\n";
+    write("percent.ifs", moving + single + single);
+    const auto says = [this](const QByteArray& arguments, const QByteArray& sentence) {
+        const Result result = run(arguments);
+        QVERIFY2(result.err.contains(sentence), result.err.constData());
+    };
+    says("render percent.ifs -o x.png --frame 99", "“%1%2%3%4” has the frames 0 to 8;");
+    says("animate percent.ifs -o x.#.png --size 9x9 --points 99 --frames 99",
+         "The last frame of “%1%2%3%4” has the number 8;");
+    says("steal percent.ifs --entry %1%2%3%4 --from a%2 --map 0,0",
+         "“%1%2%3%4” and “a%2” must have the same number of active maps; they have 2 and 1.");
+    QCOMPARE(run("convert percent.ifs percent.flame").status, 0);
+    QCOMPARE(run("info percent.flame --names").out, QByteArray("%1%2%3%4\na%2\na%2_2\n"));
+    QVERIFY(QDir(path("")).mkpath(QStringLiteral("f")));
+    QCOMPARE(run("animate percent.ifs -o f/50%2.#.png --size 10x10 --points 99").status, 0);
+    const Result encoded = run("encode f/50%2.#.png -o percent.gif");
+    QVERIFY2(encoded.status == 0, encoded.err.constData());
 }
 
 void CliMannersTest::helpHasGroupsAndDefaults() {
@@ -267,7 +331,7 @@ void CliMannersTest::whatAnInterruptLeavesIsSaid() {
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(process.exitCode(), 143);
     const QByteArray said = process.readAllStandardError();
-    QVERIFY2(said.contains("Interrupted; 1 of 2 pictures were written."), said.constData());
+    QVERIFY2(said.contains("Interrupted; pictures written: 1 of 2."), said.constData());
     QVERIFY(pictures("cut-slow.png").isEmpty());
 }
 

@@ -14,6 +14,7 @@ private slots:
     void theLengthIsThatGiven();
     void pinnedMapsBelongTogether();
     void movedBranchesStayBehind();
+    void animationsStayBehind();
     void whatMakesNoSenseIsRefused_data();
     void whatMakesNoSenseIsRefused();
     void whatCannotBeMorphedIsSaid();
@@ -108,6 +109,15 @@ void CliMorphTest::movedBranchesStayBehind() {
     const Result result = run("morph moved.ifs --from moved --to far -o morph.ifs");
     QVERIFY2(result.err.contains("moved branches"), result.err.constData());
     QVERIFY(read("morph.ifs").contains("track map"));
+}
+
+void CliMorphTest::animationsStayBehind() {
+    write("moving.ifs",
+          "moving {\n; barycage: animation 8 24/1 cycle\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 8 0 .5\n}\n" + far);
+    const Result result = run("morph moving.ifs --from moving --to far -o morph.ifs");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("The animation of “moving” is not part of the morph."),
+             result.err.constData());
 }
 
 QTEST_GUILESS_MAIN(CliMorphTest)

@@ -417,7 +417,7 @@ void CliStealTest::refuses_data() {
         QTest::newRow(arguments) << QByteArray(arguments) << status << QByteArray(said);
     };
     row("tops.ifs --entry halves --from square --map 0,0", 1,
-        "“halves” has 2 active maps and “square” has 4; they must have the same number.");
+        "“halves” and “square” must have the same number of active maps; they have 2 and 4.");
     row("tops.ifs --entry halves --from escapes --map 0,0", 1, "No attractor could be proved for “escapes”");
     row("tops.ifs --entry escapes --from halves --tear .1", 1, "No attractor could be proved for “escapes”");
     row("tops.ifs --entry halves --from space --map 0,0", 1, "“space” is in space");

@@ -387,7 +387,7 @@ void TransformationWindowTest::otherNumbersAreDivided() {
     toggle();
     QTRY_VERIFY_WITH_TIMEOUT(
         view()->bar()->problem() ==
-            QStringLiteral("“two” has 2 active maps and “three” has 3. Both must have the same number."),
+            QStringLiteral("“two” and “three” must have the same number of active maps; they have 2 and 3."),
         60'000);
     QVERIFY(!canvas()->picture().isNull()); // the density
     click(QStringLiteral("Divide Words"));

@@ -37,7 +37,9 @@ QString nameOf(const HandleModel& handles, const CanvasPart& part) {
             handles.target() == HandleTarget::Branch
                 ? Text::tr("Branch %1").arg(document::addressText(handles.branch(), handles.branch().size()))
                 : mapName(handles, std::size_t(part.map));
-        return part.kind == Kind::Vertex ? Text::tr("%1, corner %2").arg(name).arg(part.index + 1) : name;
+        return part.kind == Kind::Vertex
+                   ? Text::tr("%1, corner %2").arg(name, QString::number(part.index + 1))
+                   : name;
     }
     switch (part.kind) {
     case Kind::None:

@@ -303,7 +303,7 @@ void AnimationExportDialog::update() {
     const document::AnimationFacts facts = *document::animationFacts(m_entry);
     const int count = m_last->value() - m_first->value() + 1;
     const double seconds = double(count) * facts.rate.seconds / facts.rate.frames;
-    QString plan = tr("%n frame(s), %1 seconds.", nullptr, count).arg(seconds, 0, 'g', 3);
+    QString plan = tr("%n frame(s), %1 s.", nullptr, count).arg(seconds, 0, 'g', 3);
     const io::AnimationExport what = chosen();
     const bool isOdd = what.size.width() % 2 != 0 || what.size.height() % 2 != 0;
     if (what.format && io::factsOf(*what.format).needsEvenSides && isOdd)

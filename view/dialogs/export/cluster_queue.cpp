@@ -45,7 +45,7 @@ Counts counted(const States& states) {
 }
 
 QString drawingText(const Counts& counts) {
-    QStringList parts{ClusterQueue::tr("%1 of %2 tasks are done").arg(counts.done).arg(counts.all())};
+    QStringList parts{ClusterQueue::tr("%1 of %2 done").arg(counts.done).arg(counts.all())};
     if (counts.running > 0) parts << ClusterQueue::tr("%1 running").arg(counts.running);
     if (counts.waiting > 0) parts << ClusterQueue::tr("%1 waiting").arg(counts.waiting);
     if (counts.failed > 0) parts << ClusterQueue::tr("%1 failed").arg(counts.failed);

@@ -339,13 +339,12 @@ void TargetBox::showState() {
     const document::TraceOptions& options = now.options;
     m_controls->setVisible(now.picture != nullptr);
     m_remove->setEnabled(now.picture != nullptr);
-    m_name->setText(!now.sentence.isEmpty() ? now.sentence
-                    : now.picture
-                        ? (now.isReduced ? tr("%1, reduced to %2 × %3 pixels") : tr("%1, %2 × %3 pixels"))
-                              .arg(now.name)
-                              .arg(now.picture->width)
-                              .arg(now.picture->height)
-                        : tr("Choose, paste or drop a picture on the window."));
+    m_name->setText(
+        !now.sentence.isEmpty() ? now.sentence
+        : now.picture
+            ? (now.isReduced ? tr("%1, reduced to %2 × %3 pixels") : tr("%1, %2 × %3 pixels"))
+                  .arg(now.name, QString::number(now.picture->width), QString::number(now.picture->height))
+            : tr("Choose, paste or drop a picture on the window."));
     m_preview->setPicture(now.picture);
     if (!now.picture) {
         m_tracing.cancel();

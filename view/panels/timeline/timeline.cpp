@@ -229,7 +229,7 @@ void KeyCommands::set() {
         return emit m_timeline->message(Timeline::tr("Motions need no keys. Select a track first."));
     const Track track = m_timeline->tracks()[std::size_t(row)].track;
     const int at = m_timeline->frame();
-    edit(Timeline::tr("Key of %1 (frame %2)").arg(m_timeline->rowName(row)).arg(at),
+    edit(Timeline::tr("Key of %1 (frame %2)").arg(m_timeline->rowName(row), QString::number(at)),
          document::withKey(entry(), track, at, m_timeline->camera()));
     m_timeline->select({{track, at}});
 }

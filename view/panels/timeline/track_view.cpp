@@ -179,7 +179,7 @@ void TrackView::reveal() {
 void TrackView::describe() {
     const int row = m_timeline->row();
     if (row >= m_timeline->rowCount()) return setAccessibleDescription({});
-    QString said = tr("%1, frame %2").arg(m_timeline->rowName(row)).arg(m_timeline->frame());
+    QString said = tr("%1, frame %2").arg(m_timeline->rowName(row), QString::number(m_timeline->frame()));
     if (m_timeline->hasKey(row, m_timeline->frame())) said += tr(", key");
     if (m_timeline->isTrack(row))
         said += tr(", keys in this row: %1").arg(m_timeline->tracks()[std::size_t(row)].keys.size());

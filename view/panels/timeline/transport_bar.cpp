@@ -143,8 +143,7 @@ void TransportBar::takeRate() {
     if (!rate)
         emit m_timeline->message(tr("“%1” is not a frame rate. Enter frames per second, above 0 and at most "
                                     "%2, such as 24, 29.97 or 30000/1001.")
-                                     .arg(typed)
-                                     .arg(animation::maxRate));
+                                     .arg(typed, QString::number(animation::maxRate)));
 }
 
 void TransportBar::makeFields() {
@@ -162,7 +161,7 @@ void TransportBar::makeFields() {
     connect(m_length, &QSpinBox::valueChanged, this, [this](int length) {
         document::Timing timing = m_timeline->timing();
         timing.length = length;
-        m_timeline->setTiming(tr("Length of the animation: %1 frames").arg(length), timing);
+        m_timeline->setTiming(tr("Length of the animation: %n frame(s)", nullptr, length), timing);
     });
     connect(m_loop, &QComboBox::activated, this, [this](int index) {
         document::Timing timing = m_timeline->timing();

@@ -355,19 +355,16 @@ void AnimationExportDialogTest::slurmIsAskedForTheState_data() {
     QTest::addColumn<QString>("sentence");
     QTest::addColumn<bool>("isOver");
     QTest::newRow("running") << QByteArray("41 COMPLETED\\n41 RUNNING\\n41 PENDING\\n42 PENDING\\n")
-                             << "Drawing: 1 of 3 tasks are done, 1 running, 1 waiting. Video: waiting."
-                             << false;
+                             << "Drawing: 1 of 3 done, 1 running, 1 waiting. Video: waiting." << false;
     QTest::newRow("done") << QByteArray("41 COMPLETED\\n41 COMPLETED\\n42 COMPLETED\\n")
-                          << "Drawing: 2 of 2 tasks are done. Video: done. The result is in %1." << true;
-    QTest::newRow("no video")
-        << QByteArray("41 COMPLETED\\n42 FAILED\\n")
-        << "Drawing: 1 of 1 tasks are done. Video: failed. The reason is in the logs in %1." << true;
+                          << "Drawing: 2 of 2 done. Video: done. The result is in %1." << true;
+    QTest::newRow("no video") << QByteArray("41 COMPLETED\\n42 FAILED\\n")
+                              << "Drawing: 1 of 1 done. Video: failed. The reason is in the logs in %1."
+                              << true;
     QTest::newRow("some failed") << QByteArray("41 RUNNING\\n41 FAILED\\n42 CANCELLED\\n")
-                                 << "Drawing: 0 of 2 tasks are done, 1 running, 1 failed. Video: failed."
-                                 << false;
+                                 << "Drawing: 0 of 2 done, 1 running, 1 failed. Video: failed." << false;
     QTest::newRow("failed") << QByteArray("41 COMPLETED\\n41 FAILED\\n42 PENDING\\n")
-                            << "Drawing: 1 of 2 tasks are done, 1 failed. The reason is in the logs in %1."
-                            << true;
+                            << "Drawing: 1 of 2 done, 1 failed. The reason is in the logs in %1." << true;
 }
 
 // By programs that answer as Slurm's do.

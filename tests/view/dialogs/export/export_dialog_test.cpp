@@ -297,7 +297,8 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("Automatic"))) box->setChecked(false);
     named<QSpinBox>(dialog, "Levels of copies")->setValue(2);
-    QTRY_VERIFY(plan->text().contains(QStringLiteral("draw 12 copies"))); // 3 + 9 for a Sierpiński triangle
+    QTRY_VERIFY(
+        plan->text().contains(QStringLiteral("open the file: 12 (the"))); // 3 + 9 for a Sierpiński triangle
     QVERIFY(plan->text() != automatic);
     QVERIFY(!automatic.contains(QStringLiteral("More levels would be more accurate")));
 }

@@ -182,8 +182,9 @@ void GradientEditor::load(const QString& path) {
     if (!picture.isNull()) return takeFrom(picture);
     if (!file.problems.isEmpty()) {
         const document::Problem& problem = file.problems.back();
-        emit message(problem.line > 0 ? tr("%1, line %2: %3").arg(name).arg(problem.line).arg(problem.message)
-                                      : tr("%1: %2").arg(name, problem.message));
+        emit message(problem.line > 0
+                         ? tr("%1, line %2: %3").arg(name, QString::number(problem.line), problem.message)
+                         : tr("%1: %2").arg(name, problem.message));
     }
     if (file.palettes.size() == 1)
         apply(tr("Load the palette %1").arg(name), file.palettes.front());
