@@ -329,9 +329,8 @@ void AnimationExportDialog::chooseFile() {
     const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
     rememberExport(exportKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
-    const QString file = isPictures && path.endsWith(number)
-                             ? path.chopped(number.size()) + QStringLiteral(".png")
-                             : path;
+    const QString file =
+        isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;
     if (!isPictures || mayReplace(file)) exportTo(file);
 }
 
