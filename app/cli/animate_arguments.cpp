@@ -101,8 +101,8 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
     add("--chunk", "I/N", arguments.chunk, "Only every N-th of them, from the I-th on, counted from 0",
         "0/1");
     add("--existing", "WHAT", arguments.existing,
-        "What happens to files that exist: skip those that are complete and of the same request, replace "
-        "them, or fail",
+        "What happens to files that exist: skip keeps those that are complete and of the same request, and "
+        "replaces the others with a warning; replace replaces all; fail draws nothing",
         "skip; for a video replace");
     add("--fps", "R", arguments.rate, "Frames per second of a video, such as 24, 29.97 or 30000/1001",
         "those of the animation");

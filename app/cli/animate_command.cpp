@@ -50,10 +50,21 @@ public:
         const ExitStatus status = write(files, notes);
         m_bar.clear();
         notes.report(m_pattern);
+        warnOfReplaced();
         return status;
     }
 
 private:
+    void warnOfReplaced() const {
+        if (m_replaced.empty()) return;
+        const QString sentence =
+            m_replaced.size() > 1
+                ? tr("%1 existing files that were not pictures of this request were replaced: the numbers "
+                     "%2.")
+                : tr("%1 existing file that was not a picture of this request was replaced: number %2.");
+        reportWarning(m_pattern, sentence.arg(m_replaced.size()).arg(rangesText(m_replaced)));
+    }
+
     bool isAnyThere(const std::vector<int>& files) const {
         for (const int number : files) {
             const QString path = numbered(m_pattern, number);
@@ -95,6 +106,7 @@ private:
         if (m_arguments.whatExists == Existing::Skip &&
             io::textOfCompletePng(path, io::frameRequestKeyword) == hash)
             return ExitStatus::Done;
+        const bool isReplaced = m_arguments.whatExists == Existing::Skip && QFileInfo::exists(path);
         if (!m_drawing)
             m_drawing = std::make_unique<io::FrameDrawing>(
                 std::make_unique<FrameSource>(m_fractal, m_arguments.picture, m_input.name,
@@ -106,6 +118,7 @@ private:
         if (outcome.stopped) return m_interrupt.status();
         if (outcome.failure) return failed(*outcome.failure);
         notes.add(frame, outcome.note);
+        if (isReplaced) m_replaced.push_back(number);
         return ExitStatus::Done;
     }
 
@@ -116,6 +129,7 @@ private:
     Interrupt m_interrupt;
     ProgressBar m_bar;
     double m_before = 0, m_share = 1;            // of the progress: before this frame, and for it
+    std::vector<int> m_replaced;                 // numbers of files that held something else
     std::unique_ptr<io::FrameDrawing> m_drawing; // once a frame has to be drawn
 };
 

@@ -177,6 +177,13 @@ std::optional<QString> obstacle(document::Entry& entry, const Input& input, cons
     return std::nullopt;
 }
 
+// At its line, where it has one.
+void warnOf(const QString& loss, const document::Entry& entry, const QString& fileName) {
+    if (!entry.source) return reportWarning(fileName, loss);
+    report({document::Problem::Severity::Warning, entry.fractal->name, entry.source->line, 1, loss},
+           fileName);
+}
+
 Content contentOf(const Input& input, const Arguments& arguments, const Plan& plan) {
     const Selection selection = select(input, arguments.entries);
     Content content{input.collection.file, selection.entries.size(),
@@ -199,7 +206,7 @@ Content contentOf(const Input& input, const Arguments& arguments, const Plan& pl
                 shape && arguments.bake && document::isAtRest(written))
                 shape->cage.reset();
             if (const auto loss = text ? io::lossOf(*text, written) : std::nullopt)
-                reportWarning(input.name, *loss);
+                warnOf(*loss, entry, input.name);
             content.file.entries << entry;
         }
     }

@@ -191,6 +191,8 @@ void CollectionTest::entriesLoadWithoutAProblem() {
         return message.endsWith(QStringLiteral("is written without its palette.")) ||
                (document::isLinked(*loaded.fractal) &&
                 message.contains(QStringLiteral("the links of its maps"))) ||
+               (document::animationFacts(*loaded.fractal) &&
+                message.contains(QStringLiteral("its animation"))) ||
                (document::keptTheft(*loaded.fractal) &&
                 message.contains(QStringLiteral("its fractal transformation")));
     };

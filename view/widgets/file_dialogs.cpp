@@ -38,11 +38,12 @@ QString remembered(const QString& chosen) {
 } // namespace
 
 QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
-                         const QString& filter, const QString& suffix) {
+                         const QString& filter, const QString& suffix, bool asksToReplace) {
     const QFileInfo suggested(suggestion);
     const QString folder = beginning(suggested.isAbsolute() ? suggested.path() : QString());
     QFileDialog dialog(parent, title, folder, filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite, !asksToReplace);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(suggested.fileName());
     if (dialog.exec() != QDialog::Accepted) return {};

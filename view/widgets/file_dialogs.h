@@ -10,9 +10,9 @@ class QWidget;
 // result: the user has cancelled.
 namespace view {
 
-// `suggestion` is a name, or the path of a file.
+// `suggestion` is a name, or the path of a file. `asksToReplace` is false where the caller asks.
 QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
-                         const QString& filter, const QString& suffix);
+                         const QString& filter, const QString& suffix, bool asksToReplace = true);
 QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,
                          const QString& folder = {});
 QString choosePictureToOpen(QWidget* parent, const QString& title); // one that can be decoded

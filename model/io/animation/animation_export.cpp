@@ -95,6 +95,10 @@ QByteArray requestHash(const AnimationExport& what, int frame) {
     return text.hash(what.entry);
 }
 
+bool isDone(const QString& file, const QByteArray& hash) {
+    return textOfCompletePng(file, frameRequestKeyword) == hash;
+}
+
 VideoSettings settingsOf(const AnimationExport& what) {
     const document::AnimationFacts facts = *document::animationFacts(what.entry);
     VideoSettings settings;
@@ -124,7 +128,7 @@ ExportOutcome writePictures(const AnimationExport& what, const QString& path, co
         const int frame = what.first + index;
         const QString file = framePath(path, frame, what.last);
         const QByteArray hash = requestHash(what, frame);
-        if (textOfCompletePng(file, frameRequestKeyword) == hash) continue;
+        if (isDone(file, hash)) continue;
         const ExportOutcome one =
             drawing.writePng(frame, file, hash, partOf(progress, index, count, 1), stop);
         if (all.note == attractor::RenderNote::None) all.note = one.note;
@@ -192,6 +196,15 @@ QString framePath(const QString& path, int frame, int last) {
     const qsizetype digits = std::max<qsizetype>(4, QString::number(last + 1).size());
     const QString number = QString::number(frame + 1).rightJustified(digits, u'0');
     return path.chopped(file.suffix().size()) + number + u'.' + file.suffix();
+}
+
+QStringList replacedFiles(const AnimationExport& what, const QString& path) {
+    QStringList files;
+    for (int frame = what.first; frame <= what.last; ++frame) {
+        const QString file = framePath(path, frame, what.last);
+        if (QFileInfo::exists(file) && !isDone(file, requestHash(what, frame))) files << file;
+    }
+    return files;
 }
 
 Failure animationObstacle(const AnimationExport& what) {

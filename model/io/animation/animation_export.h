@@ -34,6 +34,9 @@ int frameCount(const document::Fractal& entry);
 // `path` is "NAME.png": frame 6 of "wind.png" is "wind.0007.png".
 QString framePath(const QString& path, int frame, int last);
 
+// The files that pictures would replace: those that exist and are not complete and of the same request.
+QStringList replacedFiles(const AnimationExport& what, const QString& path);
+
 // Why it cannot be written: an encoder is missing, or the format does not have this size or rate.
 Failure animationObstacle(const AnimationExport& what);
 

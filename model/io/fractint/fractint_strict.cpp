@@ -64,10 +64,11 @@ public:
 
 private:
     void append(const Entry& entry) {
+        m_line = entry.source ? entry.source->line : 0;
         const document::Fractal fractal = document::expanded(*entry.fractal);
         const std::vector<Row> rows = activeRows(fractal);
         if (rows.empty())
-            return m_text.problems.append({Problem::Severity::Error, fractal.name, 0, 0,
+            return m_text.problems.append({Problem::Severity::Error, fractal.name, m_line, m_line > 0 ? 1 : 0,
                                            Text::tr("The entry has no active map and is omitted.")});
         const QByteArray name = strictName(fractal.name);
         ++m_text.entries;
@@ -216,11 +217,13 @@ private:
     }
 
     void warn(const QString& entry, const QString& message) {
-        m_text.problems.append({Problem::Severity::Warning, entry, 0, 0, message});
+        const int line = entry.isEmpty() ? 0 : m_line;
+        m_text.problems.append({Problem::Severity::Warning, entry, line, line > 0 ? 1 : 0, message});
     }
 
     document::UniqueNames m_names;
     StrictText m_text;
+    int m_line = 0; // of the entry in the file it was read from
 };
 
 } // namespace

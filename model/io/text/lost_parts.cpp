@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/lost_parts.h"
 
+#include "document/animated_fractal.h"
 #include "document/edits/cage_edits.h"
 #include "document/edits/map_locks.h"
 #include "document/edits/symmetry_edits.h"
@@ -63,6 +64,7 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
     if (held.moved) lost << Text::tr("its moved branches");
     const bool losesLinks = held.linked && !kept.links;
     if (document::keptTheft(fractal) && !kept.transformation) lost << Text::tr("its fractal transformation");
+    if (document::animationFacts(fractal)) lost << Text::tr("its animation");
     if (!document::savedViews(fractal).empty()) lost << Text::tr("its saved views");
     if (losesLinks) lost << Text::tr("the links of its maps");
     if (held.named && !kept.mapNames) lost << Text::tr("the names of its maps");

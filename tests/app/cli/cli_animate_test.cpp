@@ -29,6 +29,7 @@ private slots:
     void completeFramesAreSkipped();
     void staleAndDamagedFramesAreDrawnAgain();
     void existingFilesCanBeReplacedOrRefused();
+    void replacedFilesAreSaid();
     void keysMoveTheCamera();
     void keysMoveTheCameraInSpace();
     void spaceMoves();
@@ -270,6 +271,19 @@ void CliAnimateTest::existingFilesCanBeReplacedOrRefused() {
     QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --existing replace --frames 2") + small).status,
              0);
     QVERIFY(read("a/f.2.png") != "mine");
+}
+
+void CliAnimateTest::replacedFilesAreSaid() {
+    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png") + small;
+    write("a/f.2.png", "mine");
+    const Result one = run(command);
+    QCOMPARE(one.status, 0);
+    QVERIFY2(one.err.contains("1 existing file ") && one.err.contains("number 2."), one.err.constData());
+    QCOMPARE(run(command).err, QByteArray()); // all are its own now
+    const Result all = run(command + "--seed 2");
+    QCOMPARE(all.status, 0);
+    QVERIFY2(all.err.contains("6 existing files ") && all.err.contains("numbers 1–6."), all.err.constData());
+    QCOMPARE(run(command + "--existing replace").err, QByteArray()); // as it was told
 }
 
 void CliAnimateTest::keysMoveTheCamera() {

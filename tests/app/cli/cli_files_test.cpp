@@ -27,6 +27,7 @@ private slots:
     void anInputIsReplacedByAllItHolds();
     void whatAFormatDropsIsSaid_data();
     void whatAFormatDropsIsSaid();
+    void lossesAreSaidAtTheLineOfTheEntry();
     void whatIsKeptIsNotLamented();
     void namesOfFlamesAreFound();
     void aifsComesBack();
@@ -161,6 +162,12 @@ void CliFilesTest::whatAFormatDropsIsSaid_data() {
                               << QByteArray("“e” is written without its other colour settings.");
     QTest::newRow("vibrancy") << QByteArray("; barycage: vibrancy 0\n") << QByteArray("tex")
                               << QByteArray("“e” is written without its other colour settings.");
+    const QByteArray moving("; barycage: animation 6 24/1 cycle\n; barycage: motion sway\n"
+                            "; barycage: strength 4\n; barycage: pivot 0 0\n; barycage: wave 1\n"
+                            "; barycage: value 1 0 25\n");
+    for (const char* format : {"flame", "csv", "aifs", "tex", "fractint --strict"})
+        QTest::addRow("animation, %s", format)
+            << moving << QByteArray(format) << QByteArray("“e” is written without its animation.");
     QTest::newRow("strict") << cage << QByteArray("fractint --strict")
                             << QByteArray(": warning: “e” is written without its cage");
 }
@@ -174,6 +181,21 @@ void CliFilesTest::whatAFormatDropsIsSaid() {
     QCOMPARE(result.status, 0);
     QVERIFY2(result.err.contains("warning: ") && result.err.contains(said), result.err.constData());
     QCOMPARE(run("convert loss.ifs - -q --to " + format).err, QByteArray());
+}
+
+void CliFilesTest::lossesAreSaidAtTheLineOfTheEntry() {
+    const QByteArray maps = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n";
+    write("lines.ifs", "first {\n" + maps + "\nsecond {\n; barycage: background #ff0000ff\n" + maps +
+                           "a_name_that_is_longer_than_others {\n" + maps);
+    for (const char* format : {"fractint --strict", "csv --entry second"}) {
+        const Result result = run(QByteArray("convert lines.ifs - --to ") + format);
+        QCOMPARE(result.status, 0);
+        QVERIFY2(result.err.contains("lines.ifs:6:1: warning: “second” is"), result.err.constData());
+    }
+    const Result strict = run("convert lines.ifs - --to fractint --strict");
+    QVERIFY2(strict.err.contains("others”: The entry is saved") &&
+                 strict.err.contains("lines.ifs:11:1: warning: “a_name"),
+             strict.err.constData());
 }
 
 void CliFilesTest::whatIsKeptIsNotLamented() {

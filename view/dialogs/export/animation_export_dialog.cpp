@@ -320,17 +320,40 @@ void AnimationExportDialog::chooseFile() {
     const bool isPictures = m_format->currentIndex() == Pictures;
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_entry.name) + u'.' + suffix();
-    // Of pictures the first is asked for, so that the dialog can warn when it is there.
+    // Of pictures the first is asked for; mayReplace() looks for all of them.
     const QString suggestion =
         isPictures ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
     const QString path = chooseFileToSave(this, tr("Export Animation"), suggestedPath(exportKind, suggestion),
-                                          filter, suffix());
+                                          filter, suffix(), !isPictures);
     if (path.isEmpty()) return;
     const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
     rememberExport(exportKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
-    exportTo(isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png")
-                                                 : path);
+    const QString file =
+        isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;
+    if (!isPictures || mayReplace(file)) exportTo(file);
+}
+
+bool AnimationExportDialog::mayReplace(const QString& path) {
+    const QFuture<QStringList> work =
+        io::inBackground<QStringList>([what = chosen(), path](QPromise<QStringList>& promise) {
+            promise.addResult(io::replacedFiles(what, path));
+        });
+    const QPointer self(this);
+    if (!waitFor(QFuture<void>(work), tr("Looking for existing pictures…"), this) || !self) return false;
+    const QStringList files = work.result();
+    if (files.isEmpty()) return true;
+    QMessageBox box(QMessageBox::Warning, tr("Replace Files?"),
+                    tr("%n file(s) with the names of these pictures exist already and hold something else.",
+                       nullptr, int(files.size())),
+                    QMessageBox::Cancel, this);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("The first one is “%1”. If you replace them, their contents are lost.")
+                               .arg(QFileInfo(files[0]).fileName()));
+    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return self && box.clickedButton() == replace;
 }
 
 void AnimationExportDialog::startWork() {

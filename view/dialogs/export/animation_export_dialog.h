@@ -61,6 +61,7 @@ private:
     QString suffix() const;
     void update();
     void chooseFile();
+    bool mayReplace(const QString& path); // asks the user where pictures would replace others
     void chooseFolder();
     void startWork();
     void showProgress(double fraction);

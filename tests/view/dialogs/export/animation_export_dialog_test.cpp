@@ -5,6 +5,8 @@
 #include "document/edits/motion_edits.h"
 #include "io/collection_reader.h"
 #include "io/fractint/fractint_writer.h"
+#include "support/forget_settings.h"
+#include "support/own_settings.h"
 #include "support/patient_tries.h"
 
 #include <QAbstractButton>
@@ -13,10 +15,12 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -35,6 +39,7 @@ class AnimationExportDialogTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { support::useOwnSettings(); }
     void init();
     void cleanup() { m_dialog.reset(); }
     void videosHoldTheFrames_data();
@@ -42,6 +47,7 @@ private slots:
     void picturesAreThoseOfTheCommandLine_data();
     void picturesAreThoseOfTheCommandLine();
     void completePicturesStay();
+    void otherPicturesAreAskedAbout();
     void editingGoesOn();
     void stoppingLeavesNothing();
     void closingAsksFirst();
@@ -105,6 +111,7 @@ QByteArray contents(const QString& path) {
 } // namespace
 
 void AnimationExportDialogTest::init() {
+    support::forgetSettings();
     m_folder = std::make_unique<QTemporaryDir>();
     open(wind());
 }
@@ -237,6 +244,54 @@ void AnimationExportDialogTest::completePicturesStay() {
     QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
     QVERIFY(contents(path("a.0002.png")) == whole);
     QCOMPARE(QFileInfo(path("a.0001.png")).lastModified(), written);
+}
+
+// Also when the name that was typed is that of no file.
+void AnimationExportDialogTest::otherPicturesAreAskedAbout() {
+    QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
+    for (const QString& name : {QStringLiteral("a.0002.png"), QStringLiteral("a.0005.png")}) {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+    }
+    QPushButton* start = nullptr;
+    for (auto* button : m_dialog->findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("&Export…")) start = button;
+    QVERIFY(start);
+    QStringList asked;
+    QString answer, name;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&] {
+        if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+            for (auto* field : dialog->findChildren<QLineEdit*>())
+                field->setText(path(name));
+            static_cast<QDialog*>(dialog)->accept();
+        } else if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            asked << box->text() + box->informativeText();
+            for (QAbstractButton* button : box->buttons())
+                if (button->text().remove(u'&') == answer) button->click();
+        }
+    });
+    timer.start(20);
+    QSignalSpy spy(m_dialog.get(), &Dialog::exported);
+    for (const char* typed : {"a", "a.0001.png"}) {
+        asked.clear();
+        answer = QStringLiteral("Cancel");
+        name = QString::fromLatin1(typed);
+        start->click();
+        QCOMPARE(asked.size(), 1);
+        QVERIFY2(asked[0].startsWith(u'2') && asked[0].contains(QStringLiteral("a.0002.png")),
+                 qPrintable(asked[0]));
+        QVERIFY(start->isEnabled() && spy.isEmpty()); // nothing goes on
+    }
+    QCOMPARE(contents(path("a.0005.png")), QByteArray("mine"));
+    answer = QStringLiteral("Replace");
+    start->click();
+    QTRY_COMPARE(spy.size(), 1);
+    QCOMPARE(asked.size(), 2);
+    QVERIFY(contents(path("a.0005.png")) != "mine");
+    start->click(); // now all are its own
+    QTRY_COMPARE(spy.size(), 2);
+    QCOMPARE(asked.size(), 2);
 }
 
 // What is exported is the animation as it was when the dialog opened.
