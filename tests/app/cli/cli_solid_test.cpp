@@ -22,6 +22,7 @@ private slots:
     void inkIsOnPaper();
     void normalsAreNumbers();
     void coloursComeFromMapHeightAndDepth();
+    void movedBranchesAreInView();
     void sameBytesForAnyThreadsAndInstructions();
     void optionsThatMakeNoSenseAreRefused_data();
     void optionsThatMakeNoSenseAreRefused();
@@ -109,6 +110,46 @@ void CliSolidTest::coloursComeFromMapHeightAndDepth() {
     QVERIFY(!palette.isNull());
     QCOMPARE(palette, drawn("--palette fern --colour height"));
     QCOMPARE(drawn("--bits 16").depth(), 64);
+}
+
+// The eighth at (1, 1, 1) is shown two units farther to the right, also where a cage holds the cube.
+void CliSolidTest::movedBranchesAreInView() {
+    const QByteArray text = read("cube.ifs");
+    QByteArray moved = "  ; barycage: version 1\n  ; barycage: branch 8\n";
+    for (const QByteArray row : {"1 0 0", "0 1 0", "0 0 1", "2 0 0"})
+        moved += "  ; barycage: by " + row + '\n';
+    moved += "}\n";
+    QByteArray held = moved;
+    for (const QByteArray place : {"rest", "current"})
+        for (const QByteArray vertex : {"0 0 0", "3 0 0", "0 3 0", "0 0 3"})
+            held.insert(held.size() - 2, "  ; barycage: " + place + ' ' + vertex + '\n');
+    for (const QByteArray& comments : {moved, held})
+        for (const QByteArray look : {"stone", "cloud"}) {
+            write("moved.ifs", QByteArray(text).replace("}\n", comments));
+            const Result result =
+                run("render moved.ifs -o moved.png --size 120x60 --orbit 0,0 --look " + look);
+            QVERIFY2(result.status == 0 && !result.err.contains("branch"), result.err.constData());
+            const QImage image(path("moved.png"));
+            const QColor ground = image.pixelColor(0, 0);
+            const auto rowsOf = [&](int column) {
+                int rows = 0;
+                for (int y = 0; y < image.height(); ++y)
+                    rows += image.pixelColor(column, y) != ground;
+                return rows;
+            };
+            int first = 0, last = image.width() - 1;
+            while (first < last && rowsOf(first) == 0)
+                ++first;
+            while (first < last && rowsOf(last) == 0)
+                --last;
+            // From 0 to 3: the cube without its corner, nothing, the corner.
+            const auto columnAt = [&](double x) { return first + int(x / 3 * (last - first)); };
+            QVERIFY2(last - first > 95, qPrintable(QStringLiteral("%1 to %2").arg(first).arg(last)));
+            QVERIFY(rowsOf(columnAt(0.25)) > 30);
+            QCOMPARE(rowsOf(columnAt(1.7)), 0);
+            const int corner = rowsOf(columnAt(2.75));
+            QVERIFY(corner > 14 && corner < 24);
+        }
 }
 
 void CliSolidTest::sameBytesForAnyThreadsAndInstructions() {
