@@ -16,6 +16,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -269,6 +270,7 @@ double BranchBar::shareToShow(const Swung& shareOf) {
 
 // Counted from where the slider left the middle.
 void BranchBar::swingTo(int degrees) {
+    if (m_isGivenUp) return centre();
     const Swung swung = document::space(m_swinging.before()) ? swungInSpace() : swungInPlane();
     if (!swung) return centre();
     constexpr double degree = std::numbers::pi / 180;
@@ -286,7 +288,15 @@ void BranchBar::swingTo(int degrees) {
     }
 }
 
+void BranchBar::giveUpSwing() {
+    m_isGivenUp = m_swing->isSliderDown();
+    m_swinging.cancel();
+    m_canvas->tools().mapsTool().dismissStop();
+    centre();
+}
+
 void BranchBar::endSwing() {
+    m_isGivenUp = false;
     if (m_swinging.isOpen()) m_canvas->tools().mapsTool().dismissStop();
     m_swinging.commit();
     centre();
@@ -300,6 +310,14 @@ void BranchBar::centre() {
 
 bool BranchBar::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_swing && event->type() == QEvent::FocusOut) endSwing();
+    // Esc would be a shortcut of the window otherwise.
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (watched == m_swing && isKey && m_swinging.isOpen() &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Cancel)) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress) giveUpSwing();
+        return true;
+    }
     return QWidget::eventFilter(watched, event);
 }
 

@@ -53,6 +53,7 @@ private:
     double shareToShow(const Swung& shareOf); // as much as leaves an attractor
     void swingTo(int degrees);
     void endSwing();
+    void giveUpSwing(); // and does not follow the slider until it is let go
     void centre();
 
     document::Document* m_document;
@@ -70,6 +71,7 @@ private:
     QString m_hintInSpace;
     const SpaceView* m_space = nullptr;
     document::LiveEdit m_swinging;
+    bool m_isGivenUp = false; // while the slider is still held
 };
 
 } // namespace view

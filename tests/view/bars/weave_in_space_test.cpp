@@ -83,6 +83,25 @@ private slots:
         QVERIFY(window.document.fractal() == before);
     }
 
+    // As every drag does.
+    void escapeBringsTheMapBack() {
+        Weaving window;
+        const document::Fractal before = window.document.fractal();
+        window.view->holdMap(6);
+        window.pull(10);
+        QVERIFY(!(window.document.fractal() == before));
+        QTest::keyClick(window.bar.swing(), Qt::Key_Escape);
+        QVERIFY(window.document.fractal() == before);
+        QCOMPARE(window.bar.swing()->value(), 0);
+        window.pull(20); // the mouse goes on
+        QVERIFY(window.document.fractal() == before);
+        window.letGo();
+        QCOMPARE(window.document.undoStack()->count(), 0);
+        window.pull(5);
+        window.letGo();
+        QCOMPARE(window.document.undoStack()->count(), 1);
+    }
+
     // A shear that contracts only when it comes several times: turned, it does no more.
     void itStopsWhereTheAttractorWouldBeLost() {
         document::Fractal sheared;
