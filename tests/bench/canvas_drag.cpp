@@ -106,6 +106,8 @@ double lateInCanvas(document::Fractal animated, std::uint64_t samples, int frame
     animation.loop = animation::Loop::Off;
     Shown shown(animated, samples);
     view::Playback playback(&shown.document);
+    QObject::connect(&shown.bridge, &view::RenderBridge::frameChanged, &playback,
+                     &view::Playback::countPicture);
     std::vector<double> paintedAt(std::size_t(frames) + 1, HUGE_VAL);
     const auto begin = std::chrono::steady_clock::now();
     playback.setPlaying(true);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr qint64 shortestTick = 1, longestTick = 1000; // milliseconds
 constexpr qint64 second = 1000;
+constexpr double ofTheLatest = 0.25; // its share in the time that a picture takes
 
 } // namespace
 
@@ -60,6 +61,7 @@ void Playback::seek(int frame) {
 void Playback::restart(int frame) {
     const document::Timing timing = document::timingOf(m_document->entryFractal());
     m_from = frame;
+    m_asked.invalidate();
     m_clock.start();
     m_timer.start(untilNext(timing));
     m_document->setMoment(animation::moment(frame), document::Document::Pace::Running);
@@ -67,8 +69,7 @@ void Playback::restart(int frame) {
 
 void Playback::advance() {
     const document::Timing timing = document::timingOf(m_document->entryFractal());
-    const qint64 passed =
-        m_clock.elapsed() * timing.rate.frames / (second * timing.rate.seconds); // in frames
+    const qint64 passed = ahead(timing) * timing.rate.frames / (second * timing.rate.seconds); // in frames
     const qint64 count = frames();
     const qint64 frame = m_from + passed;
     if (timing.loop == animation::Loop::Off && frame >= count - 1) {
@@ -77,20 +78,32 @@ void Playback::advance() {
         emit playingChanged(false);
         return;
     }
-    m_document->setMoment(animation::moment(frame % count), document::Document::Pace::Running);
+    const animation::Moment moment = animation::moment(frame % count);
+    if (!(moment == m_document->moment())) m_asked.start();
+    m_document->setMoment(moment, document::Document::Pace::Running);
     m_timer.setInterval(untilNext(timing)); // which does not start it where it has been stopped
 }
 
 // Milliseconds; again before it is due where that is long from now.
 int Playback::untilNext(const document::Timing& timing) const {
-    const qint64 now = m_clock.elapsed(), period = second * timing.rate.seconds;
+    const qint64 now = ahead(timing), period = second * timing.rate.seconds;
     const qint64 next = now * timing.rate.frames / period + 1;
     const qint64 due = (next * period + timing.rate.frames - 1) / timing.rate.frames;
     return int(std::clamp(due - now, shortestTick, longestTick));
 }
 
+// At most half a frame, so that one that takes long does not make the next come far too early.
+qint64 Playback::ahead(const document::Timing& timing) const {
+    const double most = 0.5 * double(second * timing.rate.seconds) / timing.rate.frames;
+    return m_clock.elapsed() + qint64(std::min(m_toPicture, most));
+}
+
 void Playback::countPicture() {
     if (!isPlaying()) return;
+    if (m_asked.isValid()) {
+        m_toPicture += ofTheLatest * (double(m_asked.elapsed()) - m_toPicture);
+        m_asked.invalidate();
+    }
     const qint64 now = m_pictureClock.elapsed();
     m_pictures.push_back(now);
     while (now - m_pictures.front() > second)

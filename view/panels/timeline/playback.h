@@ -12,8 +12,9 @@
 
 namespace view {
 
-// Time that runs: sets the moment of the document by the clock. Where drawing cannot keep up, frames are left
-// out; time is never late. What is edited meanwhile is seen at once.
+// Time that runs: sets the moment of the document by the clock, as much earlier as a picture takes to be
+// drawn. Where drawing cannot keep up, frames are left out; time is never late. What is edited meanwhile is
+// seen at once.
 class Playback : public QObject {
     Q_OBJECT
 
@@ -37,12 +38,15 @@ private:
     void advance();
     void restart(int frame);
     int untilNext(const document::Timing& timing) const;
-    int frames() const; // until it begins anew
+    qint64 ahead(const document::Timing& timing) const; // on the clock, when a picture asked for now is there
+    int frames() const;                                 // until it begins anew
 
     document::Document* m_document;
     QTimer m_timer;
     QElapsedTimer m_clock; // since m_from was shown
     int m_from = 0;
+    QElapsedTimer m_asked;  // since a moment was set whose picture has not come yet; else invalid
+    double m_toPicture = 0; // milliseconds, of late
     QElapsedTimer m_pictureClock;
     std::deque<qint64> m_pictures; // when they came, in milliseconds
 };

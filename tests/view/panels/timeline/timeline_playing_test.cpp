@@ -22,6 +22,7 @@ class TimelinePlayingTest : public TimelineFixture {
 private slots:
     void draggedKeysSnap();
     void timeIsNeverLate();
+    void picturesAreAskedForBeforeTheyAreDue();
     void itStopsWithinAFrame();
     void theRateIsShown();
     void undoLeavesTheRowsInPlace();
@@ -37,6 +38,8 @@ private:
 };
 
 namespace {
+
+constexpr int second = 1000; // milliseconds
 
 // With more rows than are seen at once.
 document::Fractal manyMaps() {
@@ -132,6 +135,31 @@ void TimelinePlayingTest::timeIsNeverLate() {
     timeline().playback().setPlaying(false);
     QVERIFY2(flaw.isEmpty(), qPrintable(flaw));
     QVERIFY(timeline().frame() >= 60); // 100 a second, and not one for each picture
+}
+
+// What takes 30 ms to be drawn is there when it is due, but never half a frame too early.
+void TimelinePlayingTest::picturesAreAskedForBeforeTheyAreDue() {
+    constexpr int period = 100, drawing = 30; // milliseconds
+    key(0, 10);
+    timeline().setTiming(QStringLiteral("slow"), {{second / period, 1}, 100'000, animation::Loop::Off});
+    timeline().setFrame(0);
+    view::Playback& playback = timeline().playback();
+    QElapsedTimer before; // the clock of the playback starts later
+    int early = 0;
+    qint64 earliest = 0;
+    QObject scope;
+    connect(m_document.get(), &document::Document::changed, &scope, [&](const document::Change& change) {
+        if (!(change.parts & document::Change::Time) || !playback.isPlaying()) return;
+        const qint64 until = period * playback.position() - before.elapsed();
+        early += until > 0;
+        earliest = std::max(earliest, until);
+        QTimer::singleShot(drawing, &scope, [&playback] { playback.countPicture(); });
+    });
+    before.start();
+    playback.setPlaying(true);
+    QTRY_VERIFY_WITH_TIMEOUT(early >= 5, 60'000);
+    playback.setPlaying(false);
+    QVERIFY2(earliest <= period / 2, qPrintable(QString::number(earliest)));
 }
 
 // Asked to stop while a picture is drawn that takes as long as seven frames, it shows at most one more
