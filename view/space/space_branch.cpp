@@ -62,7 +62,7 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     obstacle = isElsewhere
                    ? tr("In space a branch is always shown where its maps put it. Choose “New map for "
                         "this branch” or “Last map of the address” below.")
-                   : m_choice->lockObstacle();
+                   : m_choice->obstacle();
     if (!obstacle.isEmpty()) return std::nullopt;
     auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, m_choice->edit());
     auto drag = held ? SpaceMapDrag::of(std::move(held->handles), held->index) : std::nullopt;
