@@ -58,7 +58,7 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     const ifs::Word branch = m_choice->branch();
     const auto cage = document::knownSpaceCage(m_document->fractal());
     if (branch.empty() || !cage) return std::nullopt;
-    obstacle = m_choice->lockObstacle();
+    obstacle = m_choice->obstacle();
     if (!obstacle.isEmpty()) return std::nullopt;
     const document::BranchEdit edit = m_choice->edit();
     auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, edit);

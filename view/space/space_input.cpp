@@ -117,9 +117,13 @@ void SpaceInput::selectMap(std::size_t index) {
     emit mapSelected();
 }
 
-SpaceInput::After SpaceInput::afterCage() const {
+SpaceInput::After SpaceInput::afterCage() {
     auto cage = document::knownSpaceCage(m_document->fractal());
     if (!cage) return nullptr;
+    if (const QString obstacle = moveCageObstacle(*m_document); !obstacle.isEmpty()) {
+        emit message(obstacle);
+        return nullptr;
+    }
     return [before = m_document->sharedFractal(), cage = *std::move(cage),
             mode = m_document->cageMode()](const std::vector<ifs::Vector<3>>& vertices) {
         auto moved = cage;

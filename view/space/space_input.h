@@ -112,8 +112,8 @@ private:
     void beginDrag(std::size_t vertex, const QMouseEvent& event);
     QString stepText(SpatialDrag::Mode mode, std::size_t vertex) const;
     void beginFaceDrag(std::size_t face, const QMouseEvent& event);
-    After afterCage() const; // nullptr while there is no cage
-    After afterMap();        // or branch; nullptr while it cannot be moved
+    After afterCage(); // nullptr while there is no cage, or, which is said, while it cannot move
+    After afterMap();  // or branch; nullptr while it cannot be moved
     void selectMap(std::size_t index);
     bool mapsKeyPress(const QKeyEvent& event);
     bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch

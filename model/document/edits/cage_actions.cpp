@@ -3,6 +3,7 @@
 #include "document/fractal_geometry.h"
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/keyed_maps.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/fractal.h"
 #include "document/space_geometry.h"
@@ -72,10 +73,18 @@ Failure resetVertex(Document& document, int index) {
     return moveVertex(document, index, cage.rest.at(std::size_t(index)));
 }
 
+QString bakeObstacle(const Document& document) {
+    const QString obstacle = bakeObstacle(document.fractal());
+    return obstacle.isEmpty() ? rewriteObstacle(document.entryFractal()) : obstacle;
+}
+
+QString moveCageObstacle(const Document& document) {
+    return document.cageMode() == CageMode::Rewrite ? rewriteObstacle(document.entryFractal()) : QString();
+}
+
 Failure bakeCage(Document& document) {
-    const Fractal& fractal = document.fractal();
-    if (const QString obstacle = bakeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
-    auto after = baked(fractal);
+    if (const QString obstacle = bakeObstacle(document); !obstacle.isEmpty()) return obstacle;
+    auto after = baked(document.fractal());
     if (!after) return tooFlat();
     document.edit(Actions::tr("Bake the placement into the code"), *std::move(after));
     return std::nullopt;
@@ -111,6 +120,7 @@ Failure moveVertex(Document& document, int index, const ifs::Vector<2>& position
     ifs::ControlCage<2> cage = effectiveCage(fractal);
     if (cage.current.at(std::size_t(index)) == position)
         return Actions::tr("Vertex %1 is already there.").arg(index + 1);
+    if (const QString obstacle = moveCageObstacle(document); !obstacle.isEmpty()) return obstacle;
     cage.current[std::size_t(index)] = position;
     document.edit(
         Actions::tr("Move vertex %1 to (%2, %3)").arg(index + 1).arg(position.x()).arg(position.y()),
@@ -153,6 +163,7 @@ Failure removeVertices(Document& document, const std::vector<std::size_t>& verti
 Failure makeCageRegular(Document& document) {
     const Fractal& fractal = document.fractal();
     if (!system2(fractal)) return notPlanar();
+    if (const QString obstacle = moveCageObstacle(document); !obstacle.isEmpty()) return obstacle;
     ifs::ControlCage<2> cage = effectiveCage(fractal);
     const auto regular = ifs::regularPolygonNear(cage.current);
     if (!regular) return tooFlat();
@@ -166,6 +177,8 @@ Failure makeCageRegular(Document& document) {
 Failure unbakeCage(Document& document) {
     const Fractal& fractal = document.fractal();
     if (const QString obstacle = unbakeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (const QString obstacle = rewriteObstacle(document.entryFractal()); !obstacle.isEmpty())
+        return obstacle;
     auto after = unbaked(fractal);
     if (!after) return tooFlat();
     document.edit(Actions::tr("Unbake: extract the placement from the code"), *std::move(after));

@@ -38,6 +38,11 @@ std::optional<QString> unbakeCage(Document& document);
 
 std::optional<QString> moveVertex(Document& document, int index, const ifs::Vector<2>& position);
 
+// Why the document cannot bake, and why its cage cannot be moved in its mode; empty where it can. Of an entry
+// whose maps have keys, both would change some maps at one frame and others at all.
+QString bakeObstacle(const Document& document);
+QString moveCageObstacle(const Document& document);
+
 // Whether the placement can be undone, as fitting, defining and baking need it.
 bool isPlacementInvertible(const Fractal& fractal);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/tools/branch_choice.h"
+#include "document/edits/animation_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/shown_branch.h"
 #include "document/space_map_handles.h"
@@ -366,6 +367,16 @@ void SpaceBranchTest::whatCannotBeDoneIsSaid() {
     window.drag(corner, corner + QPointF(10, 10));
     QVERIFY2(window.lastSaid().contains(QStringLiteral("locked")), qPrintable(window.lastSaid()));
     QVERIFY(window.document.fractal() == fractal);
+    window.document.undoStack()->undo();
+
+    const document::Fractal keyed =
+        document::withKey(window.document.entryFractal(),
+                          {document::Track::Kind::Map, {document::system3(fractal)->maps[5].id}}, 0, {});
+    window.document.editEntry(QStringLiteral("Key"), keyed);
+    window.clickTheFace();
+    window.drag(corner, corner + QPointF(10, 10));
+    QVERIFY2(window.lastSaid().startsWith(QStringLiteral("Map 6 has keys")), qPrintable(window.lastSaid()));
+    QVERIFY(window.document.entryFractal() == keyed);
     window.document.undoStack()->undo();
 
     fractal = window.document.fractal();

@@ -2,6 +2,7 @@
 #include "canvas/tools/branch_choice.h"
 
 #include "document/addresses.h"
+#include "document/edits/keyed_maps.h"
 #include "document/edits/map_locks.h"
 
 #include <algorithm>
@@ -63,9 +64,13 @@ QString BranchChoice::text() const {
     return m_address.empty() ? QString() : tr("Branch %1").arg(document::addressText(branch(), maxDepth));
 }
 
-QString BranchChoice::lockObstacle() const {
+QString BranchChoice::obstacle() const {
     const ifs::Word word = branch();
     if (word.empty() || document::keepsCode(m_edit)) return {};
+    const bool divides = m_edit == document::BranchEdit::OwnMap && word.size() > 1;
+    if (const QString obstacle = document::branchAsMapObstacle(m_document.entryFractal());
+        divides && !obstacle.isEmpty())
+        return obstacle;
     const bool isFirst = m_edit == document::BranchEdit::OwnMap;
     return document::lockObstacle(m_document.fractal(),
                                   std::vector{std::size_t(isFirst ? word.front() : word.back())});

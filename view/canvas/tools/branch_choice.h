@@ -33,8 +33,9 @@ public:
     void choose(const ifs::Word& address);
     // "Branch 3 2", for the status bar; empty without one.
     QString text() const;
-    // The sentence of the map that would change, or be divided, if it is locked; empty: none is.
-    QString lockObstacle() const;
+    // Why it cannot be dragged, as a sentence: the map that would change, or be divided, is locked, or a map
+    // that would be divided has keys. Empty: it can.
+    QString obstacle() const;
 
     // Until it ends the branch follows the drag alone, whatever becomes of the document. Begun again, it is
     // the one of the beginning.

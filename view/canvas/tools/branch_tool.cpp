@@ -88,9 +88,9 @@ bool BranchTool::keyPress(const QKeyEvent& event) {
 }
 
 MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
-    const QString locked = m_choice.before() ? QString() : m_choice.lockObstacle();
-    if (!locked.isEmpty()) {
-        emit message(locked);
+    const QString obstacle = m_choice.before() ? QString() : m_choice.obstacle();
+    if (!obstacle.isEmpty()) {
+        emit message(obstacle);
         return {};
     }
     m_choice.beginDrag();

@@ -15,6 +15,10 @@ using Kind = CanvasPart::Kind;
 
 std::optional<PolygonTool::DragSubject> CageTool::dragSubject(const CanvasPart& part,
                                                               PolygonDrag::Mode mode) {
+    if (const QString obstacle = moveCageObstacle(scene().document()); !obstacle.isEmpty()) {
+        emit message(obstacle);
+        return std::nullopt;
+    }
     m_cage = *handles().cage();
     DragSubject subject{tr("Move the cage"), m_cage.current, {}};
     const int count = int(subject.points.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/tools/vertex_dialog.h"
 
+#include "document/edits/cage_actions.h"
 #include "document/edits/cage_edits.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
@@ -65,12 +66,13 @@ VertexDialog::VertexDialog(document::Document* document, int index, QWidget* par
 void VertexDialog::follow() {
     const std::optional<double> x = typedNumber(m_x->text());
     const std::optional<double> y = typedNumber(m_y->text());
-    m_accept->setEnabled(x && y);
-    m_problem->setText(x && y ? QString()
+    const QString obstacle = document::moveCageObstacle(*m_document);
+    m_accept->setEnabled(x && y && obstacle.isEmpty());
+    m_problem->setText(x && y ? obstacle
                               : tr("“%1” is not a number. Write it with a decimal point, for example -0.25.")
                                     .arg(x ? m_y->text() : m_x->text()));
     growToFit(*this);
-    if (!x || !y || !m_gesture.isOpen()) return;
+    if (!m_accept->isEnabled() || !m_gesture.isOpen()) return;
     document::Fractal fractal = m_gesture.before();
     ifs::ControlCage<2> cage = document::effectiveCage(fractal);
     if (cage.current[std::size_t(m_index)] != ifs::Vector<2>(*x, *y)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage/cage_panel.h"
 
+#include "document/edits/cage_actions.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "io/file/background.h"
@@ -400,6 +401,10 @@ void CagePanel::showRest(bool shown) {
 }
 
 void CagePanel::editCurrent(std::size_t vertex, int axis, double value) {
+    if (const QString obstacle = moveCageObstacle(*m_document); !obstacle.isEmpty()) {
+        emit message(obstacle);
+        return showCage();
+    }
     if (auto cage = document::spaceCage(m_edit.before())) {
         ifs::Vector<3>& position = cage->current.at(vertex);
         position[axis] = value;
@@ -451,10 +456,10 @@ void CagePanel::reset() {
 }
 
 void CagePanel::bake() {
-    if (auto after = baked(m_document->fractal()))
+    if (const QString obstacle = bakeObstacle(*m_document); !obstacle.isEmpty())
+        emit message(obstacle);
+    else if (auto after = baked(m_document->fractal()))
         m_document->edit(tr("Bake the cage into the code"), std::move(*after));
-    else
-        emit message(bakeObstacle(m_document->fractal()));
 }
 
 void CagePanel::showEvent(QShowEvent* event) {
@@ -575,7 +580,7 @@ void CagePanel::updateActions() {
     m_reset->setEnabled(nothingToReset.isEmpty());
     m_reset->setToolTip(nothingToReset.isEmpty() ? tr("Return the cage and the picture to rest")
                                                  : nothingToReset);
-    const QString obstacle = bakeObstacle(fractal);
+    const QString obstacle = bakeObstacle(*m_document);
     m_bake->setEnabled(obstacle.isEmpty());
     m_bake->setToolTip(obstacle.isEmpty()
                            ? tr("Write the displayed picture into the code; the cage is then at rest")

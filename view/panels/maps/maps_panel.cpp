@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_panel.h"
 
+#include "document/edits/cage_actions.h"
 #include "document/edits/cage_edits.h"
 #include "document/edits/map_locks.h"
 #include "panels/maps/map_shape_editor.h"
@@ -396,7 +397,7 @@ void MapsPanel::updateActions() {
     m_down->setEnabled(size > 0 && rows.front() < count - size);
     for (QAction* each : std::as_const(m_weightActions))
         each->setEnabled(count > 0);
-    const QString obstacle = bakeObstacle(m_document->fractal());
+    const QString obstacle = bakeObstacle(*m_document);
     m_bake->setEnabled(obstacle.isEmpty());
     m_bake->setToolTip(obstacle.isEmpty() ? m_bake->statusTip() : obstacle);
 }
@@ -580,10 +581,10 @@ void MapsPanel::applyWeights(document::WeightRule rule) {
 }
 
 void MapsPanel::bake() {
-    if (auto after = baked(m_document->fractal()))
+    if (const QString obstacle = bakeObstacle(*m_document); !obstacle.isEmpty())
+        emit message(obstacle);
+    else if (auto after = baked(m_document->fractal()))
         m_document->edit(tr("Bake the cage into the code"), std::move(*after));
-    else
-        emit message(bakeObstacle(m_document->fractal()));
 }
 
 void MapsPanel::chooseColour(const QModelIndex& index) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "canvas/marks/address_walk.h"
+#include "document/edits/animation_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
 #include "ifs/cage/map_handles.h"
@@ -132,6 +133,26 @@ private slots:
         QTest::keyClick(m_canvas.get(), Qt::Key_PageDown);
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
         QCOMPARE(steps(), 0);
+    }
+
+    // Keys belong to maps that the cut set would not have.
+    void branchesOfKeyedMapsStay() {
+        const document::Fractal keyed = document::withKey(
+            m_document->entryFractal(), {document::Track::Kind::Map, {system().maps[1].id}}, 0, std::nullopt);
+        m_document->editEntry(QStringLiteral("Key"), keyed);
+        m_document->setMoment(animation::moment(24));
+        click(pointOf({1, 2, 0, 2}));
+        QSignalSpy said(m_canvas.get(), &CanvasView::message);
+        const QPointF corner = at({Kind::Vertex, 0, 0});
+        drag(corner, {40, 20});
+        QVERIFY(m_document->entryFractal() == keyed);
+        QVERIFY(!said.isEmpty());
+        QVERIFY(said.last().first().toString().startsWith(QStringLiteral("Map 2 has keys")));
+        // Where it is shown has nothing to do with them.
+        m_bar->edit()->setCurrentIndex(2);
+        drag(corner, {40, 20});
+        QVERIFY(document::plane(m_document->entryFractal())->system == document::plane(keyed)->system);
+        QCOMPARE(document::plane(m_document->entryFractal())->moved.size(), std::size_t(1));
     }
 
     // The images under the beginnings of its address are outlined, the last one is filled.
