@@ -20,11 +20,10 @@ FittedViews::FittedViews(document::Document* document, view::CanvasNavigation& p
     connect(document->undoStack(), &QUndoStack::indexChanged, this, &FittedViews::follow);
 }
 
-std::optional<FittedViews::Fitted> FittedViews::now() const {
+FittedViews::Seen FittedViews::now() const {
     const document::EntryId entry = m_document->currentId();
-    if (document::space(m_document->fractal()))
-        return m_space.isFitted() ? std::optional(Fitted{entry, m_space.camera()}) : std::nullopt;
-    return m_plane.isFitted() ? std::optional(Fitted{entry, m_plane.camera()}) : std::nullopt;
+    if (document::space(m_document->fractal())) return {entry, m_space.camera(), m_space.isFitted()};
+    return {entry, m_plane.camera(), m_plane.isFitted()};
 }
 
 void FittedViews::follow(int index) {
@@ -41,12 +40,15 @@ void FittedViews::follow(int index) {
     const QUndoCommand* step = index > 0 ? history.command(index - 1) : nullptr;
     const bool wasHere = index == 0 || step == place.step;
     place.step = step;
-    if (wasHere && place.view) restore(*place.view);
+    const bool wasKeyed = std::exchange(m_isKeyed, m_document->view().has_value());
+    if (wasHere && place.view) wasKeyed && !m_isKeyed ? restoreUnkeyed(*place.view) : restore(*place.view);
 }
 
-void FittedViews::restore(const Fitted& before) {
-    const std::optional<Fitted> present = now();
-    if (!present || present->entry != before.entry || present->camera == before.camera) return;
+void FittedViews::restore(const Seen& before) {
+    const Seen present = now();
+    if (!before.isFitted || !present.isFitted || present.entry != before.entry ||
+        present.camera == before.camera)
+        return;
     const auto* camera = std::get_if<attractor::Camera>(&before.camera);
     if (!camera)
         m_space.fit();
@@ -54,4 +56,15 @@ void FittedViews::restore(const Fitted& before) {
         m_plane.setCamera(*camera);
     else
         m_plane.fit();
+}
+
+// Though it is no longer fitted: that was not the user.
+void FittedViews::restoreUnkeyed(const Seen& before) {
+    const auto* camera = std::get_if<attractor::Camera>(&before.camera);
+    if (!camera || m_document->currentId() != before.entry) return;
+    if (before.isFitted)
+        m_plane.fit();
+    else
+        m_plane.moveTo(attractor::cameraOf(attractor::viewOf(*camera),
+                                           {m_plane.camera().width, m_plane.camera().height}));
 }

@@ -13,30 +13,33 @@ class CanvasNavigation;
 
 // A view that is fitted may move with an edit, such as the choice of a symmetry, or be fitted again after it:
 // undo takes it back to where it was before the edit, and redo does it again. One that the user has moved
-// stays.
+// stays; one that keys of the camera have moved goes back once undo has taken these away.
 class FittedViews : public QObject {
 public:
     FittedViews(document::Document* document, view::CanvasNavigation& plane, view::SpaceNavigation& space,
                 QObject* parent);
 
 private:
-    struct Fitted {
+    struct Seen {
         document::EntryId entry;
         std::variant<attractor::Camera, attractor::OrbitCamera> camera;
+        bool isFitted = false;
     };
     // A place in the history, and what was seen when it was left.
     struct Place {
         const QUndoCommand* step = nullptr; // that leads there
-        std::optional<Fitted> view;         // nullopt: it was not fitted
+        std::optional<Seen> view;
     };
 
     void follow(int index);
-    std::optional<Fitted> now() const;
-    void restore(const Fitted& before);
+    Seen now() const;
+    void restore(const Seen& before);
+    void restoreUnkeyed(const Seen& before);
 
     document::Document* m_document;
     view::CanvasNavigation& m_plane;
     view::SpaceNavigation& m_space;
     std::vector<Place> m_places{1};
     int m_index = 0;
+    bool m_isKeyed = false; // the view in the plane
 };

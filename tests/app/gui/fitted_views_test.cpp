@@ -22,6 +22,8 @@ private slots:
     void theViewThatTheUserMovedStays();
     void anEditThatLeavesTheViewIsUndoneWithoutIt();
     void solidsAreFittedAgain();
+    void undoOfCameraKeysTakesTheViewBack_data();
+    void undoOfCameraKeysTakesTheViewBack();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -124,6 +126,34 @@ void FittedViewsTest::solidsAreFittedAgain() {
     history().undo();
     QVERIFY(std::abs(space.camera().height / height - 1) < 1e-9);
     QVERIFY(space.isFitted());
+}
+
+void FittedViewsTest::undoOfCameraKeysTakesTheViewBack_data() {
+    QTest::addColumn<bool>("isFitted");
+    QTest::newRow("fitted") << true;
+    QTest::newRow("moved by the user") << false;
+}
+
+// As after Zoom In Endlessly.
+void FittedViewsTest::undoOfCameraKeysTakesTheViewBack() {
+    QFETCH(bool, isFitted);
+    plane().fit();
+    if (!isFitted) plane().zoomBy(2);
+    const attractor::Camera before = plane().camera();
+    document::Fractal keyed = document().entryFractal();
+    attractor::View close = attractor::viewOf(before);
+    document::plane(keyed)->animation.emplace();
+    auto& keys = document::plane(keyed)->animation->camera;
+    keys.push_back({0, close, {}});
+    close.height /= 20;
+    keys.push_back({24, close, {}});
+    document().editEntry(u"Zoom"_s, keyed);
+    document().setMoment(animation::moment(24));
+    QVERIFY(plane().camera().pixelsPerUnit > 10 * before.pixelsPerUnit);
+    history().undo();
+    QVERIFY(std::abs(plane().camera().pixelsPerUnit / before.pixelsPerUnit - 1) < 1e-9);
+    QVERIFY((plane().camera().centre - before.centre).norm() < 1e-9);
+    QCOMPARE(plane().isFitted(), isFitted);
 }
 
 QTEST_MAIN(FittedViewsTest)

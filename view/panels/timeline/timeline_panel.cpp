@@ -32,7 +32,6 @@ namespace {
 
 constexpr qsizetype maxListed = 60; // entries in a menu
 constexpr double usualAspect = 16.0 / 9;
-constexpr double previewAspect = 4.0 / 3;
 constexpr int previewLength = 24; // frames of a morph
 
 constexpr const char* windNames[] = {
@@ -50,6 +49,20 @@ auto windOf(std::size_t preset) {
     return [preset](const document::Fractal& entry, const std::stop_token& stop) {
         return document::withWind(entry, animation::swayPresets()[preset], stop);
     };
+}
+
+// The row of what has been added: the motion, which is the last, or else the track that has new keys.
+int addedRow(const Timeline& timeline, std::size_t motions, const std::vector<document::TrackKeys>& tracks) {
+    if (timeline.motions().size() > motions) return timeline.rowCount() - 1;
+    const auto [added, before] = std::ranges::mismatch(timeline.tracks(), tracks);
+    return added == timeline.tracks().end() ? -1 : int(added - timeline.tracks().begin());
+}
+
+std::vector<document::KeyAt> keysOf(const document::TrackKeys& one) {
+    std::vector<document::KeyAt> keys;
+    for (const auto& key : one.keys)
+        keys.push_back({one.track, key.frame});
+    return keys;
 }
 
 // Scrolls sideways in a narrow window, and with large letters. Nothing is cut off below, not even then.
@@ -84,10 +97,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
       m_motions(new QMenu(this)),
       m_winds(new QMenu(this)),
       m_entries(new QMenu(this)),
-      m_zooming([this](std::optional<document::Fractal> zoom) {
-          m_zoom = std::move(zoom);
-          if (m_zoom) m_page->renew();
-      }) {
+      m_zooming([this](std::optional<document::Fractal> zoom) { takeZoom(std::move(zoom)); }) {
     createMotions();
     auto* add = new MenuButton(this);
     add->setText(tr("Add Motion"));
@@ -167,6 +177,25 @@ void TimelinePanel::follow() {
     if (hadFocus && showsTracks()) m_tracks->setFocus();
     for (QAction* action : m_actions)
         action->setEnabled(m_timeline.rowCount() > 0);
+    offerZoom();
+}
+
+void TimelinePanel::takeZoom(std::optional<document::Fractal> zoom) {
+    m_zoom = std::move(zoom);
+    m_cannotZoom = !m_zoom;
+    offerZoom();
+    if (m_zoom) m_page->renew();
+}
+
+// Not where it is known that there is none.
+void TimelinePanel::offerZoom() {
+    const bool cannot = m_cannotZoom && m_zoomed == m_document->currentEntry().fractal;
+    const QString tip =
+        cannot ? tr("No map makes a scaled copy of the fractal that is clear of the others.")
+               : tr("The view moves into a small copy of the whole; the last frame matches the first.");
+    m_zoomAction->setEnabled(!cannot && m_timeline.rowCount() > 0);
+    m_zoomAction->setToolTip(tip);
+    m_zoomAction->setStatusTip(tip);
 }
 
 QAction* TimelinePanel::addMotion(const char* iconName, const QString& name, const QString& tip) {
@@ -206,11 +235,11 @@ void TimelinePanel::createMotions() {
             return document::withPaletteCycle(entry);
         },
         noMaps);
-    QAction* zoom =
+    m_zoomAction =
         addMotion("zoom-in", tr("Zoom In Endlessly"),
                   tr("The view moves into a small copy of the whole; the last frame matches the first."));
     m_makes.push_back([this](const document::Fractal&, const std::stop_token&) { return zoomOfEntry(); });
-    connect(zoom, &QAction::triggered, this, &TimelinePanel::zoomEndlessly);
+    connect(m_zoomAction, &QAction::triggered, this, &TimelinePanel::zoomEndlessly);
     QAction* morph = addMotion("morph", tr("Morph To"),
                                tr("The fractal becomes another entry of this file, and returns."));
     morph->setMenu(m_entries);
@@ -259,26 +288,31 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
     if (m_document->currentEntry().fractal != entry) return;
     auto after = work.result();
     if (!after) return emit message(failure);
-    const std::size_t before = m_timeline.motions().size();
+    const std::size_t motions = m_timeline.motions().size();
+    const std::vector<document::TrackKeys> tracks = m_timeline.tracks();
     m_document->editEntry(text, std::move(*after));
     m_timeline.playback().seek(0);
-    if (m_timeline.motions().size() > before) { // its row is the last one
-        m_timeline.setRow(m_timeline.rowCount() - 1);
+    if (const int row = addedRow(m_timeline, motions, tracks); row >= 0) {
+        m_timeline.setRow(row);
+        if (m_timeline.isTrack(row)) m_timeline.select(keysOf(m_timeline.tracks()[std::size_t(row)]));
         m_tracks->reveal();
     }
     m_timeline.playback().setPlaying(true);
     emit motionAdded();
+    QMetaObject::invokeMethod(m_tracks, &TrackView::reveal, Qt::QueuedConnection); // where it is shown now
 }
 
-// For the moving picture. To find the copy may take long: until it is found, there is no picture.
+// For the moving picture, and to know whether it can be offered. To find the copy may take long: until it is
+// found, there is no picture.
 std::optional<document::Fractal> TimelinePanel::zoomOfEntry() {
     const auto& entry = m_document->currentEntry().fractal;
     if (m_zoomed == entry) return m_zoom;
     m_zoomed = entry;
     m_zoom.reset();
+    m_cannotZoom = false;
     m_zooming.cancel();
     m_zooming.submit([entry](const std::stop_token& stop) {
-        return document::withEndlessZoom(*entry, previewAspect, attractor::YAxis::Up, stop);
+        return document::withEndlessZoom(*entry, usualAspect, attractor::YAxis::Up, stop);
     });
     return std::nullopt;
 }

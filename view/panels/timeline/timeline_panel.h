@@ -52,6 +52,8 @@ private:
     std::optional<document::Fractal> zoomOfEntry();
     void apply(const QString& text, const Make& make, const QString& failure);
     void zoomEndlessly();
+    void takeZoom(std::optional<document::Fractal> zoom);
+    void offerZoom();
     void morphTo(document::EntryId id);
     void choosePairs();
     void addMorph(document::Fractal morph, const QString& name);
@@ -64,6 +66,7 @@ private:
     AttractorWatch m_watch;
     QList<QAction*> m_actions;
     std::vector<Make> m_makes; // of each of them
+    QAction* m_zoomAction = nullptr;
     QMenu* m_motions;
     QMenu* m_winds;
     QMenu* m_entries;
@@ -75,6 +78,7 @@ private:
     bool m_wantsTracks = false;
     std::shared_ptr<const document::Fractal> m_zoomed; // the entry of which the endless zoom is looked for
     std::optional<document::Fractal> m_zoom;           // what has been found
+    bool m_cannotZoom = false;                         // nothing has been found
     NewestWork<document::Fractal> m_zooming;           // last: it stops before the rest goes
 };
 
