@@ -25,6 +25,7 @@ namespace {
 
 constexpr QSize size(1920, 1080);
 constexpr std::uint64_t points = 100ULL * 1920 * 1080; // of a frame
+constexpr int lengthOfTarget = 240;
 constexpr int tasks = 6;
 constexpr int parts = 8;
 
@@ -76,19 +77,27 @@ double drawing(const document::Fractal& entry, int frames) {
     });
 }
 
+// A few frames stand for all: those of a short animation would measure its exposure as often as those of a
+// long one. The shortest of three rounds, each of which draws and exports.
 void addAnimate(std::vector<timing::Row>& rows, int frames) {
-    const document::Fractal entry = windyMaple(frames);
-    const double alone = drawing(entry, frames);
-    const auto ratio = [&](std::optional<io::VideoFormat> format, const char* name) {
+    const document::Fractal entry = windyMaple(std::max(frames, lengthOfTarget));
+    const auto exporting = [&](std::optional<io::VideoFormat> format, const char* name) {
         const QTemporaryDir folder;
         io::AnimationExport what = exportOf(entry, 0, frames - 1);
         what.format = format;
         bool isDone = false;
         const double taken = seconds([&] { isDone = isWritten(what, folder.filePath(QLatin1String(name))); });
-        return isDone ? taken / alone : std::nan("");
+        return isDone ? taken : std::nan("");
     };
-    rows.push_back({"time.animate.vs_drawing.png", ratio(std::nullopt, "a.png"), "<= 1.15"});
-    rows.push_back({"time.animate.vs_drawing.mp4", ratio(io::VideoFormat::Mp4, "a.mp4"), "<= 1.4"});
+    constexpr double never = std::numeric_limits<double>::infinity();
+    double alone = never, png = never, mp4 = never;
+    for (int round = 0; round < (frames < lengthOfTarget ? 3 : 1); ++round) {
+        alone = std::min(alone, drawing(entry, frames));
+        png = std::min(png, exporting(std::nullopt, "a.png"));
+        mp4 = std::min(mp4, exporting(io::VideoFormat::Mp4, "a.mp4"));
+    }
+    rows.push_back({"time.animate.vs_drawing.png", png / alone, "<= 1.15"});
+    rows.push_back({"time.animate.vs_drawing.mp4", mp4 / alone, "<= 1.4"});
 }
 
 // Processor time of six tasks over that of one, for the same frames.
