@@ -291,7 +291,7 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     dialog.show();
     chooseFormat(dialog, "SVG");
     auto* plan = named<QLabel>(dialog, "Description of the picture");
-    QTRY_VERIFY(plan->text().contains(QStringLiteral("copies")));
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
     const QString automatic = plan->text();
     keep(dialog.grab().toImage(), "export-svg.png");
     for (auto* box : dialog.findChildren<QCheckBox*>())
