@@ -345,7 +345,7 @@ HWY_ATTR bool drawSolid(const SolidWord& word, SolidJob& job, const std::stop_to
         }
         if (cover != nullptr && (open.word.colour != SolidWord::uncoloured || spent)) {
             splat(open, t, *cover, job);
-            work += cover->size / kernels::solidLanes;
+            work += cover->work / kernels::solidLanes;
         } else {
             expand(open.word, job);
             work += job.maps.count;

@@ -168,10 +168,11 @@ void append(std::vector<float>& coordinates, const std::vector<Vector<3>>& point
 Covers::Covers(const PreparedSpace& system) {
     constexpr double finest = 1.0 / 128;
     const CoverBuilder builder(system);
-    for (double width = 1; width >= finest && (m_covers.empty() || 4 * m_covers.back().count <= maxPoints);
+    std::vector<Points> covers;
+    for (double width = 1; width >= finest && (covers.empty() || 4 * covers.back().count <= maxPoints);
          width /= 2) {
         const auto cells = builder.cover(width);
-        if (cells.points.size() > maxPoints && !m_covers.empty()) break;
+        if (cells.points.size() > maxPoints && !covers.empty()) break;
         Points points;
         points.spacing = static_cast<float>(cells.width);
         points.count = cells.points.size();
@@ -179,19 +180,21 @@ Covers::Covers(const PreparedSpace& system) {
         for (unsigned octant = 0; octant < 8; ++octant)
             append(points.coordinates, sorted(cells.points, octant), points.padded);
         // The same cells again, or fewer points that lie closer: what is there is of no use any more.
-        while (!m_covers.empty() && m_covers.back().count >= points.count)
-            m_covers.pop_back();
-        m_covers.push_back(std::move(points));
+        while (!covers.empty() && covers.back().count >= points.count)
+            covers.pop_back();
+        covers.push_back(std::move(points));
     }
+    m_covers = std::make_shared<const std::vector<Points>>(std::move(covers));
 }
 
 std::vector<kernels::Cover> Covers::ofAtMost(std::size_t points) const {
     std::vector<kernels::Cover> result;
-    for (const Points& cover : m_covers) {
+    if (!m_covers) return result;
+    for (const Points& cover : *m_covers) {
         if (cover.count > points && !result.empty()) continue;
         kernels::Cover& view = result.emplace_back();
         view.spacing = cover.spacing;
-        view.size = cover.padded;
+        view.size = view.work = cover.padded;
         const float* at = cover.coordinates.data();
         for (kernels::CoverPoints& order : view.nearestFirst) {
             order = {at, at + cover.padded, at + 2 * cover.padded};

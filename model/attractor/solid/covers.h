@@ -5,6 +5,7 @@
 #include "attractor/samples/prepared_space.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace attractor {
@@ -20,6 +21,7 @@ public:
 
     // From the coarsest to the finest, those of at most so many points, and the coarsest in any case. Views.
     std::vector<kernels::Cover> ofAtMost(std::size_t points) const;
+    bool isSame(const Covers& other) const { return m_covers == other.m_covers; } // its views stay valid
 
 private:
     struct Points {
@@ -28,7 +30,7 @@ private:
         std::size_t padded = 0;
         std::vector<float> coordinates; // for every octant x, y and z
     };
-    std::vector<Points> m_covers;
+    std::shared_ptr<const std::vector<Points>> m_covers;
 };
 
 } // namespace attractor

@@ -9,12 +9,10 @@
 
 namespace attractor {
 
-namespace {
-
 using ifs::Vector;
 
-// The one by which all maps shrink; nullopt where they do anything else.
 std::optional<double> commonRatio(const PreparedSpace& system) {
+    if (system.maps.empty()) return std::nullopt;
     constexpr double rounding = 1e-12;
     const double ratio = system.maps.front().linear(0, 0);
     if (!(ratio > 0 && ratio < 1)) return std::nullopt;
@@ -23,6 +21,8 @@ std::optional<double> commonRatio(const PreparedSpace& system) {
             return std::nullopt;
     return ratio;
 }
+
+namespace {
 
 constexpr std::size_t steps = 8; // of a pixel, along each side
 
@@ -85,7 +85,7 @@ FacingCover::FacingCover(const PreparedSpace& system, const SpaceView& view,
                          std::span<const kernels::Cover> covers) {
     constexpr std::size_t worthwhile = 4 * kernels::solidLanes;
     constexpr double maxSize = 32; // pixels; of what is larger, too much is drawn that is hidden
-    if (system.maps.empty() || !system.contracts || view.isPerspective()) return;
+    if (!system.contracts || view.isPerspective()) return;
     const std::optional<double> ratio = commonRatio(system);
     SeenWord word = seen(view.toPixels * system.fromBox(), view);
     if (!ratio || !std::isfinite(word.size())) return;
@@ -138,7 +138,7 @@ kernels::Cover FacingCover::cover() const {
     kernels::Cover result;
     result.spacing = m_spacing;
     result.onlyFor = m_size;
-    result.size = m_padded;
+    result.size = result.work = m_padded;
     const float* x = m_coordinates.data();
     result.nearestFirst.fill({x, x + m_padded, x + 2 * m_padded});
     return result;

@@ -5,10 +5,14 @@
 #include "attractor/samples/prepared_space.h"
 #include "attractor/solid/space_view.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace attractor {
+
+// The one by which all maps shrink; nullopt where they do anything else.
+std::optional<double> commonRatio(const PreparedSpace& system);
 
 // Where all maps shrink by one ratio without turning anything, an orthographic camera sees all words of one
 // length alike. Of the cover that draws them, these are the points that are nearest in some pixel, wherever

@@ -96,6 +96,8 @@ void SolidScene::setView(const SpaceView& newView) {
     // Bent or moved, its words are seen from as many sides.
     const bool isSeenAlike = !view.bend && system.moved.empty();
     facing = isSeenAlike ? FacingCover(system, view, covers.ofAtMost(facingPoints)) : FacingCover();
+    const bool canThin = facing.isEmpty() && system.contracts && system.moved.empty();
+    thinningRatio = canThin ? commonRatio(system) : std::nullopt;
 }
 
 void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
@@ -112,11 +114,14 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
         m_job.maps.shift[k] = scene.coefficients->coefficients[9 + k].data();
     m_job.maps.colours = scene.colours.data();
     m_job.band = &m_keys;
+    m_isThinning =
+        scene.thinningRatio && ThinnedCovers::isExact(*scene.thinningRatio, raster.width, scene.range);
+    if (m_isThinning) m_thinned.use(scene.covers, *scene.thinningRatio);
     // Of a system whose words lie on each other there are too many: then larger ones are drawn.
     for (const std::size_t points : {SolidScene::leafPoints, Covers::maxPoints}) {
         m_covers = scene.covers.ofAtMost(points);
-        if (!scene.facing.isEmpty()) m_covers.insert(m_covers.begin(), scene.facing.cover());
-        m_job.covers = m_covers;
+        m_covers.insert(m_covers.begin(), scene.facing.isEmpty() ? kernels::Cover() : scene.facing.cover());
+        m_job.covers = std::span(m_covers).subspan(scene.facing.isEmpty() ? 1 : 0);
         m_job.budget = scene.system.contracts ? budget : 0;
         m_wideBudget = wideBudget + widePerPixel * pixels;
         m_job.coarse = 0;
@@ -168,10 +173,26 @@ void SolidBand::openSorted(const SolidScene& scene, int firstRow) {
 // The coarsest cover whose points leave no holes in a word of that size, in pixels; nullptr where none is
 // fine enough.
 const kernels::Cover* SolidBand::coverFor(double size) const {
-    for (const kernels::Cover& cover : m_covers)
+    for (const kernels::Cover& cover : m_job.covers)
         if (cover.onlyFor == 0 && static_cast<double>(cover.spacing) * size <= kernels::maxSpacing)
             return &cover;
     return nullptr;
+}
+
+// Where there is a cover without the points that nobody would see, with that.
+bool SolidBand::drawWhole(const SeenWord& seen, const kernels::SolidWord& word, const std::stop_token& stop) {
+    const std::span<const kernels::Cover> covers = m_job.covers;
+    if (!m_isThinning) return kernels::drawSolid(word, m_job, stop);
+    const kernels::Cover* thinned = m_thinned.find(seen.onScreen.linear, seen.scale, covers);
+    const std::size_t before = m_job.points;
+    if (thinned != nullptr) {
+        m_covers.front() = *thinned;
+        m_job.covers = m_covers;
+    }
+    const bool done = kernels::drawSolid(word, m_job, stop);
+    m_job.covers = covers;
+    if (thinned == nullptr) m_thinned.missed(m_job.points - before);
+    return done;
 }
 
 bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_token& stop) {
@@ -241,7 +262,7 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
         }
         ++m_job.coarse;
     }
-    if (!word.isCut) return kernels::drawSolid(shown, m_job, stop);
+    if (!word.isCut) return drawWhole(word, shown, stop);
     if (cover == nullptr) cover = &m_covers.back();
     m_job.points += cover->size;
     m_wideBudget -= std::min(m_wideBudget, cover->size / kernels::solidLanes);

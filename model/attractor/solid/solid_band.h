@@ -8,6 +8,7 @@
 #include "attractor/solid/depth_range.h"
 #include "attractor/solid/facing_cover.h"
 #include "attractor/solid/space_view.h"
+#include "attractor/solid/thinned_covers.h"
 
 #include <cstddef>
 #include <memory>
@@ -28,6 +29,7 @@ struct SolidScene {
     SpaceView view;
     DepthRange range;
     FacingCover facing;
+    std::optional<double> thinningRatio; // where words are seen from many sides
 
     // A word from which walks begin, in box coordinates.
     struct Root {
@@ -76,10 +78,13 @@ private:
     void openSorted(const SolidScene& scene, int firstRow);
     bool isHidden(const SolidScene& scene, const SeenWord& word, int firstRow);
     const kernels::Cover* coverFor(double size) const;
+    bool drawWhole(const SeenWord& seen, const kernels::SolidWord& word, const std::stop_token& stop);
 
     kernels::KeyBand m_keys;
     kernels::SolidJob m_job;
-    std::vector<kernels::Cover> m_covers;
+    std::vector<kernels::Cover> m_covers; // the first is a thinned one, if any
+    ThinnedCovers m_thinned;
+    bool m_isThinning = false;
     std::size_t m_wideBudget = 0; // of words that are composed in double precision
     std::vector<Open> m_open;
     std::vector<Open> m_children;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace attractor::kernels {
+
+// Points in pixels: columns, rows and depths.
+struct PixelPoints {
+    const float* x = nullptr;
+    const float* y = nullptr;
+    const float* z = nullptr;
+    std::size_t size = 0; // a multiple of solidLanes
+};
+
+// How far a point may be from where it is said to be: relative to another one at a distance (dx, dy, dz), by
+// so much of |dx| + |dy| and of |dz|; depths by `deep` of all three. And by rounding.
+struct PointTolerance {
+    float flat = 0;
+    float deep = 0;
+    float pixels = 0;
+    float depth = 0;
+};
+
+// Writes 0 for points that share their pixel with a nearer one wherever in it they may be, 1 for the others;
+// of points from about the nearest to the farthest, fewest. Instruction sets may differ in a few points.
+void markSeen(const PixelPoints& points, const PointTolerance& tolerance, std::uint8_t* seen);
+
+} // namespace attractor::kernels

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/kernels/solid_walk.h"
+#include "attractor/solid/covers.h"
+#include "attractor/solid/depth_range.h"
+#include "ifs/system/affine_map.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace attractor {
+
+// Covers without the points that nobody sees: wherever a word lies between the pixels, they share theirs with
+// a nearer point of the same cover. Perspective and bent cages show every word from another side, so this is
+// worked out for the linear maps near one another that turn up, and kept while they do. A thinned cover
+// leaves the same keys as the whole one. docs/mathematics.md, "Solids".
+class ThinnedCovers {
+public:
+    // All maps of the system shrink by `ratio`, without turning anything.
+    void use(const Covers& covers, double ratio);
+
+    // In place of the one of `covers` that would draw what is in a word of that linear map to pixels and
+    // depth, `depthScale` of it to a pixel; for words of one size alone. nullptr where none is known or it
+    // would not be exact. Valid until the next call.
+    const kernels::Cover* find(const ifs::Matrix<3>& linear, double depthScale,
+                               std::span<const kernels::Cover> covers);
+
+    // So many points were drawn with whole covers: that much work may be spent on thinning some.
+    void missed(std::size_t points) { m_credit += points; }
+
+    // Whether rounding moves nothing farther than these, in pixels, in pictures of that width and depth.
+    static bool isExact(double ratio, int width, const DepthRange& range);
+    static constexpr float pixelSlack = 1.0F / 128;
+    static constexpr float depthSlack = 1.0F / 64;
+
+private:
+    struct Thinned {
+        const float* from = nullptr; // the cover it stands for
+        ifs::Matrix<3> linear;       // of a word drawn with it
+        ifs::Matrix<3> inverse;
+        ifs::Matrix<3> room; // by how much other linear maps may differ at most
+        std::uint64_t used = 0;
+        std::size_t padded = 0; // 0: not worthwhile
+        std::vector<float> coordinates;
+
+        bool holdsFor(const ifs::Matrix<3>& other) const;
+    };
+    Thinned* known(const ifs::Matrix<3>& linear, const kernels::Cover& of);
+    Thinned* thin(const ifs::Matrix<3>& linear, const kernels::Cover& of);
+
+    Covers m_covers;
+    double m_ratio = 0;
+    std::uint64_t m_clock = 0;
+    std::size_t m_credit = 0;
+    std::size_t m_tried = 0;
+    std::size_t m_worthwhile = 0;
+    std::size_t m_last = 0;
+    std::vector<Thinned> m_thinned;
+    kernels::Cover m_found;
+};
+
+} // namespace attractor
