@@ -68,9 +68,9 @@ private slots:
             std::size_t found = 0, points = 0, allPoints = 0;
             for (int k = 0; k < 400; ++k) {
                 const SpaceRequest request =
-                    systems::spaceRequest(systems::menger(), 800, 600, 5 + 10 * (k / 80), 5 + 7 * (k / 80));
+                    systems::spaceRequest(systems::menger(), 800, 600, 20 + 10 * (k / 80), 25);
                 const SeenWord box = seen(spaceView(request.camera, {}).toPixels * prepared.fromBox(), {});
-                const double size = k / 40 % 2 == 0 ? 6.7 : 4.1;
+                const double size = k / 40 % 2 == 0 ? 6 : 3.5;
                 ifs::Matrix<3> linear = size / (2 * box.half.maxCoeff()) * box.onScreen.linear;
                 if (k % 40 != 0) { // about as far from the first of 40 as a cover does for
                     ifs::Matrix<3> factor = ifs::Matrix<3>::Identity();
