@@ -55,11 +55,13 @@ Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& place
 
 QString failureOf(VoxelCover::Outcome outcome, const QString& name) {
     if (outcome == VoxelCover::Outcome::TooManyVoxels)
-        return Text::tr("The solid of “%1” would need more than %2 million voxels. Choose larger voxels.")
+        return Text::tr(
+                   "The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, "
+                   "which makes larger voxels.")
             .arg(name, QString::number(attractor::VoxelGrid::maxVoxels / 1'000'000));
     return Text::tr(
-               "The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger "
-               "voxels.")
+               "The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower "
+               "resolution, which makes larger voxels.")
         .arg(name);
 }
 
@@ -111,7 +113,9 @@ private:
         m_box = boxOf(*support, m_placement, document::shownPieces(*shape));
         const double longest = (m_box.max - m_box.min).maxCoeff();
         if (!(longest < HUGE_VAL)) return Text::tr("“%1” is too large for a solid.").arg(m_fractal.name);
-        if (!(longest > 0) && (m_options.voxel == 0 || m_options.longest > 0))
+        // What is fixed by all maps is found up to rounding, which grows with the distance from the origin.
+        const double farthest = m_box.max.cwiseAbs().cwiseMax(m_box.min.cwiseAbs()).maxCoeff();
+        if (!(longest > 1e-13 * farthest) && (m_options.voxel == 0 || m_options.longest > 0))
             return Text::tr("“%1” is a single point: only the size of its voxel can be chosen.")
                 .arg(m_fractal.name);
         const double scale = m_options.longest > 0 ? m_options.longest / longest : 1;
@@ -122,7 +126,8 @@ private:
         m_side = gridShare * m_solid.facts.voxel;
         const double thicker = std::ceil((m_options.wall / m_side - 1) / 2);
         if (!(thicker < double(SolidOptions::maxResolution)))
-            return Text::tr("The wall is too thick for voxels of this size. Choose larger voxels.");
+            return Text::tr("The wall is too thick for voxels of this size. Choose a lower resolution, "
+                            "which makes larger voxels.");
         m_dilation = std::max(0, int(thicker));
         m_solid.facts.dilation = std::numbers::sqrt3 * m_side * m_dilation;
         m_solid.facts.bound = std::numbers::sqrt3 * m_solid.facts.voxel + m_solid.facts.dilation;
@@ -140,8 +145,8 @@ private:
         auto mesh = attractor::voxelSurface(cover.grid);
         if (!mesh) {
             m_solid.failure =
-                Text::tr("The surface of “%1” would have more than %2 million triangles. Choose "
-                         "larger voxels.")
+                Text::tr("The surface of “%1” would have more than %2 million triangles. Choose a "
+                         "lower resolution, which makes larger voxels.")
                     .arg(m_fractal.name, QString::number(attractor::SurfaceMesh::maxTriangles / 1'000'000));
             return;
         }
