@@ -2573,6 +2573,14 @@
         <source>“%1” has snapshots that are not saved.</source>
         <translation>„%1“ hat Schnappschüsse, die nicht gespeichert sind.</translation>
     </message>
+    <message>
+        <source>Revert to “%1” as it is on disk?</source>
+        <translation>Zu „%1“ zurückkehren, wie es auf der Platte ist?</translation>
+    </message>
+    <message>
+        <source>Replace the view “%1”</source>
+        <translation>Die Ansicht „%1“ ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3039,10 +3047,6 @@
         <translation>Hier lässt sich kein Ast wählen: Die Adresse dieses Punktes ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
-        <translation>Im Raum steht ein Ast immer dort, wohin ihn seine Abbildungen bringen. Wählen Sie unten „Neue Abbildung für diesen Ast“ oder „Letzte Abbildung der Adresse“.</translation>
-    </message>
-    <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>Ein Ast lässt sich nicht ziehen, solange er oder der Käfig flach ist.</translation>
     </message>
@@ -3122,10 +3126,17 @@
     </message>
 </context>
 <context>
+    <name>SpaceMapDrag</name>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Angehalten: Darüber hinaus würde der Ast in sich selbst nicht kleiner.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMaps</name>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+        <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
+        <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -3418,10 +3429,6 @@
         <translation>Der hier beginnende Eintrag wird vor dem nächsten Eintrag oder dem Ende der Datei nicht mit „}“ geschlossen.</translation>
     </message>
     <message>
-        <source>%1 more problems in this entry are not listed.</source>
-        <translation>%1 weitere Probleme dieses Eintrags sind nicht aufgeführt.</translation>
-    </message>
-    <message>
         <source>The name “%1” contains a control character, at which other programs may end it.</source>
         <translation>Der Name „%1“ enthält ein Steuerzeichen, an dem andere Programme ihn enden lassen können.</translation>
     </message>
@@ -3460,10 +3467,6 @@
     <message>
         <source>The entry contains no numbers.</source>
         <translation>Der Eintrag enthält keine Zahlen.</translation>
-    </message>
-    <message>
-        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
-        <translation>Diese Zeile hat %1 Zahlen und der Eintrag %2, was kein Vielfaches von %3 ist: Eine Abbildung besteht aus %3 Zahlen%4.</translation>
     </message>
     <message>
         <source> in an entry marked “(3D)”</source>
@@ -3794,16 +3797,8 @@
         <translation>Die letzte Zeile der Matrix einer affinen Abbildung ist 0 0 1.</translation>
     </message>
     <message>
-        <source>The table declares %1 maps but has %2.</source>
-        <translation>Die Tabelle gibt %1 Abbildungen an und hat %2.</translation>
-    </message>
-    <message>
         <source>The header does not say which column is a, b, c, d, e and f; choose the order of the columns.</source>
         <translation>Die Überschrift sagt nicht, welche Spalte a, b, c, d, e und f ist; wählen Sie die Reihenfolge der Spalten.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
-        <translation>Diese Zeile hat %1 Zahlen; eine Abbildung hat 6 Zahlen, oder 7 mit ihrem Gewicht.</translation>
     </message>
     <message>
         <source>“%1” is not a decimal number.</source>
@@ -3944,10 +3939,6 @@
     <message>
         <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>Dies ist eine Liste anderer Dateien, wie das Programm Fraktale sie hat, keine Fractint-Sammlung.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers, but the header names %2 columns.</source>
-        <translation>Diese Zeile hat %1 Zahlen, und die Überschrift nennt %2 Spalten.</translation>
     </message>
     <message>
         <source>reason</source>
@@ -4269,28 +4260,12 @@
         <translation>„%1“ bräuchte in OpenSCAD mehr als %2 Teile. Wählen Sie größere Voxel.</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
-        <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie größere Voxel.</translation>
-    </message>
-    <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
-        <translation>Die Teile von „%1“ überlappen sich zu stark, um die Voxel in vertretbarer Zeit zu bestimmen. Wählen Sie größere Voxel.</translation>
-    </message>
-    <message>
         <source>“%1” is too large for a solid.</source>
         <translation>„%1“ ist zu groß für einen Körper.</translation>
     </message>
     <message>
         <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
         <translation>„%1“ ist ein einzelner Punkt: Nur die Größe des Voxels kann gewählt werden.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
-        <translation>Die Wand ist zu dick für Voxel dieser Größe. Wählen Sie größere Voxel.</translation>
-    </message>
-    <message>
-        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
-        <translation>Die Oberfläche von „%1“ hätte mehr als %2 Millionen Dreiecke. Wählen Sie größere Voxel.</translation>
     </message>
     <message>
         <source>The surface of “%1” is not closed, so it was not written.</source>
@@ -4423,10 +4398,6 @@
     <message>
         <source>The stored order does not list every active map of “%1” once.</source>
         <translation>Die gespeicherte Reihenfolge nennt nicht jede aktive Abbildung von „%1“ genau einmal.</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
-        <translation>„%1“ hat %2 aktive Abbildungen, „%3“ hat %4. Beide brauchen gleich viele.</translation>
     </message>
     <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
@@ -4701,16 +4672,68 @@
         <translation>%1, und in sich selbst</translation>
     </message>
     <message>
-        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>%1 Bilder, %2 pro Sekunde, %3; Spuren: %4, Bewegungen: %5</translation>
-    </message>
-    <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>Das Bild in „%1“ braucht im Raum mehr als 4 GB Speicher.</translation>
     </message>
     <message>
         <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
         <translation>Die gespeicherte Symmetrie „%1“ ist für diesen Eintrag nicht gültig und wird nicht angewendet; ihre Zeilen bleiben erhalten. Eine Drehung wiederholt jede Abbildung 2- bis %2-mal; Polyeder gehören in den Raum.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” must have the same number of active maps; they have %3 and %4.</source>
+        <translation>„%1“ und „%2“ brauchen gleich viele aktive Abbildungen; sie haben %3 und %4.</translation>
+    </message>
+    <message>
+        <source>Other problems in this entry, not listed: %1.</source>
+        <translation>Weitere Probleme dieses Eintrags, nicht aufgeführt: %1.</translation>
+    </message>
+    <message>
+        <source>Numbers are missing or left over: this line has %1, the entry has %2, and each map has %3%4.</source>
+        <translation>Zahlen fehlen oder sind übrig: Diese Zeile hat %1, der Eintrag hat %2, und jede Abbildung hat %3%4.</translation>
+    </message>
+    <message>
+        <source>moved branches</source>
+        <translation>verschobene Äste</translation>
+    </message>
+    <message>
+        <source>all figures are those of the code, where no branch is moved</source>
+        <translation>alle Kennwerte sind die des Codes, in dem kein Ast verschoben ist</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>Bilder: %1, %2 pro Sekunde, %3; Spuren: %4, Bewegungen: %5</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Die Teile von „%1“ überlappen sich zu stark, um die Voxel in vertretbarer Zeit zu bestimmen. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Die Wand ist zu dick für Voxel dieser Größe. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Die Oberfläche von „%1“ hätte mehr als %2 Millionen Dreiecke. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The count says %1, but the number of maps is %2.</source>
+        <translation>Angegeben ist die Anzahl %1, vorhanden sind aber so viele Abbildungen: %2.</translation>
+    </message>
+    <message>
+        <source>The header names %2 columns, but this row has %1.</source>
+        <translation>Die Überschrift nennt %2 Spalten, diese Zeile hat aber %1.</translation>
+    </message>
+    <message>
+        <source>A map has 6 numbers, or 7 with its weight; this row has %1.</source>
+        <translation>Eine Abbildung hat 6 Zahlen, oder 7 mit ihrem Gewicht; diese Zeile hat %1.</translation>
+    </message>
+    <message>
+        <source>its animation</source>
+        <translation>seine Animation</translation>
     </message>
 </context>
 <context>
@@ -5075,6 +5098,29 @@
     </message>
 </context>
 <context>
+    <name>document::KeyedMaps</name>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Ein Zweig</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 hat Schlüsselbilder, denen die Abbildungen des neuen Systems nicht folgen könnten. Entfernen Sie sie zuerst aus der Zeitleiste.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Eine Bewegung bewegt einzelne Abbildungen, und die des neuen Systems sind andere. Entfernen Sie diese Bewegung zuerst aus der Zeitleiste.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 hat Schlüsselbilder und würde nur in diesem Bild umgeschrieben, alles ohne Schlüsselbilder dagegen in jedem. Entfernen Sie diese zuerst aus der Zeitleiste.</translation>
+    </message>
+</context>
+<context>
     <name>document::LinkEdits</name>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -5380,6 +5426,10 @@
         <source>computing…</source>
         <translation>wird berechnet …</translation>
     </message>
+    <message>
+        <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
+        <translation>Äste sind verschoben. Rechteck, Simplex, Hülle, Mittelwert und Kovarianz sind die des Bildes; die übrigen Kennwerte sind die des Codes.</translation>
+    </message>
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
@@ -5616,13 +5666,6 @@
         <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Schreibt einen Ordner mit der Animation und mit Skripten, die sie auf einem Slurm-Cluster zeichnen, und reicht ihn ein, wo sbatch gefunden wird.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n frame(s), %1 seconds.</source>
-        <translation>
-            <numerusform>%n Bild, %1 Sekunden.</numerusform>
-            <numerusform>%n Bilder, %1 Sekunden.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>MP4 needs even sides: the last column or row is shown twice.</source>
         <translation>MP4 braucht gerade Seiten: Die letzte Spalte oder Zeile wird doppelt gezeigt.</translation>
@@ -5722,6 +5765,36 @@
     <message>
         <source>Summary of the export</source>
         <translation>Zusammenfassung des Exports</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 s.</source>
+        <translation>
+            <numerusform>%n Bild, %1 s.</numerusform>
+            <numerusform>%n Bilder, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for existing pictures…</source>
+        <translation>Vorhandene Bilder werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Replace Files?</source>
+        <translation>Dateien ersetzen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) with the names of these pictures exist already and hold something else.</source>
+        <translation>
+            <numerusform>%n Datei mit dem Namen eines dieser Bilder gibt es schon, und sie enthält etwas anderes.</numerusform>
+            <numerusform>%n Dateien mit den Namen dieser Bilder gibt es schon, und sie enthalten etwas anderes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The first one is “%1”. If you replace them, their contents are lost.</source>
+        <translation>Die erste ist „%1“. Wenn Sie sie ersetzen, ist ihr Inhalt verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
     </message>
 </context>
 <context>
@@ -5941,12 +6014,28 @@
         <translation>Bei Bild %1 ließ sich nicht entscheiden, ob es einen Attraktor gibt.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
-        <translation>Bei Bild %1 gibt es keinen Attraktor. Schwächen Sie die Bewegungen ab, oder setzen Sie dort einen Schlüssel.</translation>
+        <source>Weaken the motions.</source>
+        <translation>Schwächen Sie die Bewegungen ab.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
-        <translation>Bei Bild %1 gibt es keinen Attraktor. Setzen Sie dort einen Schlüssel, oder ändern Sie die Schlüssel davor und danach.</translation>
+        <source>Change the maps.</source>
+        <translation>Ändern Sie die Abbildungen.</translation>
+    </message>
+    <message>
+        <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
+        <translation>Schwächen Sie die Bewegungen ab, oder ändern Sie die Schlüssel der Abbildungen (Bilder: %1).</translation>
+    </message>
+    <message>
+        <source>Change the keys of the maps (frames: %1).</source>
+        <translation>Ändern Sie die Schlüssel der Abbildungen (Bilder: %1).</translation>
+    </message>
+    <message>
+        <source>Set a key there, or change the keys of the maps (frames: %1).</source>
+        <translation>Setzen Sie dort einen Schlüssel, oder ändern Sie die Schlüssel der Abbildungen (Bilder: %1).</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor.</source>
+        <translation>Bei Bild %1 gibt es keinen Attraktor.</translation>
     </message>
 </context>
 <context>
@@ -6099,8 +6188,8 @@
         <translation>Der Code ändert sich nicht. Dieser Zweig wird an anderer Stelle gezeigt, und ebenso derselbe Zweig in ihm, immer wieder: Ein Wedel rollt sich ein. Daneben ändert sich nichts.</translation>
     </message>
     <message>
-        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Abbildungen können nicht schwingen, solange der Käfig flach ist oder das Bild biegt. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+        <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
+        <translation>Abbildungen können nicht schwingen, solange der Käfig flach ist. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -7003,10 +7092,6 @@
 <context>
     <name>view::ClusterQueue</name>
     <message>
-        <source>%1 of %2 tasks are done</source>
-        <translation>%1 von %2 Aufgaben sind fertig</translation>
-    </message>
-    <message>
         <source>%1 running</source>
         <translation>%1 laufen</translation>
     </message>
@@ -7057,6 +7142,10 @@
     <message>
         <source>Slurm did not accept the job: %1</source>
         <translation>Slurm hat den Auftrag nicht angenommen: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 von %2 fertig</translation>
     </message>
 </context>
 <context>
@@ -8543,10 +8632,6 @@
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt. Gespeicherte Ansichten stehen ebenfalls in der Liste.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
-        <translation>Garantierte Genauigkeit: %2 px. Programme, die die Datei öffnen, zeichnen %1 Kopien (höchstens %3).</translation>
-    </message>
-    <message>
         <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
         <translation>%1 × %2 sind %3 Millionen Pixel. Sie zu zeichnen kann Stunden dauern, und die Datei kann bis zu %4 groß werden.</translation>
     </message>
@@ -8565,6 +8650,10 @@
     <message>
         <source>&amp;Export Anyway</source>
         <translation>Trotzdem &amp;exportieren</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Garantierte Genauigkeit: %2 px. Kopien, die Programme beim Öffnen der Datei zeichnen: %1 (höchstens %3).</translation>
     </message>
 </context>
 <context>
@@ -11525,10 +11614,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Keeps the view with the fractal: one step of the history.</source>
-        <translation>Bewahrt die Ansicht mit dem Fraktal auf: ein Schritt im Verlauf.</translation>
-    </message>
-    <message>
         <source>View %1</source>
         <translation>Ansicht %1</translation>
     </message>
@@ -11543,6 +11628,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Saved as “%1”.</source>
         <translation>Wird als „%1“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history. A view of the same name is replaced.</source>
+        <translation>Bewahrt die Ansicht mit dem Fraktal auf: ein Schritt im Verlauf. Eine Ansicht gleichen Namens wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
     </message>
 </context>
 <context>
@@ -12660,6 +12753,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Corner %1 of the branch at %2, %3, %4</source>
         <translation>Ecke %1 des Astes bei %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Map %4, its middle at %1, %2, %3</source>
+        <translation>Abbildung %4, ihre Mitte bei %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The middle of the branch at %1, %2, %3</source>
+        <translation>Die Mitte des Astes bei %1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -14120,10 +14221,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Wie viele Bilder pro Sekunde beim Abspielen gezeichnet werden</translation>
     </message>
     <message>
-        <source>Length of the animation: %1 frames</source>
-        <translation>Länge der Animation: %1 Bilder</translation>
-    </message>
-    <message>
         <source>Frames per second: %1</source>
         <translation>Bilder pro Sekunde: %1</translation>
     </message>
@@ -14146,6 +14243,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
         <translation>„%1“ ist keine Bildrate. Geben Sie Bilder pro Sekunde ein, über 0 und höchstens %2, zum Beispiel 24, 29.97 oder 30000/1001.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Length of the animation: %n frame(s)</source>
+        <translation>
+            <numerusform>Länge der Animation: %n Bild</numerusform>
+            <numerusform>Länge der Animation: %n Bilder</numerusform>
+        </translation>
     </message>
 </context>
 <context>

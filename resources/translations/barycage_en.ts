@@ -103,10 +103,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s), %1 seconds.</source>
+        <source>%n frame(s), %1 s.</source>
         <translation>
-            <numerusform>%n frame, %1 seconds.</numerusform>
-            <numerusform>%n frames, %1 seconds.</numerusform>
+            <numerusform>%n frame, %1 s.</numerusform>
+            <numerusform>%n frames, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) with the names of these pictures exist already and hold something else.</source>
+        <translation>
+            <numerusform>%n file with the name of one of these pictures exists already and holds something else.</numerusform>
+            <numerusform>%n files with the names of these pictures exist already and hold something else.</numerusform>
         </translation>
     </message>
 </context>
@@ -270,6 +277,16 @@
         <translation>
             <numerusform>%n key not pasted: beyond the end of the animation, or of a part that this fractal does not have.</numerusform>
             <numerusform>%n keys not pasted: beyond the end of the animation, or of a part that this fractal does not have.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::TransportBar</name>
+    <message numerus="yes">
+        <source>Length of the animation: %n frame(s)</source>
+        <translation>
+            <numerusform>Length of the animation: %n frame</numerusform>
+            <numerusform>Length of the animation: %n frames</numerusform>
         </translation>
     </message>
 </context>

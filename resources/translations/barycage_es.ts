@@ -2573,6 +2573,14 @@
         <source>“%1” has snapshots that are not saved.</source>
         <translation>«%1» tiene instantáneas sin guardar.</translation>
     </message>
+    <message>
+        <source>Revert to “%1” as it is on disk?</source>
+        <translation>¿Volver a «%1» tal como está en el disco?</translation>
+    </message>
+    <message>
+        <source>Replace the view “%1”</source>
+        <translation>Reemplazar la vista «%1»</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3039,10 +3047,6 @@
         <translation>Aquí no se puede elegir ninguna rama: no se conoce la dirección de este punto.</translation>
     </message>
     <message>
-        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
-        <translation>En el espacio, una rama está siempre donde la ponen sus aplicaciones. Elija abajo «Una aplicación nueva para esta rama» o «La última aplicación de la dirección».</translation>
-    </message>
-    <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>Una rama no se puede arrastrar mientras ella o la jaula sea plana.</translation>
     </message>
@@ -3122,10 +3126,17 @@
     </message>
 </context>
 <context>
+    <name>SpaceMapDrag</name>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Detenido: más allá, la rama no se haría más pequeña dentro de sí misma.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMaps</name>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
+        <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
+        <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana. Antes abra la jaula o restablézcala.</translation>
     </message>
 </context>
 <context>
@@ -3418,10 +3429,6 @@
         <translation>La entrada que se abre aquí no se cierra con «}» antes de la siguiente entrada o del final del archivo.</translation>
     </message>
     <message>
-        <source>%1 more problems in this entry are not listed.</source>
-        <translation>Hay %1 problemas más en esta entrada que no se enumeran.</translation>
-    </message>
-    <message>
         <source>The name “%1” contains a control character, at which other programs may end it.</source>
         <translation>El nombre «%1» contiene un carácter de control, en el que otros programas pueden terminarlo.</translation>
     </message>
@@ -3460,10 +3467,6 @@
     <message>
         <source>The entry contains no numbers.</source>
         <translation>La entrada no contiene números.</translation>
-    </message>
-    <message>
-        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
-        <translation>Esta línea tiene %1 números y la entrada %2, que no es múltiplo de %3: una aplicación son %3 números%4.</translation>
     </message>
     <message>
         <source> in an entry marked “(3D)”</source>
@@ -3794,16 +3797,8 @@
         <translation>La última fila de la matriz de una aplicación afín es 0 0 1.</translation>
     </message>
     <message>
-        <source>The table declares %1 maps but has %2.</source>
-        <translation>La tabla dice que tiene %1 aplicaciones, y tiene %2.</translation>
-    </message>
-    <message>
         <source>The header does not say which column is a, b, c, d, e and f; choose the order of the columns.</source>
         <translation>El encabezado no dice qué columna es a, b, c, d, e y f; elija el orden de las columnas.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
-        <translation>Esta fila tiene %1 números; una aplicación son 6 números, o 7 con su peso.</translation>
     </message>
     <message>
         <source>“%1” is not a decimal number.</source>
@@ -3944,10 +3939,6 @@
     <message>
         <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>Esto es una lista de otros archivos, como la del programa Fraktale, no una colección de Fractint.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers, but the header names %2 columns.</source>
-        <translation>Esta fila tiene %1 números, y el encabezado nombra %2 columnas.</translation>
     </message>
     <message>
         <source>reason</source>
@@ -4269,28 +4260,12 @@
         <translation>«%1» necesitaría más de %2 partes en OpenSCAD. Elija vóxeles más grandes.</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
-        <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija vóxeles más grandes.</translation>
-    </message>
-    <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
-        <translation>Las partes de «%1» se solapan demasiado para encontrar sus vóxeles en un tiempo razonable. Elija vóxeles más grandes.</translation>
-    </message>
-    <message>
         <source>“%1” is too large for a solid.</source>
         <translation>«%1» es demasiado grande para un sólido.</translation>
     </message>
     <message>
         <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
         <translation>«%1» es un solo punto: solo se puede elegir el tamaño de su vóxel.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
-        <translation>La pared es demasiado gruesa para vóxeles de este tamaño. Elija vóxeles más grandes.</translation>
-    </message>
-    <message>
-        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
-        <translation>La superficie de «%1» tendría más de %2 millones de triángulos. Elija vóxeles más grandes.</translation>
     </message>
     <message>
         <source>The surface of “%1” is not closed, so it was not written.</source>
@@ -4423,10 +4398,6 @@
     <message>
         <source>The stored order does not list every active map of “%1” once.</source>
         <translation>El orden guardado no enumera una vez cada aplicación activa de «%1».</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
-        <translation>«%1» tiene %2 aplicaciones activas y «%3» tiene %4. Necesitan tener las mismas.</translation>
     </message>
     <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
@@ -4701,16 +4672,68 @@
         <translation>%1, y dentro de sí misma</translation>
     </message>
     <message>
-        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>%1 fotogramas a %2 por segundo, %3; pistas: %4, movimientos: %5</translation>
-    </message>
-    <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>La imagen de «%1» necesita más de 4 GB de memoria en el espacio.</translation>
     </message>
     <message>
         <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
         <translation>La simetría guardada «%1» no es válida para esta entrada y no se aplica; sus líneas se conservan. Una rotación repite cada aplicación de 2 a %2 veces; los poliedros son del espacio.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” must have the same number of active maps; they have %3 and %4.</source>
+        <translation>«%1» y «%2» necesitan el mismo número de aplicaciones activas; tienen %3 y %4.</translation>
+    </message>
+    <message>
+        <source>Other problems in this entry, not listed: %1.</source>
+        <translation>Otros problemas de esta entrada, no enumerados: %1.</translation>
+    </message>
+    <message>
+        <source>Numbers are missing or left over: this line has %1, the entry has %2, and each map has %3%4.</source>
+        <translation>Faltan o sobran números: esta línea tiene %1, la entrada tiene %2, y cada aplicación tiene %3%4.</translation>
+    </message>
+    <message>
+        <source>moved branches</source>
+        <translation>ramas desplazadas</translation>
+    </message>
+    <message>
+        <source>all figures are those of the code, where no branch is moved</source>
+        <translation>todas las cifras son las del código, donde no hay ninguna rama desplazada</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>fotogramas: %1, %2 por segundo, %3; pistas: %4, movimientos: %5</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Las partes de «%1» se solapan demasiado para encontrar sus vóxeles en un tiempo razonable. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>La pared es demasiado gruesa para vóxeles de este tamaño. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>La superficie de «%1» tendría más de %2 millones de triángulos. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The count says %1, but the number of maps is %2.</source>
+        <translation>La cuenta dice %1, pero el número de aplicaciones es %2.</translation>
+    </message>
+    <message>
+        <source>The header names %2 columns, but this row has %1.</source>
+        <translation>El encabezado nombra %2 columnas, pero esta fila tiene %1.</translation>
+    </message>
+    <message>
+        <source>A map has 6 numbers, or 7 with its weight; this row has %1.</source>
+        <translation>Una aplicación son 6 números, o 7 con su peso; esta fila tiene %1.</translation>
+    </message>
+    <message>
+        <source>its animation</source>
+        <translation>su animación</translation>
     </message>
 </context>
 <context>
@@ -5075,6 +5098,29 @@
     </message>
 </context>
 <context>
+    <name>document::KeyedMaps</name>
+    <message>
+        <source>Map %1</source>
+        <translation>La aplicación %1</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Una rama</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 tiene fotogramas clave que las aplicaciones del nuevo sistema no podrían seguir. Elimínelos primero de la línea de tiempo.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Un movimiento mueve aplicaciones concretas, y las del nuevo sistema son otras. Elimine primero este movimiento de la línea de tiempo.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 tiene fotogramas clave: solo se reescribiría en este fotograma, y lo que no los tiene, en todos. Elimínelos primero de la línea de tiempo.</translation>
+    </message>
+</context>
+<context>
     <name>document::LinkEdits</name>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -5380,6 +5426,10 @@
         <source>computing…</source>
         <translation>calculando…</translation>
     </message>
+    <message>
+        <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
+        <translation>Hay ramas desplazadas. La caja, el símplex, la envolvente, la media y la covarianza son las de la imagen; las demás propiedades son las del código.</translation>
+    </message>
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
@@ -5616,13 +5666,6 @@
         <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Escribe una carpeta con la animación y con guiones que la dibujan en un clúster Slurm, y la envía si se encuentra sbatch.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n frame(s), %1 seconds.</source>
-        <translation>
-            <numerusform>%n fotograma, %1 segundos.</numerusform>
-            <numerusform>%n fotogramas, %1 segundos.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>MP4 needs even sides: the last column or row is shown twice.</source>
         <translation>MP4 necesita lados pares: la última columna o fila se muestra dos veces.</translation>
@@ -5722,6 +5765,36 @@
     <message>
         <source>Summary of the export</source>
         <translation>Resumen de la exportación</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 s.</source>
+        <translation>
+            <numerusform>%n fotograma, %1 s.</numerusform>
+            <numerusform>%n fotogramas, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for existing pictures…</source>
+        <translation>Buscando imágenes existentes…</translation>
+    </message>
+    <message>
+        <source>Replace Files?</source>
+        <translation>¿Reemplazar los archivos?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) with the names of these pictures exist already and hold something else.</source>
+        <translation>
+            <numerusform>Ya existe %n archivo con el nombre de una de estas imágenes, y contiene otra cosa.</numerusform>
+            <numerusform>Ya existen %n archivos con los nombres de estas imágenes, y contienen otra cosa.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The first one is “%1”. If you replace them, their contents are lost.</source>
+        <translation>El primero es «%1». Si los reemplaza, se perderá su contenido.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
     </message>
 </context>
 <context>
@@ -5941,12 +6014,28 @@
         <translation>En el fotograma %1 no se pudo decidir si existe un atractor.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
-        <translation>En el fotograma %1 no hay atractor. Atenúe los movimientos o ponga una clave allí.</translation>
+        <source>Weaken the motions.</source>
+        <translation>Atenúe los movimientos.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
-        <translation>En el fotograma %1 no hay atractor. Ponga una clave allí o cambie las claves vecinas.</translation>
+        <source>Change the maps.</source>
+        <translation>Cambie las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
+        <translation>Atenúe los movimientos o cambie las claves de las aplicaciones (fotogramas: %1).</translation>
+    </message>
+    <message>
+        <source>Change the keys of the maps (frames: %1).</source>
+        <translation>Cambie las claves de las aplicaciones (fotogramas: %1).</translation>
+    </message>
+    <message>
+        <source>Set a key there, or change the keys of the maps (frames: %1).</source>
+        <translation>Ponga una clave allí o cambie las claves de las aplicaciones (fotogramas: %1).</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor.</source>
+        <translation>En el fotograma %1 no hay atractor.</translation>
     </message>
 </context>
 <context>
@@ -6099,8 +6188,8 @@
         <translation>El código no cambia. Esta rama se muestra en otra posición, y también la misma rama dentro de ella, una y otra vez: una fronda se enrosca. Nada cambia a su lado.</translation>
     </message>
     <message>
-        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Las aplicaciones no pueden oscilar mientras la jaula es plana o curva la imagen. Antes abra la jaula o restablézcala.</translation>
+        <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
+        <translation>Las aplicaciones no pueden oscilar mientras la jaula es plana. Antes abra la jaula o restablézcala.</translation>
     </message>
 </context>
 <context>
@@ -7003,10 +7092,6 @@
 <context>
     <name>view::ClusterQueue</name>
     <message>
-        <source>%1 of %2 tasks are done</source>
-        <translation>%1 de %2 tareas terminadas</translation>
-    </message>
-    <message>
         <source>%1 running</source>
         <translation>%1 en curso</translation>
     </message>
@@ -7057,6 +7142,10 @@
     <message>
         <source>Slurm did not accept the job: %1</source>
         <translation>Slurm no aceptó el trabajo: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 de %2 terminadas</translation>
     </message>
 </context>
 <context>
@@ -8543,10 +8632,6 @@
         <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo. Las vistas guardadas también están en la lista.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
-        <translation>Precisión garantizada: %2 px. Los programas que abren el archivo dibujan %1 copias (el límite es %3).</translation>
-    </message>
-    <message>
         <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
         <translation>%1 × %2 son %3 millones de píxeles. Dibujarlos puede llevar horas, y el archivo puede ocupar hasta %4.</translation>
     </message>
@@ -8565,6 +8650,10 @@
     <message>
         <source>&amp;Export Anyway</source>
         <translation>&amp;Exportar de todos modos</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Precisión garantizada: %2 px. Copias que dibujan los programas que abren el archivo: %1 (el límite es %3).</translation>
     </message>
 </context>
 <context>
@@ -11525,10 +11614,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Guardar</translation>
     </message>
     <message>
-        <source>Keeps the view with the fractal: one step of the history.</source>
-        <translation>Guarda la vista con el fractal: un paso del historial.</translation>
-    </message>
-    <message>
         <source>View %1</source>
         <translation>Vista %1</translation>
     </message>
@@ -11543,6 +11628,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Saved as “%1”.</source>
         <translation>Se guarda como «%1».</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history. A view of the same name is replaced.</source>
+        <translation>Guarda la vista con el fractal: un paso del historial. Una vista del mismo nombre se reemplaza.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
     </message>
 </context>
 <context>
@@ -12660,6 +12753,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Corner %1 of the branch at %2, %3, %4</source>
         <translation>Esquina %1 de la rama en %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Map %4, its middle at %1, %2, %3</source>
+        <translation>Aplicación %4, su centro en %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The middle of the branch at %1, %2, %3</source>
+        <translation>El centro de la rama en %1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -14120,10 +14221,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Cuántas imágenes por segundo se dibujan al reproducir</translation>
     </message>
     <message>
-        <source>Length of the animation: %1 frames</source>
-        <translation>Duración de la animación: %1 fotogramas</translation>
-    </message>
-    <message>
         <source>Frames per second: %1</source>
         <translation>Fotogramas por segundo: %1</translation>
     </message>
@@ -14146,6 +14243,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
         <translation>«%1» no es una frecuencia de fotogramas. Escriba fotogramas por segundo, más de 0 y como máximo %2, por ejemplo 24, 29.97 o 30000/1001.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Length of the animation: %n frame(s)</source>
+        <translation>
+            <numerusform>Duración de la animación: %n fotograma</numerusform>
+            <numerusform>Duración de la animación: %n fotogramas</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2573,6 +2573,14 @@
         <source>“%1” has snapshots that are not saved.</source>
         <translation>«&#x202f;%1&#x202f;» contient des instantanés non enregistrés.</translation>
     </message>
+    <message>
+        <source>Revert to “%1” as it is on disk?</source>
+        <translation>Revenir à « %1 » tel qu’il est sur le disque ?</translation>
+    </message>
+    <message>
+        <source>Replace the view “%1”</source>
+        <translation>Remplacer la vue « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3039,10 +3047,6 @@
         <translation>Aucune branche ne peut être choisie ici : l’adresse de ce point n’est pas connue.</translation>
     </message>
     <message>
-        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
-        <translation>Dans l’espace, une branche est toujours là où ses applications la placent. Choisissez en bas « Nouvelle application pour cette branche » ou « Dernière application de l’adresse ».</translation>
-    </message>
-    <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>On ne peut pas faire glisser une branche tant qu’elle ou la cage est plate.</translation>
     </message>
@@ -3122,10 +3126,17 @@
     </message>
 </context>
 <context>
+    <name>SpaceMapDrag</name>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Arrêté : au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMaps</name>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>On ne peut pas faire glisser d’applications tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
+        <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
+        <translation>On ne peut pas faire glisser d’applications tant que la cage est plate. Ouvrez ou réinitialisez d’abord la cage.</translation>
     </message>
 </context>
 <context>
@@ -3418,10 +3429,6 @@
         <translation>L’entrée qui s’ouvre ici n’est pas fermée par «&#x202f;}&#x202f;» avant l’entrée suivante ou la fin du fichier.</translation>
     </message>
     <message>
-        <source>%1 more problems in this entry are not listed.</source>
-        <translation>%1 autres problèmes de cette entrée ne sont pas listés.</translation>
-    </message>
-    <message>
         <source>The name “%1” contains a control character, at which other programs may end it.</source>
         <translation>Le nom «&#x202f;%1&#x202f;» contient un caractère de contrôle, où d’autres programmes peuvent le terminer.</translation>
     </message>
@@ -3460,10 +3467,6 @@
     <message>
         <source>The entry contains no numbers.</source>
         <translation>L’entrée ne contient pas de nombres.</translation>
-    </message>
-    <message>
-        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
-        <translation>Cette ligne a %1 nombres et l’entrée %2, ce qui n’est pas un multiple de %3&#x202f;: une application compte %3 nombres%4.</translation>
     </message>
     <message>
         <source> in an entry marked “(3D)”</source>
@@ -3794,16 +3797,8 @@
         <translation>La dernière ligne de la matrice d’une application affine est 0 0 1.</translation>
     </message>
     <message>
-        <source>The table declares %1 maps but has %2.</source>
-        <translation>Le tableau annonce %1 applications, et il en a %2.</translation>
-    </message>
-    <message>
         <source>The header does not say which column is a, b, c, d, e and f; choose the order of the columns.</source>
         <translation>L’en-tête ne dit pas quelles colonnes sont a, b, c, d, e et f&#x202f;; choisissez l’ordre des colonnes.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
-        <translation>Cette ligne a %1 nombres&#x202f;; une application en compte 6, ou 7 avec son poids.</translation>
     </message>
     <message>
         <source>“%1” is not a decimal number.</source>
@@ -3944,10 +3939,6 @@
     <message>
         <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>C’est une liste d’autres fichiers, comme celle du programme Fraktale, et non une collection Fractint.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers, but the header names %2 columns.</source>
-        <translation>Cette ligne a %1 nombres, et l’en-tête nomme %2 colonnes.</translation>
     </message>
     <message>
         <source>reason</source>
@@ -4269,28 +4260,12 @@
         <translation>« %1 » demanderait plus de %2 parties dans OpenSCAD. Choisissez des voxels plus grands.</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
-        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez des voxels plus grands.</translation>
-    </message>
-    <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
-        <translation>Les parties de « %1 » se recouvrent trop pour trouver ses voxels en un temps raisonnable. Choisissez des voxels plus grands.</translation>
-    </message>
-    <message>
         <source>“%1” is too large for a solid.</source>
         <translation>« %1 » est trop grand pour un solide.</translation>
     </message>
     <message>
         <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
         <translation>« %1 » est un seul point : seule la taille de son voxel peut être choisie.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
-        <translation>La paroi est trop épaisse pour des voxels de cette taille. Choisissez des voxels plus grands.</translation>
-    </message>
-    <message>
-        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
-        <translation>La surface de « %1 » aurait plus de %2 millions de triangles. Choisissez des voxels plus grands.</translation>
     </message>
     <message>
         <source>The surface of “%1” is not closed, so it was not written.</source>
@@ -4423,10 +4398,6 @@
     <message>
         <source>The stored order does not list every active map of “%1” once.</source>
         <translation>L’ordre enregistré ne cite pas une fois chaque application active de « %1 ».</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
-        <translation>« %1 » a %2 applications actives et « %3 » en a %4. Il en faut autant des deux côtés.</translation>
     </message>
     <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
@@ -4701,16 +4672,68 @@
         <translation>%1, et en elle-même</translation>
     </message>
     <message>
-        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>%1 images à %2 par seconde, %3&#x202f;; pistes : %4, mouvements : %5</translation>
-    </message>
-    <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>L’image de « %1 » demande plus de 4 Go de mémoire dans l’espace.</translation>
     </message>
     <message>
         <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
-        <translation>La symétrie enregistrée « %1 » n’est pas valable pour cette entrée et n’est pas appliquée ; ses lignes sont conservées. Une rotation répète chaque application 2 à %2 fois ; les polyèdres sont du domaine de l’espace.</translation>
+        <translation>La symétrie enregistrée «&#x202f;%1&#x202f;» n’est pas valable pour cette entrée et n’est pas appliquée&#x202f;; ses lignes sont conservées. Une rotation répète chaque application 2 à %2 fois&#x202f;; les polyèdres sont du domaine de l’espace.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” must have the same number of active maps; they have %3 and %4.</source>
+        <translation>« %1 » et « %2 » doivent avoir le même nombre d’applications actives ; elles en ont %3 et %4.</translation>
+    </message>
+    <message>
+        <source>Other problems in this entry, not listed: %1.</source>
+        <translation>Autres problèmes de cette entrée, non listés : %1.</translation>
+    </message>
+    <message>
+        <source>Numbers are missing or left over: this line has %1, the entry has %2, and each map has %3%4.</source>
+        <translation>Des nombres manquent ou sont en trop : cette ligne en a %1, l’entrée en a %2, et chaque application en a %3%4.</translation>
+    </message>
+    <message>
+        <source>moved branches</source>
+        <translation>branches déplacées</translation>
+    </message>
+    <message>
+        <source>all figures are those of the code, where no branch is moved</source>
+        <translation>tous les chiffres sont ceux du code, où aucune branche n’est déplacée</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>images : %1, %2 par seconde, %3 ; pistes : %4, mouvements : %5</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Les parties de « %1 » se recouvrent trop pour trouver ses voxels en un temps raisonnable. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>La paroi est trop épaisse pour des voxels de cette taille. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>La surface de « %1 » aurait plus de %2 millions de triangles. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The count says %1, but the number of maps is %2.</source>
+        <translation>Le compte annonce %1, mais le nombre d’applications est %2.</translation>
+    </message>
+    <message>
+        <source>The header names %2 columns, but this row has %1.</source>
+        <translation>L’en-tête nomme %2 colonnes, mais cette ligne en a %1.</translation>
+    </message>
+    <message>
+        <source>A map has 6 numbers, or 7 with its weight; this row has %1.</source>
+        <translation>Une application compte 6 nombres, ou 7 avec son poids ; cette ligne en a %1.</translation>
+    </message>
+    <message>
+        <source>its animation</source>
+        <translation>son animation</translation>
     </message>
 </context>
 <context>
@@ -5075,6 +5098,29 @@
     </message>
 </context>
 <context>
+    <name>document::KeyedMaps</name>
+    <message>
+        <source>Map %1</source>
+        <translation>L’application %1</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Une branche</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 a des images clés que les applications du nouveau système ne pourraient pas suivre. Supprimez-les d’abord de la ligne de temps.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Un mouvement déplace certaines applications, et celles du nouveau système sont autres. Supprimez d’abord ce mouvement de la ligne de temps.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 a des images clés : la réécriture ne vaudrait que pour cette image, et pour toutes là où il n’y en a pas. Supprimez-les d’abord de la ligne de temps.</translation>
+    </message>
+</context>
+<context>
     <name>document::LinkEdits</name>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -5102,7 +5148,7 @@
     </message>
     <message>
         <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Les applications simples de « %1 » seraient plus de %2 mots de ses applications, ce qui est la limite. Gardez les liens dans un fichier .ifs ou .flame, ou supprimez-les.</translation>
+        <translation>Les applications simples de «&#x202f;%1&#x202f;» seraient plus de %2 mots de ses applications, ce qui est la limite. Gardez les liens dans un fichier .ifs ou .flame, ou supprimez-les.</translation>
     </message>
 </context>
 <context>
@@ -5380,6 +5426,10 @@
         <source>computing…</source>
         <translation>calcul en cours…</translation>
     </message>
+    <message>
+        <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
+        <translation>Des branches sont déplacées. La boîte, le simplexe, l’enveloppe, la moyenne et la covariance sont ceux de l’image ; les autres propriétés sont celles du code.</translation>
+    </message>
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
@@ -5616,13 +5666,6 @@
         <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Écrit un dossier avec l’animation et les scripts qui la dessinent sur une grappe Slurm, et le soumet là où sbatch est trouvé.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n frame(s), %1 seconds.</source>
-        <translation>
-            <numerusform>%n image, %1 secondes.</numerusform>
-            <numerusform>%n images, %1 secondes.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>MP4 needs even sides: the last column or row is shown twice.</source>
         <translation>MP4 exige des côtés pairs : la dernière colonne ou ligne est montrée deux fois.</translation>
@@ -5722,6 +5765,36 @@
     <message>
         <source>Summary of the export</source>
         <translation>Résumé de l’exportation</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 s.</source>
+        <translation>
+            <numerusform>%n image, %1 s.</numerusform>
+            <numerusform>%n images, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for existing pictures…</source>
+        <translation>Recherche d’images existantes…</translation>
+    </message>
+    <message>
+        <source>Replace Files?</source>
+        <translation>Remplacer les fichiers ?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) with the names of these pictures exist already and hold something else.</source>
+        <translation>
+            <numerusform>%n fichier portant le nom d’une de ces images existe déjà et contient autre chose.</numerusform>
+            <numerusform>%n fichiers portant les noms de ces images existent déjà et contiennent autre chose.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The first one is “%1”. If you replace them, their contents are lost.</source>
+        <translation>Le premier est « %1 ». Si vous les remplacez, leur contenu est perdu.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Remplacer</translation>
     </message>
 </context>
 <context>
@@ -5941,12 +6014,28 @@
         <translation>À l’image %1, il n’a pas été possible de décider s’il existe un attracteur.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
-        <translation>À l’image %1, il n’y a pas d’attracteur. Affaiblissez les mouvements ou posez-y une clé.</translation>
+        <source>Weaken the motions.</source>
+        <translation>Affaiblissez les mouvements.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
-        <translation>À l’image %1, il n’y a pas d’attracteur. Posez-y une clé ou modifiez les clés voisines.</translation>
+        <source>Change the maps.</source>
+        <translation>Modifiez les applications.</translation>
+    </message>
+    <message>
+        <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
+        <translation>Affaiblissez les mouvements, ou modifiez les clés des applications (images : %1).</translation>
+    </message>
+    <message>
+        <source>Change the keys of the maps (frames: %1).</source>
+        <translation>Modifiez les clés des applications (images : %1).</translation>
+    </message>
+    <message>
+        <source>Set a key there, or change the keys of the maps (frames: %1).</source>
+        <translation>Posez-y une clé, ou modifiez les clés des applications (images : %1).</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor.</source>
+        <translation>À l’image %1, il n’y a pas d’attracteur.</translation>
     </message>
 </context>
 <context>
@@ -6099,8 +6188,8 @@
         <translation>Le code ne change pas. Cette branche est affichée dans une autre position, et de même la même branche à l’intérieur, encore et encore&#x202f;: une fronde s’enroule. Rien ne change à côté.</translation>
     </message>
     <message>
-        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Les applications ne peuvent pas osciller tant que la cage est plate ou courbe l’image. Ouvrez ou réinitialisez d’abord la cage.</translation>
+        <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
+        <translation>Les applications ne peuvent pas osciller tant que la cage est plate. Ouvrez ou réinitialisez d’abord la cage.</translation>
     </message>
 </context>
 <context>
@@ -7003,10 +7092,6 @@
 <context>
     <name>view::ClusterQueue</name>
     <message>
-        <source>%1 of %2 tasks are done</source>
-        <translation>%1 tâches sur %2 sont terminées</translation>
-    </message>
-    <message>
         <source>%1 running</source>
         <translation>%1 en cours</translation>
     </message>
@@ -7057,6 +7142,10 @@
     <message>
         <source>Slurm did not accept the job: %1</source>
         <translation>Slurm n’a pas accepté le travail : %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 sur %2 terminées</translation>
     </message>
 </context>
 <context>
@@ -8543,10 +8632,6 @@
         <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
-        <translation>Précision garantie&#x202f;: %2 px. Les programmes qui ouvrent le fichier dessinent %1 copies (la limite est %3).</translation>
-    </message>
-    <message>
         <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
         <translation>%1 × %2 font %3 millions de pixels. Les dessiner peut prendre des heures, et le fichier peut occuper jusqu’à %4.</translation>
     </message>
@@ -8565,6 +8650,10 @@
     <message>
         <source>&amp;Export Anyway</source>
         <translation>&amp;Exporter quand même</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Précision garantie : %2 px. Copies dessinées par les programmes qui ouvrent le fichier : %1 (la limite est %3).</translation>
     </message>
 </context>
 <context>
@@ -11525,10 +11614,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Enregistrer</translation>
     </message>
     <message>
-        <source>Keeps the view with the fractal: one step of the history.</source>
-        <translation>Garde la vue avec la fractale : une étape de l’historique.</translation>
-    </message>
-    <message>
         <source>View %1</source>
         <translation>Vue %1</translation>
     </message>
@@ -11543,6 +11628,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Saved as “%1”.</source>
         <translation>Sera enregistrée sous « %1 ».</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history. A view of the same name is replaced.</source>
+        <translation>Garde la vue avec la fractale : une étape de l’historique. Une vue du même nom est remplacée.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Remplacer</translation>
     </message>
 </context>
 <context>
@@ -12660,6 +12753,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Corner %1 of the branch at %2, %3, %4</source>
         <translation>Coin %1 de la branche en %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Map %4, its middle at %1, %2, %3</source>
+        <translation>Application %4, son milieu en %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The middle of the branch at %1, %2, %3</source>
+        <translation>Le milieu de la branche en %1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -14120,10 +14221,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Nombre d’images dessinées par seconde pendant la lecture</translation>
     </message>
     <message>
-        <source>Length of the animation: %1 frames</source>
-        <translation>Durée de l’animation : %1 images</translation>
-    </message>
-    <message>
         <source>Frames per second: %1</source>
         <translation>Images par seconde : %1</translation>
     </message>
@@ -14146,6 +14243,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas une cadence d’images. Saisissez des images par seconde, plus de 0 et au plus %2, par exemple 24, 29.97 ou 30000/1001.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Length of the animation: %n frame(s)</source>
+        <translation>
+            <numerusform>Durée de l’animation : %n image</numerusform>
+            <numerusform>Durée de l’animation : %n images</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2581,6 +2581,14 @@
         <source>“%1” has snapshots that are not saved.</source>
         <translation>„%1“ има снимки што не се зачувани.</translation>
     </message>
+    <message>
+        <source>Revert to “%1” as it is on disk?</source>
+        <translation>Да се врати „%1“ како што е на дискот?</translation>
+    </message>
+    <message>
+        <source>Replace the view “%1”</source>
+        <translation>Замена на погледот „%1“</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -3047,10 +3055,6 @@
         <translation>Тука не може да се избере гранка: адресата на оваа точка не е позната.</translation>
     </message>
     <message>
-        <source>In space a branch is always shown where its maps put it. Choose “New map for this branch” or “Last map of the address” below.</source>
-        <translation>Во просторот гранката секогаш е таму каде што ја ставаат нејзините пресликувања. Изберете долу „Ново пресликување за оваа гранка“ или „Последното пресликување од адресата“.</translation>
-    </message>
-    <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>Гранката не може да се влече додека таа или кафезот е рамен.</translation>
     </message>
@@ -3130,10 +3134,17 @@
     </message>
 </context>
 <context>
+    <name>SpaceMapDrag</name>
+    <message>
+        <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
+        <translation>Запрено: понатаму гранката не би станувала помала внатре во себе.</translation>
+    </message>
+</context>
+<context>
     <name>SpaceMaps</name>
     <message>
-        <source>Maps cannot be dragged while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Пресликувањата не може да се влечат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
+        <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
+        <translation>Пресликувањата не може да се влечат додека кафезот е рамен. Прво отворете го или вратете го кафезот.</translation>
     </message>
 </context>
 <context>
@@ -3426,10 +3437,6 @@
         <translation>Записот што се отвора тука не е затворен со „}“ пред следниот запис или пред крајот на датотеката.</translation>
     </message>
     <message>
-        <source>%1 more problems in this entry are not listed.</source>
-        <translation>Уште %1 проблеми во овој запис не се наведени.</translation>
-    </message>
-    <message>
         <source>The name “%1” contains a control character, at which other programs may end it.</source>
         <translation>Името „%1“ содржи контролен знак, на кој други програми може да го завршат.</translation>
     </message>
@@ -3468,10 +3475,6 @@
     <message>
         <source>The entry contains no numbers.</source>
         <translation>Записот не содржи броеви.</translation>
-    </message>
-    <message>
-        <source>This line has %1 numbers and the entry has %2, which is not a multiple of %3: a map has %3 numbers%4.</source>
-        <translation>Овој ред има %1 броја, а записот %2, што не се дели со %3: едно пресликување е %3 броја%4.</translation>
     </message>
     <message>
         <source> in an entry marked “(3D)”</source>
@@ -3802,16 +3805,8 @@
         <translation>Последната редица од матрицата на афино пресликување е 0 0 1.</translation>
     </message>
     <message>
-        <source>The table declares %1 maps but has %2.</source>
-        <translation>Табелата вели дека има %1 пресликувања, а има %2.</translation>
-    </message>
-    <message>
         <source>The header does not say which column is a, b, c, d, e and f; choose the order of the columns.</source>
         <translation>Заглавието не кажува која колона е a, b, c, d, e и f; изберете го редоследот на колоните.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers; a map has 6 numbers, or 7 with its weight.</source>
-        <translation>Оваа редица има %1 броја; пресликувањето е 6 броја, или 7 со тежината.</translation>
     </message>
     <message>
         <source>“%1” is not a decimal number.</source>
@@ -3952,10 +3947,6 @@
     <message>
         <source>This is a list of other files, as used by the program Fraktale, not a Fractint collection.</source>
         <translation>Ова е список на други датотеки, каков што има програмата Fraktale, а не збирка на Fractint.</translation>
-    </message>
-    <message>
-        <source>This row has %1 numbers, but the header names %2 columns.</source>
-        <translation>Оваа редица има %1 броја, а заглавието именува %2 колони.</translation>
     </message>
     <message>
         <source>reason</source>
@@ -4278,28 +4269,12 @@
         <translation>За „%1“ во OpenSCAD би биле потребни повеќе од %2 делови. Изберете поголеми воксели.</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
-        <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете поголеми воксели.</translation>
-    </message>
-    <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose larger voxels.</source>
-        <translation>Деловите на „%1“ премногу се преклопуваат за неговите воксели да се најдат во разумно време. Изберете поголеми воксели.</translation>
-    </message>
-    <message>
         <source>“%1” is too large for a solid.</source>
         <translation>„%1“ е преголем за тело.</translation>
     </message>
     <message>
         <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
         <translation>„%1“ е една точка: може да се избере само големината на вокселот.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose larger voxels.</source>
-        <translation>Ѕидот е предебел за воксели со оваа големина. Изберете поголеми воксели.</translation>
-    </message>
-    <message>
-        <source>The surface of “%1” would have more than %2 million triangles. Choose larger voxels.</source>
-        <translation>Површината на „%1“ би имала повеќе од %2 милиони триаголници. Изберете поголеми воксели.</translation>
     </message>
     <message>
         <source>The surface of “%1” is not closed, so it was not written.</source>
@@ -4432,10 +4407,6 @@
     <message>
         <source>The stored order does not list every active map of “%1” once.</source>
         <translation>Зачуваниот редослед не го наведува секое активно пресликување на „%1“ точно еднаш.</translation>
-    </message>
-    <message>
-        <source>“%1” has %2 active maps and “%3” has %4. Both must have the same number.</source>
-        <translation>„%1“ има %2 активни пресликувања, а „%3“ има %4. Треба да имаат еднаков број.</translation>
     </message>
     <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
@@ -4710,16 +4681,68 @@
         <translation>%1, и внатре во себе</translation>
     </message>
     <message>
-        <source>%1 frames at %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>%1 кадри, %2 во секунда, %3; траки: %4, движења: %5</translation>
-    </message>
-    <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
         <translation>Сликата во „%1“ во просторот бара повеќе од 4 GB меморија.</translation>
     </message>
     <message>
         <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
         <translation>Зачуваната симетрија „%1“ не е важечка за овој запис и не се применува; нејзините редови се задржуваат. Ротацијата го повторува секое пресликување од 2 до %2 пати; полиедрите припаѓаат на просторот.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” must have the same number of active maps; they have %3 and %4.</source>
+        <translation>„%1“ и „%2“ треба да имаат еднаков број активни пресликувања; имаат %3 и %4.</translation>
+    </message>
+    <message>
+        <source>Other problems in this entry, not listed: %1.</source>
+        <translation>Други проблеми во овој запис што не се наведени: %1.</translation>
+    </message>
+    <message>
+        <source>Numbers are missing or left over: this line has %1, the entry has %2, and each map has %3%4.</source>
+        <translation>Недостигаат броеви или има вишок: овој ред има %1, записот има %2, а секое пресликување има %3%4.</translation>
+    </message>
+    <message>
+        <source>moved branches</source>
+        <translation>поместени гранки</translation>
+    </message>
+    <message>
+        <source>all figures are those of the code, where no branch is moved</source>
+        <translation>сите бројки се на кодот, каде што ниту една гранка не е поместена</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
+        <translation>кадри: %1, %2 во секунда, %3; траки: %4, движења: %5</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете помала резолуција, односно поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Деловите на „%1“ премногу се преклопуваат за неговите воксели да се најдат во разумно време. Изберете помала резолуција, односно поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Ѕидот е предебел за воксели со оваа големина. Изберете помала резолуција, односно поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Површината на „%1“ би имала повеќе од %2 милиони триаголници. Изберете помала резолуција, односно поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The count says %1, but the number of maps is %2.</source>
+        <translation>Наведен е бројот %1, но бројот на пресликувања е %2.</translation>
+    </message>
+    <message>
+        <source>The header names %2 columns, but this row has %1.</source>
+        <translation>Заглавието именува %2 колони, но оваа редица има %1.</translation>
+    </message>
+    <message>
+        <source>A map has 6 numbers, or 7 with its weight; this row has %1.</source>
+        <translation>Пресликувањето е 6 броја, или 7 со тежината; оваа редица има %1.</translation>
+    </message>
+    <message>
+        <source>its animation</source>
+        <translation>неговата анимација</translation>
     </message>
 </context>
 <context>
@@ -5084,6 +5107,29 @@
     </message>
 </context>
 <context>
+    <name>document::KeyedMaps</name>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Една гранка</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 има клучеви што пресликувањата на новиот систем не би можеле да ги следат. Прво отстранете ги од временската линија.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Едно движење поместува одделни пресликувања, а тие на новиот систем се други. Прво отстранете го ова движење од временската линија.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 има клучеви: би се препишало само во оваа слика, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
+    </message>
+</context>
+<context>
     <name>document::LinkEdits</name>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -5389,6 +5435,10 @@
         <source>computing…</source>
         <translation>се пресметува…</translation>
     </message>
+    <message>
+        <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
+        <translation>Има поместени гранки. Кутијата, симплексот, обвивката, средината и коваријансата се оние на сликата; другите својства се на кодот.</translation>
+    </message>
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
@@ -5628,14 +5678,6 @@
         <source>Writes a folder with the animation and with scripts that draw it on a Slurm cluster, and submits the job if sbatch is found.</source>
         <translation>Запишува папка со анимацијата и со скрипти што ја цртаат на кластер со Slurm, и ја поднесува ако се најде sbatch.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n frame(s), %1 seconds.</source>
-        <translation>
-            <numerusform>%n кадар, %1 секунди.</numerusform>
-            <numerusform>%n кадри, %1 секунди.</numerusform>
-            <numerusform>%n кадри, %1 секунди.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>MP4 needs even sides: the last column or row is shown twice.</source>
         <translation>MP4 бара парни страни: последната колона или редица се прикажува двапати.</translation>
@@ -5735,6 +5777,37 @@
     <message>
         <source>Summary of the export</source>
         <translation>Преглед на извозот</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 s.</source>
+        <translation>
+            <numerusform>%n кадар, %1 s.</numerusform>
+            <numerusform>%n кадри, %1 s.</numerusform>
+            <numerusform>%n кадри, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for existing pictures…</source>
+        <translation>Се бараат постојни слики…</translation>
+    </message>
+    <message>
+        <source>Replace Files?</source>
+        <translation>Да се заменат датотеките?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) with the names of these pictures exist already and hold something else.</source>
+        <translation>
+            <numerusform>%n датотека со име на една од овие слики веќе постои и содржи нешто друго.</numerusform>
+            <numerusform>%n датотеки со имињата на овие слики веќе постојат и содржат нешто друго.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The first one is “%1”. If you replace them, their contents are lost.</source>
+        <translation>Првата е „%1“. Ако ги замените, нивната содржина ќе се изгуби.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Замени</translation>
     </message>
 </context>
 <context>
@@ -5954,12 +6027,28 @@
         <translation>Кај слика %1 не можеше да се утврди дали постои атрактор.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Weaken the motions, or set a key there.</source>
-        <translation>Кај слика %1 нема атрактор. Ослабете ги движењата или поставете клуч таму.</translation>
+        <source>Weaken the motions.</source>
+        <translation>Ослабете ги движењата.</translation>
     </message>
     <message>
-        <source>At frame %1, there is no attractor. Set a key there, or change those around it.</source>
-        <translation>Кај слика %1 нема атрактор. Поставете клуч таму или сменете ги соседните клучеви.</translation>
+        <source>Change the maps.</source>
+        <translation>Сменете ги пресликувањата.</translation>
+    </message>
+    <message>
+        <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
+        <translation>Ослабете ги движењата или сменете ги клучевите на пресликувањата (слики: %1).</translation>
+    </message>
+    <message>
+        <source>Change the keys of the maps (frames: %1).</source>
+        <translation>Сменете ги клучевите на пресликувањата (слики: %1).</translation>
+    </message>
+    <message>
+        <source>Set a key there, or change the keys of the maps (frames: %1).</source>
+        <translation>Поставете клуч таму или сменете ги клучевите на пресликувањата (слики: %1).</translation>
+    </message>
+    <message>
+        <source>At frame %1, there is no attractor.</source>
+        <translation>Кај слика %1 нема атрактор.</translation>
     </message>
 </context>
 <context>
@@ -6112,8 +6201,8 @@
         <translation>Кодот не се менува. Оваа гранка се прикажува на друго место, а исто така и истата гранка внатре во неа, повторно и повторно: листот се витка. Покрај неа ништо не се менува.</translation>
     </message>
     <message>
-        <source>Maps cannot swing while the cage is flat or bends the picture. First open or reset the cage.</source>
-        <translation>Пресликувањата не може да се нишаат додека кафезот е рамен или ја свиткува сликата. Прво отворете го или вратете го кафезот.</translation>
+        <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
+        <translation>Пресликувањата не може да се нишаат додека кафезот е рамен. Прво отворете го или вратете го кафезот.</translation>
     </message>
 </context>
 <context>
@@ -7017,10 +7106,6 @@
 <context>
     <name>view::ClusterQueue</name>
     <message>
-        <source>%1 of %2 tasks are done</source>
-        <translation>готови се %1 од %2 задачи</translation>
-    </message>
-    <message>
         <source>%1 running</source>
         <translation>%1 се извршуваат</translation>
     </message>
@@ -7071,6 +7156,10 @@
     <message>
         <source>Slurm did not accept the job: %1</source>
         <translation>Slurm не ја прифати задачата: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>готови %1 од %2</translation>
     </message>
 </context>
 <context>
@@ -8565,10 +8654,6 @@
         <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното. Во листата се и зачуваните погледи.</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Programs that open the file draw %1 copies (the limit is %3).</source>
-        <translation>Гарантирана точност: %2 px. Програмите што ја отвораат датотеката цртаат %1 копии (границата е %3).</translation>
-    </message>
-    <message>
         <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
         <translation>%1 × %2 се %3 милиони пиксели. Цртањето може да трае со часови, а датотеката може да зафати до %4.</translation>
     </message>
@@ -8587,6 +8672,10 @@
     <message>
         <source>&amp;Export Anyway</source>
         <translation>&amp;Сепак извези</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Гарантирана точност: %2 px. Копии што ги цртаат програмите што ја отвораат датотеката: %1 (границата е %3).</translation>
     </message>
 </context>
 <context>
@@ -11554,10 +11643,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Зачувај</translation>
     </message>
     <message>
-        <source>Keeps the view with the fractal: one step of the history.</source>
-        <translation>Го зачувува погледот со фракталот: еден чекор во историјата.</translation>
-    </message>
-    <message>
         <source>View %1</source>
         <translation>Поглед %1</translation>
     </message>
@@ -11572,6 +11657,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Saved as “%1”.</source>
         <translation>Се зачувува како „%1“.</translation>
+    </message>
+    <message>
+        <source>Keeps the view with the fractal: one step of the history. A view of the same name is replaced.</source>
+        <translation>Го зачувува погледот со фракталот: еден чекор во историјата. Поглед со исто име се заменува.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Замени</translation>
     </message>
 </context>
 <context>
@@ -12689,6 +12782,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Corner %1 of the branch at %2, %3, %4</source>
         <translation>Аголот %1 на гранката е во %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Map %4, its middle at %1, %2, %3</source>
+        <translation>Пресликување %4, неговата средина е во %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The middle of the branch at %1, %2, %3</source>
+        <translation>Средината на гранката е во %1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -14152,10 +14253,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Колку слики во секунда се цртаат при пуштањето</translation>
     </message>
     <message>
-        <source>Length of the animation: %1 frames</source>
-        <translation>Должина на анимацијата: %1 слики</translation>
-    </message>
-    <message>
         <source>Frames per second: %1</source>
         <translation>Слики во секунда: %1</translation>
     </message>
@@ -14178,6 +14275,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
         <translation>„%1“ не е брзина на слики. Внесете слики во секунда, над 0 и најмногу %2, на пример 24, 29.97 или 30000/1001.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Length of the animation: %n frame(s)</source>
+        <translation>
+            <numerusform>Должина на анимацијата: %n слика</numerusform>
+            <numerusform>Должина на анимацијата: %n слики</numerusform>
+            <numerusform>Должина на анимацијата: %n слики</numerusform>
+        </translation>
     </message>
 </context>
 <context>
