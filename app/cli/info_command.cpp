@@ -126,6 +126,11 @@ QByteArray factsOf(const Arguments& arguments, io::InfoSubject subject, Progress
 void dropEntriesEndedBefore(const std::string& frame, Selection& selection, const QString& fileName) {
     const animation::Moment moment = momentArgument("--frame", frame);
     selection.entries.removeIf([&](const document::Entry& entry) {
+        if (isLoaded(entry) && !document::animationFacts(*entry.fractal))
+            reportWarning(fileName,
+                          QCoreApplication::translate("cli", "“%1” has no animation: its properties are the "
+                                                             "same in every frame.")
+                              .arg(printableLine(entry.fractal->name)));
         const QString obstacle = frameObstacle(*entry.fractal, moment);
         if (!obstacle.isEmpty()) reportError(fileName, obstacle);
         selection.complete &= obstacle.isEmpty();

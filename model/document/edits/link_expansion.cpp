@@ -94,9 +94,9 @@ QString linkExpansionObstacle(const Fractal& fractal) {
             .arg(fractal.name, QString::number(maxWords));
     if (!plain)
         return Text::tr(
-                   "The links of “%1” cannot be written as plain maps: they allow an endless sequence "
-                   "of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or "
-                   "remove them.")
+                   "The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever "
+                   "without reaching one that may follow every map. Keep the links in an .ifs or .flame "
+                   "file, or remove them.")
             .arg(fractal.name);
     if (isEachOneMap(*plain)) return {};
     const bool moves =

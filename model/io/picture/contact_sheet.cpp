@@ -2,7 +2,9 @@
 #include "io/picture/contact_sheet.h"
 
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 #include "io/picture/picture_writers.h"
+#include "io/picture/space_export.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -173,8 +175,7 @@ private:
         card.addRoundedRect(area, radius, radius);
         if (picture.isNull()) {
             m_painter->drawPath(card);
-            paintText(area, Qt::AlignCenter, font(m_layout.text), m_inks.quiet,
-                      document::dimension(fractal) == 3 ? Text::tr("in space") : Text::tr("no attractor"));
+            paintText(area, Qt::AlignCenter, font(m_layout.text), m_inks.quiet, Text::tr("no attractor"));
         } else {
             m_painter->save();
             m_painter->setClipPath(card);
@@ -187,7 +188,7 @@ private:
 
     // Null when there is nothing to draw.
     QImage drawn(const document::Fractal& fractal) const {
-        constexpr double margin = 0.06;
+        if (document::space(fractal)) return drawnInSpace(fractal);
         constexpr std::size_t cells = 64U << 20; // bytes
         if (!document::system2(fractal)) return {};
         const auto box = document::displayedBox(fractal);
@@ -199,10 +200,33 @@ private:
         PngExport picture{fractal, document::renderRequest(fractal, camera), {}};
         picture.bandBytes = cells;
         picture.request.threads = m_sheet.threads;
-        picture.request.samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) *
-                                  std::uint64_t(m_sheet.samplesPerPixel);
+        picture.request.samples = samples();
         return drawPicture(picture, {}, m_stop).image;
     }
+
+    // As `render` does when it is told nothing.
+    QImage drawnInSpace(const document::Fractal& fractal) const {
+        constexpr double azimuth = 30, elevation = 20;
+        if (!document::spaceSupport(fractal)) return {};
+        attractor::OrbitCamera camera;
+        camera.size = {m_layout.tile.width(), m_layout.tile.height()};
+        camera.orientation = attractor::orbit(azimuth, elevation);
+        SpaceExport picture;
+        picture.fractal = fractal;
+        picture.look = fractal.inSpace.look;
+        picture.solid = document::solidAppearance(fractal);
+        picture.request = document::spaceRequest(fractal, document::fittedToPicture(fractal, camera, margin));
+        picture.request.threads = m_sheet.threads;
+        picture.request.samples = samples();
+        return drawSpacePicture(picture, {}, m_stop).image;
+    }
+
+    std::uint64_t samples() const {
+        return std::uint64_t(m_layout.tile.width()) * std::uint64_t(m_layout.tile.height()) *
+               std::uint64_t(m_sheet.samplesPerPixel);
+    }
+
+    static constexpr double margin = 0.06; // of a tile, around the picture
 
     const ContactSheet& m_sheet;
     Layout m_layout;

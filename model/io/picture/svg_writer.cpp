@@ -159,7 +159,11 @@ private:
 
     QString length(int pixels) const {
         if (m_format.dotsPerInch == SvgFormat::pixelsOfSvg) return QString::number(pixels);
-        return QString::number(25.4 * pixels / m_format.dotsPerInch, 'g', 7) + QStringLiteral("mm");
+        // A sheet of paper has whole pixels only about: what tenths of a millimetre tell is told in them.
+        const double perMillimetre = m_format.dotsPerInch / 25.4;
+        const double tenths = std::round(10 * pixels / perMillimetre) / 10;
+        const double length = std::lround(tenths * perMillimetre) == pixels ? tenths : pixels / perMillimetre;
+        return QString::number(length, 'g', 7) + QStringLiteral("mm");
     }
 
     void startRoot() {

@@ -460,15 +460,22 @@ QString loopText(animation::Loop loop) {
     return Text::tr("once");
 }
 
+// "; tracks: 2, motions: 1", without what there is none of.
+QString movingText(const document::AnimationFacts& facts) {
+    QStringList parts;
+    if (facts.tracks > 0) parts << Text::tr("tracks: %1").arg(facts.tracks);
+    if (facts.motions > 0) parts << Text::tr("motions: %1").arg(facts.motions);
+    return parts.isEmpty() ? QString() : QStringLiteral("; ") + parts.join(QStringLiteral(", "));
+}
+
 void addAnimation(Lines& lines, const document::Fractal& fractal) {
     const auto facts = document::animationFacts(fractal);
     if (!facts) return;
     lines.add(Text::tr("animation"),
-              Text::tr("frames: %1, %2 per second, %3; tracks: %4, motions: %5")
-                  .arg(animation::frameCount(facts->loop, facts->length))
-                  .arg(digits(double(facts->rate.frames) / facts->rate.seconds), loopText(facts->loop))
-                  .arg(facts->tracks)
-                  .arg(facts->motions));
+              Text::tr("frames: %1, %2 per second, %3")
+                      .arg(animation::frameCount(facts->loop, facts->length))
+                      .arg(digits(double(facts->rate.frames) / facts->rate.seconds), loopText(facts->loop)) +
+                  movingText(*facts));
 }
 
 void addEntry(Lines& lines, const document::Entry& entry, const InfoSubject& subject) {

@@ -92,6 +92,12 @@ void CliAnimateTest::infoSaysWhatMoves() {
     QVERIFY(run("info wind.ifs --entry wind").out.contains(" 6 frames"));
     QVERIFY(run("info wind.ifs --entry once").out.contains(" 7 frames"));
     QVERIFY(run("info wind.ifs --entry back").out.contains(" 12 frames"));
+    // What there is none of is left out.
+    QVERIFY(run("info wind.ifs --entry wind").out.contains("; tracks: 1, motions: 1\n"));
+    write("swaying.ifs", "sway {\n; barycage: animation 6 24/1 cycle\n; barycage: motion sway\n"
+                         "; barycage: strength 4\n; barycage: pivot 0 0\n; barycage: wave 1\n"
+                         "; barycage: value 1 0 25\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
+    QVERIFY(run("info swaying.ifs").out.contains("in a cycle; motions: 1\n"));
     QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o a/#.png") + small).status, 0);
     QCOMPARE(files("a").size(), 7);
     QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o b/##.png") + small).status, 0);
@@ -106,6 +112,8 @@ void CliAnimateTest::factsAreThoseOfTheFrame() {
     QVERIFY(!key.entry()[QLatin1String("animation")].isNull());
     const Result still = run("info --json wind.ifs --entry still --frame 4");
     QCOMPARE(still.out, run("info --json wind.ifs --entry still").out);
+    QVERIFY2(still.err.contains("“still” has no animation"), still.err.constData());
+    QCOMPARE(key.err, QByteArray());
     QCOMPARE(run("info --json wind.ifs --entry once --frame 2.5").out,
              run("info --json wind.ifs --entry once --frame 5/2").out);
     QVERIFY(run("info --json wind.ifs --entry once --frame 2.5").out != key.out);

@@ -26,6 +26,7 @@ private slots:
     void cageOfManyCornersBendsThePicture();
     void drawsShapes();
     void drawsAGallery();
+    void aGalleryShowsSolids();
     void instructionSetsGiveTheSameBytes_data();
     void instructionSetsGiveTheSameBytes();
     void pictureOptionsCount();
@@ -200,6 +201,37 @@ void CliRenderTest::drawsShapes() {
     QCOMPARE(run(render + " a.svg --points 9").status, 2);
     QCOMPARE(run("convert systems.ifs all.pdf").status, 0);
     QVERIFY(read("all.pdf").contains("/Count 2/")); // the third has no attractor
+}
+
+// As they are drawn one by one.
+void CliRenderTest::aGalleryShowsSolids() {
+    QByteArray maps;
+    for (int k = 0; k < 4; ++k)
+        maps += " .5 0 0 0 .5 0 0 0 .5 " + QByteArray(k == 1 ? "1" : "0") + (k == 2 ? " 1" : " 0") +
+                (k == 3 ? " 1" : " 0") + " .25\n";
+    write("solid.ifs",
+          "stone (3D) {\n" + maps + "}\ncloud (3D) {\n; barycage: space-look cloud\n" + maps + "}\n");
+    const Result result = run("gallery solid.ifs -o solid.png --tile 100x80 --columns 2");
+    QCOMPARE(result.status, 0);
+    QCOMPARE(result.err, QByteArray());
+    const QImage sheet = QImage(path("solid.png")).convertToFormat(QImage::Format_RGB32);
+    QCOMPARE(run("render solid.ifs -o alone.png --size 100x80 --margin 6").status, 0);
+    const QImage alone = QImage(path("alone.png")).convertToFormat(QImage::Format_RGB32);
+    constexpr int edge = 12; // around the sheet
+    int shown = 0, others = 0;
+    for (int y = 10; y < 70; ++y)
+        for (int x = 10; x < 90; ++x) {
+            const int there = qGray(sheet.pixel(edge + x, edge + y));
+            shown += there > 60;
+            others += std::abs(there - qGray(alone.pixel(x, y))) > 8;
+        }
+    QVERIFY2(shown > 500, qPrintable(QString::number(shown)));
+    QVERIFY2(others < 48, qPrintable(QString::number(others))); // a hundredth
+    int ofCloud = 0;
+    for (int y = 10; y < 70; ++y)
+        for (int x = 10; x < 90; ++x)
+            ofCloud += qGray(sheet.pixel(edge + 100 + 6 + x, edge + y)) > 60;
+    QVERIFY2(ofCloud > 100 && ofCloud != shown, qPrintable(QString::number(ofCloud)));
 }
 
 void CliRenderTest::drawsAGallery() {

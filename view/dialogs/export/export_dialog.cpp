@@ -407,16 +407,19 @@ void ExportDialog::showSvgPlan() {
         showPlan(tr("One dot for every visible point of the chaos game."));
         return;
     }
-    showPlan(
-        tr("Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).")
-            .arg(groupedNumber(double(plan.references)), QString::number(plan.errorInPixels, 'f', 2),
-                 groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
-        (plan.isCutShort
-             ? tr(" More levels would be more accurate, but programs would take long to draw them.")
-             : QString()) +
-        (plan.unbent ? tr(" The cage bends the picture, which copies cannot reproduce: the affine fit of the "
-                          "cage is written instead. A PNG shows the bend.")
-                     : QString()));
+    const QString accuracy =
+        m_size->isOnPaper() ? tr("%1 mm").arg(25.4 * plan.errorInPixels / m_size->dotsPerInch(), 0, 'f', 3)
+                            : tr("%1 px").arg(plan.errorInPixels, 0, 'f', 2);
+    showPlan(tr("Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).")
+                 .arg(groupedNumber(double(plan.references)), accuracy,
+                      groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
+             (plan.isCutShort
+                  ? tr(" More levels would be more accurate, but programs would take long to draw them.")
+                  : QString()) +
+             (plan.unbent
+                  ? tr(" The cage bends the picture, which copies cannot reproduce: the affine fit of the "
+                       "cage is written instead. A PNG shows the bend.")
+                  : QString()));
 }
 
 void ExportDialog::showPlan(const QString& text) {

@@ -98,6 +98,8 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     connect(m_height, &QDoubleSpinBox::valueChanged, this, &ExportSizeEditor::takeHeight);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &ExportSizeEditor::showSize);
     connect(m_resolution, &QSpinBox::valueChanged, this, &ExportSizeEditor::showSize);
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &ExportSizeEditor::changed);
+    connect(m_resolution, &QSpinBox::valueChanged, this, &ExportSizeEditor::changed);
     connect(m_named, &QComboBox::activated, this, &ExportSizeEditor::takeNamedSize);
     showSize();
 }
@@ -197,7 +199,11 @@ void ExportSizeEditor::showSize() {
         field->setDecimals(decimals);
     m_width->setValue(m_pixels.width() / unitInPixels());
     m_height->setValue(m_pixels.height() / unitInPixels());
-    const int named = m_named->findData(m_pixels, Size);
+    int named = m_named->findData(m_pixels, Size);
+    // A sheet that was chosen for another screen may stand where this one lies.
+    if (const int turned = m_named->findData(m_pixels.transposed(), Size);
+        named < 0 && turned >= 0 && m_named->itemData(turned, IsPaper).toBool())
+        named = turned;
     m_named->setCurrentIndex(named >= 0 ? named : m_named->count() - 1);
 }
 

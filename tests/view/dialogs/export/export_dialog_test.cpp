@@ -275,7 +275,13 @@ void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
         return exported.wait(20'000) && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     const QByteArray svg = written("SVG", QStringLiteral("a4.svg"));
-    QVERIFY2(svg.contains("width=\"297.0107mm\" height=\"209.9733mm\" viewBox=\"0 0 3508 2480\""),
+    auto* plan = named<QLabel>(dialog, "Description of the picture");
+    QTRY_VERIFY(plan->text().contains(QStringLiteral(" mm. ")));
+    auto* unit = named<QComboBox>(dialog, "Unit of length");
+    unit->setCurrentIndex(0);
+    QTRY_VERIFY(plan->text().contains(QStringLiteral(" px. ")));
+    unit->setCurrentIndex(1);
+    QVERIFY2(svg.contains("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 3508 2480\""),
              svg.left(400).constData());
     const QByteArray pdf = written("PDF", QStringLiteral("a4.pdf"));
     static const QRegularExpression box(QStringLiteral("/MediaBox ?\\[0 0 ([0-9.]+) ([0-9.]+)"));

@@ -64,6 +64,13 @@ void ExportSizeEditorTest::sizesAreChosenByName() {
     ExportSizeEditor standing({120, 160});
     auto* sheets = named<QComboBox>(standing, "Named size");
     QCOMPARE(sheets->itemData(sheets->findText(QStringLiteral("A3 at 300 dpi"))).toSize(), QSize(3508, 4961));
+    // The next time the screen may have another shape.
+    choose("A4");
+    standing.choose(editor.choice());
+    QCOMPARE(standing.pixels(), QSize(3508, 2480));
+    QCOMPARE(sheets->currentText(), QStringLiteral("A4 at 300 dpi"));
+    standing.setPixels({1080, 1920});
+    QCOMPARE(sheets->currentText(), QStringLiteral("Custom"));
 }
 
 void ExportSizeEditorTest::lengthsFollowTheResolution() {
