@@ -3369,10 +3369,6 @@
         <translation>„%1“ drucken</translation>
     </message>
     <message>
-        <source>in space</source>
-        <translation>im Raum</translation>
-    </message>
-    <message>
         <source>no attractor</source>
         <translation>kein Attraktor</translation>
     </message>
@@ -4700,10 +4696,6 @@
         <translation>alle Kennwerte sind die des Codes, in dem kein Ast verschoben ist</translation>
     </message>
     <message>
-        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>Bilder: %1, %2 pro Sekunde, %3; Spuren: %4, Bewegungen: %5</translation>
-    </message>
-    <message>
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
         <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
     </message>
@@ -4734,6 +4726,18 @@
     <message>
         <source>its animation</source>
         <translation>seine Animation</translation>
+    </message>
+    <message>
+        <source>tracks: %1</source>
+        <translation>Spuren: %1</translation>
+    </message>
+    <message>
+        <source>motions: %1</source>
+        <translation>Bewegungen: %1</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3</source>
+        <translation>Bilder: %1, %2 pro Sekunde, %3</translation>
     </message>
 </context>
 <context>
@@ -5143,12 +5147,12 @@
         <translation>Einfache Abbildungen von „%1“ wären Wörter seiner Abbildungen, die an seiner Animation oder seinen bewegten Ästen nicht teilnehmen können. Entfernen Sie diese zuerst.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Sie erlauben eine endlose Folge von Abbildungen, von denen keine auf jede Abbildung folgen darf. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Einfache Abbildungen von „%1“ wären mehr als %2 Wörter seiner Abbildungen, was die Grenze ist. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Eine Folge von Abbildungen kann endlos weitergehen, ohne eine zu erreichen, die auf jede Abbildung folgen darf. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
     </message>
 </context>
 <context>
@@ -8652,8 +8656,16 @@
         <translation>Trotzdem &amp;exportieren</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
-        <translation>Garantierte Genauigkeit: %2 px. Kopien, die Programme beim Öffnen der Datei zeichnen: %1 (höchstens %3).</translation>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Garantierte Genauigkeit: %2. Kopien, die Programme beim Öffnen der Datei zeichnen: %1 (höchstens %3).</translation>
     </message>
 </context>
 <context>

@@ -3369,10 +3369,6 @@
         <translation>Imprimir «%1»</translation>
     </message>
     <message>
-        <source>in space</source>
-        <translation>en el espacio</translation>
-    </message>
-    <message>
         <source>no attractor</source>
         <translation>sin atractor</translation>
     </message>
@@ -4700,10 +4696,6 @@
         <translation>todas las cifras son las del código, donde no hay ninguna rama desplazada</translation>
     </message>
     <message>
-        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>fotogramas: %1, %2 por segundo, %3; pistas: %4, movimientos: %5</translation>
-    </message>
-    <message>
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
         <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
     </message>
@@ -4734,6 +4726,18 @@
     <message>
         <source>its animation</source>
         <translation>su animación</translation>
+    </message>
+    <message>
+        <source>tracks: %1</source>
+        <translation>pistas: %1</translation>
+    </message>
+    <message>
+        <source>motions: %1</source>
+        <translation>movimientos: %1</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3</source>
+        <translation>fotogramas: %1, %2 por segundo, %3</translation>
     </message>
 </context>
 <context>
@@ -5143,12 +5147,12 @@
         <translation>Las aplicaciones simples de «%1» serían palabras de sus aplicaciones, que no pueden participar en su animación ni en sus ramas movidas. Quite estas primero.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: permiten una sucesión sin fin de aplicaciones de las que ninguna puede seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Las aplicaciones simples de «%1» serían más de %2 palabras de sus aplicaciones, que es el límite. Conserve los enlaces en un archivo .ifs o .flame, o elimínelos.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: una sucesión de aplicaciones puede continuar sin fin sin llegar a una que pueda seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
     </message>
 </context>
 <context>
@@ -8652,8 +8656,16 @@
         <translation>&amp;Exportar de todos modos</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
-        <translation>Precisión garantizada: %2 px. Copias que dibujan los programas que abren el archivo: %1 (el límite es %3).</translation>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Precisión garantizada: %2. Copias que dibujan los programas que abren el archivo: %1 (el límite es %3).</translation>
     </message>
 </context>
 <context>

@@ -3129,7 +3129,7 @@
     <name>SpaceMapDrag</name>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
-        <translation>Arrêté : au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
+        <translation>Arrêté&#x202f;: au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
     </message>
 </context>
 <context>
@@ -3367,10 +3367,6 @@
     <message>
         <source>Print “%1”</source>
         <translation>Imprimer «&#x202f;%1&#x202f;»</translation>
-    </message>
-    <message>
-        <source>in space</source>
-        <translation>dans l’espace</translation>
     </message>
     <message>
         <source>no attractor</source>
@@ -4700,10 +4696,6 @@
         <translation>tous les chiffres sont ceux du code, où aucune branche n’est déplacée</translation>
     </message>
     <message>
-        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>images : %1, %2 par seconde, %3 ; pistes : %4, mouvements : %5</translation>
-    </message>
-    <message>
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
         <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
     </message>
@@ -4734,6 +4726,18 @@
     <message>
         <source>its animation</source>
         <translation>son animation</translation>
+    </message>
+    <message>
+        <source>tracks: %1</source>
+        <translation>pistes : %1</translation>
+    </message>
+    <message>
+        <source>motions: %1</source>
+        <translation>mouvements : %1</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3</source>
+        <translation>images : %1, %2 par seconde, %3 </translation>
     </message>
 </context>
 <context>
@@ -5143,12 +5147,12 @@
         <translation>Les applications simples de « %1 » seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : ils permettent une suite sans fin d’applications dont aucune ne peut suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Les applications simples de «&#x202f;%1&#x202f;» seraient plus de %2 mots de ses applications, ce qui est la limite. Gardez les liens dans un fichier .ifs ou .flame, ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : une suite d’applications peut continuer sans fin sans en atteindre une qui puisse suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
     </message>
 </context>
 <context>
@@ -8652,8 +8656,16 @@
         <translation>&amp;Exporter quand même</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
-        <translation>Précision garantie : %2 px. Copies dessinées par les programmes qui ouvrent le fichier : %1 (la limite est %3).</translation>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Précision garantie : %2. Copies dessinées par les programmes qui ouvrent le fichier : %1 (la limite est %3).</translation>
     </message>
 </context>
 <context>

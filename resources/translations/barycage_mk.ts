@@ -3377,10 +3377,6 @@
         <translation>Печатење на „%1“</translation>
     </message>
     <message>
-        <source>in space</source>
-        <translation>во простор</translation>
-    </message>
-    <message>
         <source>no attractor</source>
         <translation>нема атрактор</translation>
     </message>
@@ -4709,10 +4705,6 @@
         <translation>сите бројки се на кодот, каде што ниту една гранка не е поместена</translation>
     </message>
     <message>
-        <source>frames: %1, %2 per second, %3; tracks: %4, motions: %5</source>
-        <translation>кадри: %1, %2 во секунда, %3; траки: %4, движења: %5</translation>
-    </message>
-    <message>
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
         <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете помала резолуција, односно поголеми воксели.</translation>
     </message>
@@ -4743,6 +4735,18 @@
     <message>
         <source>its animation</source>
         <translation>неговата анимација</translation>
+    </message>
+    <message>
+        <source>tracks: %1</source>
+        <translation>траки: %1</translation>
+    </message>
+    <message>
+        <source>motions: %1</source>
+        <translation>движења: %1</translation>
+    </message>
+    <message>
+        <source>frames: %1, %2 per second, %3</source>
+        <translation>кадри: %1, %2 во секунда, %3</translation>
     </message>
 </context>
 <context>
@@ -5152,12 +5156,12 @@
         <translation>Обичните пресликувања на „%1“ би биле зборови од неговите пресликувања, кои не можат да учествуваат во неговата анимација или во поместените гранки. Прво отстранете ги нив.</translation>
     </message>
     <message>
-        <source>The links of “%1” cannot be written as plain maps: they allow an endless sequence of maps none of which may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: дозволуваат бескрајна низа пресликувања од кои ниедно не смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
-    </message>
-    <message>
         <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
         <translation>Обичните пресликувања на „%1“ би биле повеќе од %2 зборови од неговите пресликувања, што е границата. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: низа пресликувања може да продолжи бескрајно без да стигне до пресликување што смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
     </message>
 </context>
 <context>
@@ -5799,6 +5803,7 @@
         <translation>
             <numerusform>%n датотека со име на една од овие слики веќе постои и содржи нешто друго.</numerusform>
             <numerusform>%n датотеки со имињата на овие слики веќе постојат и содржат нешто друго.</numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
     <message>
@@ -8674,8 +8679,16 @@
         <translation>&amp;Сепак извези</translation>
     </message>
     <message>
-        <source>Guaranteed accuracy: %2 px. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
-        <translation>Гарантирана точност: %2 px. Копии што ги цртаат програмите што ја отвораат датотеката: %1 (границата е %3).</translation>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
+        <translation>Гарантирана точност: %2. Копии што ги цртаат програмите што ја отвораат датотеката: %1 (границата е %3).</translation>
     </message>
 </context>
 <context>
