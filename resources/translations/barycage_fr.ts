@@ -4737,7 +4737,7 @@
     </message>
     <message>
         <source>frames: %1, %2 per second, %3</source>
-        <translation>images : %1, %2 par seconde, %3 </translation>
+        <translation>images : %1, %2 par seconde, %3</translation>
     </message>
 </context>
 <context>
