@@ -57,9 +57,7 @@ ClipboardCommands::Target ClipboardCommands::target() const {
     if (focused == maps(m_context).table()) return Target::Maps;
     if (focused != nullptr && focused != m_context.window && !isWithin(focused, m_context.stage))
         return Target::Other;
-    const bool isOfMaps =
-        !m_context.stage->showsSpace() && m_context.canvas->tool() == view::CanvasView::Tool::Maps;
-    return isOfMaps ? Target::CanvasOfMaps : Target::Canvas;
+    return m_context.canvas->tool() == view::CanvasView::Tool::Maps ? Target::CanvasOfMaps : Target::Canvas;
 }
 
 // As if it had been typed: each widget knows what the key means to it. A key that no widget claims would be

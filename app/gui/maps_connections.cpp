@@ -9,6 +9,41 @@
 #include "stage.h"
 #include "window_messages.h"
 
+#include <QTableView>
+
+#include <algorithm>
+
+namespace {
+
+// Of several rows the window into space holds the map that the form shows.
+void holdSelected(const view::MapsPanel& maps, Stage* stage) {
+    const std::vector<ifs::MapId> selected = maps.selectedMaps();
+    if (selected.empty()) return;
+    const ifs::MapId current = maps.model()->idAt(maps.table()->currentIndex().row());
+    const bool isCurrent = std::ranges::find(selected, current) != selected.end();
+    const auto rows = maps.model()->rowsOf({isCurrent ? current : selected.front()});
+    if (rows.empty()) return;
+    stage->space()->holdMap(std::size_t(rows.front()));
+    for (view::SpaceView* other : stage->views()->others())
+        other->holdMap(std::size_t(rows.front()));
+}
+
+void connectSpace(view::MapsPanel* maps, Stage* stage, const document::Document& document) {
+    const auto hold = [maps, stage, &document] {
+        if (document::space(document.fractal())) holdSelected(*maps, stage);
+    };
+    QObject::connect(maps, &view::MapsPanel::selectionChanged, stage, hold);
+    QObject::connect(maps->table()->selectionModel(), &QItemSelectionModel::currentChanged, stage, hold);
+    QObject::connect(stage->views(), &view::FourViews::fourShown, maps, hold); // the new ones, too
+    QObject::connect(stage->space(), &view::SpaceView::mapHeld, maps, [maps](std::size_t index) {
+        const std::vector held{maps->model()->idAt(int(index))};
+        if (maps->selectedMaps() != held) maps->selectMaps(held);
+    });
+    hold();
+}
+
+} // namespace
+
 void connectMaps(view::MapsPanel* maps, view::CanvasView* canvas, Stage* stage,
                  const document::Document& document, WindowMessages* messages) {
     QObject::connect(maps, &view::MapsPanel::selectionChanged, canvas,
@@ -19,6 +54,7 @@ void connectMaps(view::MapsPanel* maps, view::CanvasView* canvas, Stage* stage,
             maps->selectMaps(canvas->selectedMaps());
     });
     canvas->selectMaps(maps->selectedMaps());
+    connectSpace(maps, stage, document);
     const auto showAlone = [window = stage->window()](ifs::MapId map) {
         for (auto* solo : window->findChildren<view::SoloSwitch*>())
             solo->set(map);

@@ -57,6 +57,7 @@ void FourViews::makeOthers() {
         connect(view, &SpaceView::pointerLeft, m_main, &SpaceView::pointerLeft);
         connect(view, &SpaceView::message, m_main, &SpaceView::message);
         follow(view);
+        connect(view, &SpaceView::mapHeld, m_main, &SpaceView::mapHeld); // once all hold it
         m_grid->addWidget(view, row, column);
         m_others.push_back(view);
     }

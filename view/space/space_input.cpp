@@ -474,7 +474,7 @@ bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
     if (event.key() == Qt::Key_Delete) {
         const QString locked = document::lockObstacle(m_document->fractal(), std::vector{*map});
         if (!locked.isEmpty()) emit message(locked);
-        document::deleteMaps(*m_document, {int(*map)});
+        if (!document::deleteMaps(*m_document, {int(*map)}).empty()) selectMap(*map); // the next one
     } else if (event.key() == Qt::Key_Insert && !document::duplicateMaps(*m_document, {int(*map)}).empty()) {
         selectMap(*map + 1);
     } else {

@@ -120,11 +120,11 @@ void SpaceView::showNote() {
                    : noteInSpace(m_document->fractal(), frame ? frame->note : attractor::RenderNote::None,
                                  frame && frame->isCoarse);
     };
-    const QString prompt = isSpokenFor               ? QString()
-                           : m_definition.isActive() ? m_definition.prompt()
-                                                     : m_branch.prompt();
-    const QString said = m_definition.isActive() || m_stop.isEmpty() ? prompt : m_stop;
-    m_note->setText(!said.isEmpty() ? said : note());
+    const bool defines = m_definition.isActive();
+    QString said = !defines ? m_stop : isSpokenFor ? QString() : m_definition.prompt();
+    if (said.isEmpty()) said = note();
+    if (said.isEmpty() && !defines && !isSpokenFor) said = m_branch.prompt(); // least urgent
+    m_note->setText(said);
 }
 
 void SpaceView::setTarget(Target target) {

@@ -76,6 +76,7 @@ private slots:
     void theKeyboardMovesTheBranch();
     void anotherEntryEndsTheDrag();
     void whatCannotBeDoneIsSaid();
+    void warningsComeBeforeTheHint();
     void fourViewsShowTheSameBranch();
 };
 
@@ -393,6 +394,17 @@ void SpaceBranchTest::whatCannotBeDoneIsSaid() {
     window.drag(flat, flat + QPointF(10, 10));
     QVERIFY2(window.lastSaid().contains(QStringLiteral("flat")), qPrintable(window.lastSaid()));
     QVERIFY(window.document.fractal() == fractal);
+}
+
+void SpaceBranchTest::warningsComeBeforeTheHint() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    document::Fractal fractal = window.document.fractal();
+    document::system3(fractal)->maps[0].map.linear *= 4;
+    window.document.edit(QStringLiteral("Enlarge"), fractal);
+    QVERIFY2(window.view->note().contains(QStringLiteral("no attractor")), qPrintable(window.view->note()));
+    window.document.undoStack()->undo();
+    QVERIFY2(window.view->note().contains(QStringLiteral("Click a point")), qPrintable(window.view->note()));
 }
 
 void SpaceBranchTest::fourViewsShowTheSameBranch() {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "app/gui/window_fixture.h"
+#include "canvas/canvas_view.h"
+#include "desktop/clipboard.h"
+#include "document/document.h"
+#include "panels/maps/maps_panel.h"
+#include "space/four_views.h"
+#include "stage.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QTableView>
+#include <QTest>
+
+// The table of maps and the window into space have one selection.
+class MapsConnectionsTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void theCanvasHoldsTheSelectedRow();
+    void theTableSelectsTheHeldMap();
+    void deletedAndDuplicatedMapsStayInStep();
+    void fourViewsHoldTheSame();
+    void copyAndPasteAreOfMaps();
+
+private:
+    using Rows = std::vector<int>;
+    document::Document& document() { return m_window->document(); }
+    Stage* stage() const { return m_window->findChild<Stage*>(); }
+    view::MapsPanel* panel() const { return m_window->findChild<view::MapsPanel*>(); }
+    std::size_t held() const { return stage()->space()->heldMap().value_or(99); }
+    Rows rows() const { return panel()->model()->rowsOf(panel()->selectedMaps()); }
+    void press(view::SpaceView* view, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const {
+        QTest::keyClick(view, key, modifiers);
+    }
+    void showCube() {
+        document::Fractal fractal;
+        fractal.name = QStringLiteral("cube");
+        document::Shape<3> cube;
+        for (int corner = 0; corner < 8; ++corner)
+            ifs::append<3>(cube.system, {0.5 * ifs::Matrix<3>::Identity(),
+                                         ifs::Vector<3>((corner & 1) / 2.0, (corner >> 1 & 1) / 2.0,
+                                                        (corner >> 2) / 2.0)});
+        fractal.shape = cube;
+        document().setFile(document::fileOf(fractal));
+        stage()->plane()->setTool(view::CanvasView::Tool::Maps);
+        QVERIFY(stage()->showsSpace());
+        stage()->takeFocus();
+    }
+    void choose(const QString& text) {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text() == text) return action->trigger();
+        QFAIL(qPrintable(text));
+    }
+};
+
+void MapsConnectionsTest::theCanvasHoldsTheSelectedRow() {
+    showCube();
+    QCOMPARE(held(), std::size_t(0));
+    panel()->table()->selectRow(5);
+    QCOMPARE(held(), std::size_t(5));
+    // Selected while another tool is in use, it is held as soon as maps are.
+    stage()->plane()->setTool(view::CanvasView::Tool::Cage);
+    panel()->table()->selectRow(2);
+    stage()->plane()->setTool(view::CanvasView::Tool::Maps);
+    QCOMPARE(held(), std::size_t(2));
+}
+
+void MapsConnectionsTest::theTableSelectsTheHeldMap() {
+    showCube();
+    press(stage()->space(), Qt::Key_3, Qt::AltModifier);
+    QCOMPARE(held(), std::size_t(2));
+    QCOMPARE(rows(), Rows{2});
+    QCOMPARE(panel()->table()->currentIndex().row(), 2);
+}
+
+void MapsConnectionsTest::deletedAndDuplicatedMapsStayInStep() {
+    showCube();
+    panel()->table()->selectRow(5);
+    const ifs::MapId next = panel()->model()->idAt(6);
+    press(stage()->space(), Qt::Key_Delete);
+    QCOMPARE(panel()->model()->rowCount(), 7);
+    QCOMPARE(held(), std::size_t(5));
+    QVERIFY(panel()->selectedMaps() == std::vector{next});
+    press(stage()->space(), Qt::Key_Insert);
+    QCOMPARE(panel()->model()->rowCount(), 8);
+    QCOMPARE(held(), std::size_t(6));
+    QCOMPARE(rows(), Rows{6});
+}
+
+void MapsConnectionsTest::fourViewsHoldTheSame() {
+    showCube();
+    panel()->table()->selectRow(5);
+    stage()->plane()->setTool(view::CanvasView::Tool::Cage);
+    stage()->views()->showFour(true);
+    stage()->plane()->setTool(view::CanvasView::Tool::Maps);
+    for (const view::SpaceView* other : stage()->views()->others())
+        QVERIFY(other->heldMap() == std::size_t(5));
+    press(stage()->views()->others().front(), Qt::Key_2, Qt::AltModifier);
+    QCOMPARE(held(), std::size_t(1));
+    QCOMPARE(rows(), Rows{1});
+}
+
+void MapsConnectionsTest::copyAndPasteAreOfMaps() {
+    showCube();
+    press(stage()->space(), Qt::Key_3, Qt::AltModifier);
+    choose(QStringLiteral("Cop&y"));
+    QVERIFY(view::holdsOurMaps(*QGuiApplication::clipboard()->mimeData()));
+    choose(QStringLiteral("P&aste"));
+    QCOMPARE(document().file().entries.size(), 1);
+    QCOMPARE(panel()->model()->rowCount(), 9);
+    const auto& maps = document::system3(document().fractal())->maps;
+    QVERIFY(maps.at(8).map == maps.at(2).map);
+    QCOMPARE(held(), std::size_t(8)); // what was pasted is selected
+}
+
+QTEST_MAIN(MapsConnectionsTest)
+#include "maps_connections_test.moc"
