@@ -133,11 +133,9 @@ void ComparePane::followTools() {
     const auto follow = [this](CanvasView::Tool tool) {
         if (tool == CanvasView::Tool::DefineTriangle) return;
         m_otherPlane->setTool(tool);
-        m_otherSpace->setTarget(tool == CanvasView::Tool::Maps     ? SpaceView::Target::Maps
-                                : tool == CanvasView::Tool::Branch ? SpaceView::Target::Branch
-                                                                   : SpaceView::Target::Cage);
+        m_otherSpace->setTarget(tool == CanvasView::Tool::Maps ? SpaceView::Target::Maps
+                                                               : SpaceView::Target::Cage);
     };
-    m_otherSpace->setBranchChoice(&m_otherPlane->tools().branchTool().choice());
     follow(m_plane->tool());
     connect(m_plane, &CanvasView::toolChanged, this, follow);
     CanvasOptions& own = m_plane->options();

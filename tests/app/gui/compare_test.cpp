@@ -31,7 +31,6 @@ private slots:
     void undoLeavesThePlaces();
     void entriesComeAndGo();
     void solidsAreCompared();
-    void branchesOfBothSolidsAreSelected();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -289,29 +288,6 @@ void CompareTest::solidsAreCompared() {
     QVERIFY(own.camera() == before);
     document().setCurrent(idOf(u"flat"_s));
     QTRY_VERIFY(pane()->space()->isVisible());
-}
-
-void CompareTest::branchesOfBothSolidsAreSelected() {
-    QByteArray cube;
-    for (int corner = 0; corner < 8; ++corner)
-        cube += QStringLiteral(" .5 0 0 0 .5 0 0 0 .5 %1 %2 %3 1\n")
-                    .arg((corner & 1) / 2.0)
-                    .arg((corner >> 1 & 1) / 2.0)
-                    .arg((corner >> 2) / 2.0)
-                    .toLatin1();
-    open("a (3D) {\n" + cube + "}\nb (3D) {\n" + cube + "}\n");
-    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_VERIFY(pane()->isVisible() && pane()->space()->isVisible());
-    canvas()->setTool(view::CanvasView::Tool::Branch);
-    view::SpaceView* other = pane()->space();
-    QCOMPARE(other->mapItem().count(), std::size_t(0));
-    const auto clickMiddle = [other] {
-        QTest::mouseClick(other->viewport(), Qt::LeftButton, {}, other->viewport()->rect().center());
-        return other->mapItem().count();
-    };
-    QTRY_COMPARE(clickMiddle(), std::size_t(5)); // as soon as it is drawn
-    QVERIFY(!pane()->plane()->tools().branchTool().choice().branch().empty());
-    QVERIFY(canvas()->tools().branchTool().choice().branch().empty());
 }
 
 QTEST_MAIN(CompareTest)
