@@ -92,7 +92,7 @@ void HostileFilesTest::hugeFiles_data() {
     row("opening braces", "", "a{", "", "No iterated function system");
     row("closing braces", "a{", "}", "", "no numbers");
     row("entries", "", "a{}\n", "", "more than 200000 entries");
-    row("wrong entries", "", "a{\n1\n}\n", "", "a map has 7 numbers");
+    row("wrong entries", "", "a{\n1\n}\n", "", "each map has 7");
     row("an entry of rows", "a {\n", ".5 0 0 .5 0 0 1\n", "}", "more than 1000000 lines");
     row("an entry of wide rows", "a {\n",
         ".5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 .5 0 0 .5 0 0 1 "
