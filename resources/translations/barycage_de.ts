@@ -4700,8 +4700,8 @@
         <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
     </message>
     <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Die Teile von „%1“ überlappen sich zu stark, um die Voxel in vertretbarer Zeit zu bestimmen. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Die Teile von „%1“ überlappen oder berühren sich zu stark, um die Voxel in vertretbarer Zeit zu bestimmen. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
     </message>
     <message>
         <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>

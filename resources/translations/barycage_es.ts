@@ -4700,8 +4700,8 @@
         <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
     </message>
     <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Las partes de «%1» se solapan demasiado para encontrar sus vóxeles en un tiempo razonable. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Las partes de «%1» se solapan o se tocan demasiado para encontrar sus vóxeles en un tiempo razonable. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
     </message>
     <message>
         <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>

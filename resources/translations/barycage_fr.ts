@@ -4700,8 +4700,8 @@
         <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
     </message>
     <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Les parties de « %1 » se recouvrent trop pour trouver ses voxels en un temps raisonnable. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Les parties de « %1 » se recouvrent ou se touchent trop pour trouver ses voxels en un temps raisonnable. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
     </message>
     <message>
         <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>

@@ -4709,8 +4709,8 @@
         <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете помала резолуција, односно поголеми воксели.</translation>
     </message>
     <message>
-        <source>The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Деловите на „%1“ премногу се преклопуваат за неговите воксели да се најдат во разумно време. Изберете помала резолуција, односно поголеми воксели.</translation>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
+        <translation>Деловите на „%1“ премногу се преклопуваат или се допираат за неговите воксели да се најдат во разумно време. Изберете помала резолуција, односно поголеми воксели.</translation>
     </message>
     <message>
         <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>

@@ -37,25 +37,12 @@ public:
         ifs::AffineMap<3> toGrid;
         toGrid.linear /= request.side;
         toGrid.translation = -cover.origin / request.side;
-        findPoints();
         const ifs::AffineMap<3> box = toGrid * request.placement * request.system.fromBox();
         for (const PreparedSpace::Piece& piece : request.system.pieces())
             m_pieces.push_back(box * piece.map);
     }
 
-    // First down to the size of voxels: most that a word only touches are then marked by its neighbours.
     VoxelCover::Outcome run(const std::function<void(double)>& progress, const std::stop_token& stop) {
-        m_postponed = 1.5;
-        const auto first = [&](double share) { progress(0.8 * share); };
-        const auto outcome = walk(progress ? std::function<void(double)>(first) : nullptr, stop);
-        if (outcome != VoxelCover::Outcome::Done) return outcome;
-        m_postponed = 0;
-        const auto second = [&](double share) { progress(0.8 + 0.2 * share); };
-        return walk(progress ? std::function<void(double)>(second) : nullptr, stop);
-    }
-
-private:
-    VoxelCover::Outcome walk(const std::function<void(double)>& progress, const std::stop_token& stop) {
         constexpr std::uint64_t between = 1U << 20; // words between two looks at the clock
         std::size_t begun = 0;
         while (!m_open.empty() || begun < m_pieces.size()) {
@@ -80,47 +67,11 @@ private:
         return VoxelCover::Outcome::Done;
     }
 
+private:
     struct Open {
         ifs::AffineMap<3> word;
         std::size_t next; // of its children
     };
-
-    // Fixed points of maps, the outermost in each octant. Each word has them at its corners, where voxels
-    // that other words would have to be taken apart for are met.
-    void findPoints() {
-        std::vector<ifs::Vector<3>> fixed;
-        for (const ifs::AffineMap<3>& map : m_maps) {
-            const ifs::Matrix<3> difference = ifs::Matrix<3>::Identity() - map.linear;
-            const ifs::Vector<3> point = difference.partialPivLu().solve(map.translation);
-            const double miss = (map(point) - point).cwiseAbs().maxCoeff();
-            if (point.cwiseAbs().maxCoeff() <= 1 + 1e-12 && miss <= 1e-13 * (1 - map.linear.norm() / 2))
-                fixed.push_back(point);
-        }
-        for (int octant = 0; octant < 8 && !fixed.empty(); ++octant) {
-            const ifs::Vector<3> way(octant & 1 ? 1 : -1, octant & 2 ? 1 : -1, octant & 4 ? 1 : -1);
-            const auto outermost = std::ranges::max_element(
-                fixed, {}, [&](const ifs::Vector<3>& point) { return way.dot(point); });
-            if (std::ranges::find(m_corners, *outermost) == m_corners.end()) m_corners.push_back(*outermost);
-        }
-        constexpr std::size_t enough = 64;
-        for (const ifs::AffineMap<3>& map : m_maps)
-            for (const ifs::Vector<3>& corner : m_corners) {
-                const ifs::Vector<3> point = map(corner);
-                const auto isHere = [&](const ifs::Vector<3>& known) { return known.isApprox(point, 1e-9); };
-                if (m_inner.size() < enough && std::ranges::none_of(m_corners, isHere) &&
-                    std::ranges::none_of(m_inner, isHere))
-                    m_inner.push_back(point);
-            }
-    }
-
-    // The voxels of points of the attractor in the word, which are met whatever it is taken apart into.
-    void fill(const std::vector<ifs::Vector<3>>& points, const ifs::AffineMap<3>& word) {
-        for (const ifs::Vector<3>& point : points) {
-            const ifs::Vector<3> at = word(point);
-            const Index voxel{int(std::floor(at[0])), int(std::floor(at[1])), int(std::floor(at[2]))};
-            if (m_cover.grid.contains(voxel)) m_cover.grid.fill(voxel);
-        }
-    }
 
     double share() const { // of the piece
         double part = 1;
@@ -134,7 +85,7 @@ private:
 
     // Whether there is nothing to be gained from its children; marks what it is known to meet.
     bool isDone(const ifs::AffineMap<3>& word) {
-        constexpr double rounding = 1e-9;        // voxels; the grid has at most 2²⁹
+        constexpr double rounding = 1e-9;        // voxels; the grid has at most 2²⁸
         constexpr std::int64_t maxLookedAt = 64; // voxels
         Index low{};
         Index high{};
@@ -150,34 +101,22 @@ private:
         }
         const bool isSmall = count == 1 || widest <= VoxelCover::fineness;
         if (!isSmall && count > maxLookedAt) return false;
-        if (areFilled(low, high)) return true;
-        if (!isSmall) {
-            fill(m_corners, word);
-            if (areFilled(low, high)) return true;
-            fill(m_inner, word);
-            return widest <= m_postponed || areFilled(low, high);
-        }
+        bool isKnown = true;
         for (int z = low[2]; z <= high[2]; ++z)
             for (int y = low[1]; y <= high[1]; ++y)
-                for (int x = low[0]; x <= high[0]; ++x)
-                    if (m_cover.grid.contains({x, y, z})) m_cover.grid.fill({x, y, z});
-        return true;
-    }
-
-    bool areFilled(const Index& low, const Index& high) const {
-        for (int z = low[2]; z <= high[2]; ++z)
-            for (int y = low[1]; y <= high[1]; ++y)
-                for (int x = low[0]; x <= high[0]; ++x)
-                    if (!m_cover.grid.isFilled({x, y, z})) return false;
-        return true;
+                for (int x = low[0]; x <= high[0]; ++x) {
+                    const Index voxel{x, y, z};
+                    if (m_cover.grid.isFilled(voxel)) continue;
+                    if (!isSmall) return false;
+                    isKnown = false;
+                    if (m_cover.grid.contains(voxel)) m_cover.grid.fill(voxel);
+                }
+        return isKnown || isSmall;
     }
 
     VoxelCover& m_cover;
     std::vector<ifs::AffineMap<3>> m_maps;   // in box coordinates
-    std::vector<ifs::Vector<3>> m_corners;   // points of the attractor, in box coordinates
-    std::vector<ifs::Vector<3>> m_inner;     // their images
     std::vector<ifs::AffineMap<3>> m_pieces; // of what is shown, box → voxels
-    double m_postponed = 0;                  // how wide words are, in voxels, that are not taken apart yet
     std::vector<Open> m_open;
 };
 

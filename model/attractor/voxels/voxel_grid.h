@@ -13,7 +13,7 @@ class VoxelGrid {
 public:
     using Index = std::array<int, 3>;
 
-    static constexpr std::uint64_t maxVoxels = std::uint64_t{1} << 29; // 64 MB
+    static constexpr std::uint64_t maxVoxels = std::uint64_t{1} << 28; // 32 MB
 
     VoxelGrid() = default;
     explicit VoxelGrid(const Index& size); // all empty; at most maxVoxels

@@ -60,8 +60,8 @@ QString failureOf(VoxelCover::Outcome outcome, const QString& name) {
                    "which makes larger voxels.")
             .arg(name, QString::number(attractor::VoxelGrid::maxVoxels / 1'000'000));
     return Text::tr(
-               "The pieces of “%1” overlap too much to find its voxels in reasonable time. Choose a lower "
-               "resolution, which makes larger voxels.")
+               "The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a "
+               "lower resolution, which makes larger voxels.")
         .arg(name);
 }
 
