@@ -5803,7 +5803,7 @@
         <translation>
             <numerusform>%n датотека со име на една од овие слики веќе постои и содржи нешто друго.</numerusform>
             <numerusform>%n датотеки со имињата на овие слики веќе постојат и содржат нешто друго.</numerusform>
-            <numerusform></numerusform>
+            <numerusform>%n датотеки со имињата на овие слики веќе постојат и содржат нешто друго.</numerusform>
         </translation>
     </message>
     <message>
