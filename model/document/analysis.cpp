@@ -43,15 +43,6 @@ bool mayRepeat(const ifs::ActiveMaps<2>& active, std::size_t map) {
     return mayFollow(active, map, map);
 }
 
-// What is shown in place of the code's attractor: where its addresses have gone. Empty: all are where they
-// were.
-template <int Dim>
-std::vector<ifs::MovedBranch<Dim>> shownPieces(const Shape<Dim>& shape, const ifs::ActiveMaps<Dim>& active) {
-    if (shape.moved.empty() || active.maps.empty()) return {};
-    const auto moved = ifs::overMaps<Dim>(movedBranches(shape), active.index);
-    return moved.empty() ? moved : ifs::pieces<Dim>(moved, active.maps.size());
-}
-
 // What the pieces do, in coordinates of the picture, to points whose addresses begin with `word`: nothing
 // where only some of them have moved.
 ifs::AffineMap<2> changeOf(const ifs::Word& word, std::span<const ifs::MovedBranch<2>> pieces,
@@ -154,7 +145,7 @@ Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
     if (m_hasSolidInvariants && !analysis.solid->active.maps.empty())
         analysis.solid->invariants = m_solidCode->invariants;
     std::set<Outline> outlines = request.outlines;
-    if (const auto pieces = shownPieces(shape, m_solidCode->active); !pieces.empty()) {
+    if (const auto pieces = shownBranches(shape, m_solidCode->active); !pieces.empty()) {
         analysis.hasMovedBranches = true;
         analysis.solid = ifs::shown<3>(*std::move(analysis.solid), *m_solidCode, placed, pieces);
         outlines.erase(Outline::Hull); // it would be that of the code
@@ -181,7 +172,7 @@ Analysis Analyser::begun(const AnalysisRequest& request) {
     analysis.isOfCode = placed.bend() != nullptr;
     m_display = analysis.isOfCode ? ifs::AffineMap<2>{} : placed.affine();
     const ifs::Facts<2> placedCode = ifs::moved(m_display, *m_code);
-    const auto pieces = shownPieces(*plane(fractal), m_code->active);
+    const auto pieces = shownBranches(*plane(fractal), m_code->active);
     analysis.hasMovedBranches = !pieces.empty();
     analysis.facts = pieces.empty() ? placedCode : ifs::shown<2>(placedCode, *m_code, m_display, pieces);
     std::size_t longest = 1;

@@ -21,13 +21,6 @@ namespace {
 // sees.
 constexpr double relativeTolerance = 1e-10;
 
-// change∘w_word for every piece of what is shown, in coordinates of the code.
-std::vector<ifs::AffineMap<2>> shownPieces(const Fractal& fractal) {
-    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(fractal));
-    const auto moved = ifs::overMaps<2>(movedBranches(fractal), active.index);
-    return ifs::pieceMaps<2>(ifs::pieces<2>(moved, active.maps.size()), active.maps);
-}
-
 // Of the words of a fine cut, in the smallest picture that holds the current vertices with room to spare.
 std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& placement) {
     const std::vector<ifs::Vector<2>>& vertices = cage2(fractal)->current;
@@ -80,7 +73,7 @@ ifs::Placement placement(const Fractal& fractal) {
     if (!ifs::bends(*cage)) return ifs::displayMap(*cage);
     const auto support = supportFunction(fractal);
     std::vector<ifs::AffineMap<2>> pieces;
-    if (support && !plane(fractal)->moved.empty()) pieces = shownPieces(fractal);
+    if (support && !plane(fractal)->moved.empty()) pieces = shownPieces(*plane(fractal));
     return {*cage, ifs::suitableCoordinates(cage->rest, support.get(), pieces)};
 }
 
@@ -108,6 +101,26 @@ template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<
 }
 template std::vector<ifs::MovedBranch<2>> movedBranches(const Shape<2>&);
 template std::vector<ifs::MovedBranch<3>> movedBranches(const Shape<3>&);
+
+template <int Dim>
+std::vector<ifs::MovedBranch<Dim>> shownBranches(const Shape<Dim>& shape,
+                                                 const ifs::ActiveMaps<Dim>& active) {
+    if (shape.moved.empty() || active.maps.empty()) return {};
+    const auto moved = ifs::overMaps<Dim>(movedBranches(shape), active.index);
+    return moved.empty() ? moved : ifs::pieces<Dim>(moved, active.maps.size());
+}
+template std::vector<ifs::MovedBranch<2>> shownBranches(const Shape<2>&, const ifs::ActiveMaps<2>&);
+template std::vector<ifs::MovedBranch<3>> shownBranches(const Shape<3>&, const ifs::ActiveMaps<3>&);
+
+template <int Dim> std::vector<ifs::AffineMap<Dim>> shownPieces(const Shape<Dim>& shape) {
+    if (shape.moved.empty()) return std::vector<ifs::AffineMap<Dim>>(1);
+    const ifs::ActiveMaps<Dim> active = ifs::activeMaps(shape.system);
+    const auto branches = shownBranches(shape, active);
+    if (branches.empty()) return std::vector<ifs::AffineMap<Dim>>(1);
+    return ifs::pieceMaps<Dim>(branches, active.maps);
+}
+template std::vector<ifs::AffineMap<2>> shownPieces(const Shape<2>&);
+template std::vector<ifs::AffineMap<3>> shownPieces(const Shape<3>&);
 
 std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal) {
     const Shape<2>* shape = plane(fractal);
@@ -179,8 +192,7 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
     };
     const ifs::Placement placed = placement(fractal);
     if (placed.bend() != nullptr) return boxOfBend(fractal, placed);
-    const std::vector<ifs::AffineMap<2>> pieces =
-        plane(fractal)->moved.empty() ? std::vector<ifs::AffineMap<2>>(1) : shownPieces(fractal);
+    const std::vector<ifs::AffineMap<2>> pieces = shownPieces(*plane(fractal));
     // h_{M(A)}(u) = h_A(Mᵀu) + ⟨u, t⟩
     const auto extent = [&](const ifs::Vector<2>& u) {
         double farthest = -HUGE_VAL;

@@ -36,6 +36,12 @@ ifs::Placement placement(const Fractal& fractal);
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape);
 // Those of an entry in the plane; of others none.
 std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
+// What is shown in place of the attractor: ifs::pieces over the active maps of the code. Empty where no
+// branch is moved.
+template <int Dim>
+std::vector<ifs::MovedBranch<Dim>> shownBranches(const Shape<Dim>& shape, const ifs::ActiveMaps<Dim>& active);
+// The maps of these, in coordinates of the code: the attractor alone where no branch is moved.
+template <int Dim> std::vector<ifs::AffineMap<Dim>> shownPieces(const Shape<Dim>& shape);
 
 // The code becomes M∘w∘M⁻¹, and so does what moves its branches; nullopt unless it is a system of that
 // dimension and M can be inverted. The cage stays.

@@ -94,13 +94,6 @@ std::optional<Reach> reachOf(const Fractal& fractal, double tolerance) {
 
 } // namespace
 
-std::vector<ifs::AffineMap<3>> shownPieces(const Shape<3>& shape) {
-    if (shape.moved.empty()) return std::vector<ifs::AffineMap<3>>(1);
-    const ifs::ActiveMaps<3> active = ifs::activeMaps(shape.system);
-    const auto moved = ifs::overMaps<3>(movedBranches(shape), active.index);
-    return ifs::pieceMaps<3>(ifs::pieces<3>(moved, active.maps.size()), active.maps);
-}
-
 QString spaceObstacle(const Fractal& fractal) {
     if (space(fractal)) return {};
     return QCoreApplication::translate("document::SpaceGeometry", "This entry is not a system in space.");

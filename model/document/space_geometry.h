@@ -37,10 +37,6 @@ std::optional<System3> effectiveSpaceSystem(const Fractal& fractal);
 // max ⟨u, x⟩ over the vertices: what a cage that bends displays is within their hull.
 std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices);
 
-// change∘w_word for every piece of what is shown, in coordinates of the code: the attractor alone where no
-// branch is moved.
-std::vector<ifs::AffineMap<3>> shownPieces(const Shape<3>& shape);
-
 // How far what is displayed of a fractal in space reaches along a unit vector: low ≤ ⟨u, x⟩ ≤ high. Without
 // an attractor, its cage.
 struct Extent {

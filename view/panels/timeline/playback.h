@@ -38,8 +38,9 @@ private:
     void advance();
     void restart(int frame);
     int untilNext(const document::Timing& timing) const;
-    qint64 ahead(const document::Timing& timing) const; // on the clock, when a picture asked for now is there
-    int frames() const;                                 // until it begins anew
+    qint64
+    ahead(const document::Timing& timing) const; // on the clock, when a picture asked for would be there
+    int frames() const;                          // until it begins anew
 
     document::Document* m_document;
     QTimer m_timer;
