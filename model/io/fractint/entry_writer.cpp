@@ -28,7 +28,7 @@ QByteArrayList rowLines(const document::Fractal& fractal) {
         texts.push_back(fractint::numberText(row.written));
         cells.push_back(std::move(texts));
     }
-    return fractint::alignedRows(cells);
+    return fractint::brokenRows(cells);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "io/fractint/metadata_comments.h"
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 namespace io::fractint {
@@ -71,13 +72,14 @@ Fractal expected(const Fractal& fractal, const Fractal& before) {
 
 class Edit {
 public:
-    Edit(const EntrySource& source, const Layout& layout, const Fractal& after)
+    Edit(const EntrySource& source, const Layout& layout, const Fractal& after, qsizetype longestLine)
         : m_source(source),
           m_text(source.text),
           m_layout(layout),
           m_after(after),
           m_isUtf8(m_text.isValidUtf8()),
-          m_lineEnd(lineEndByteOf(source)) {}
+          m_lineEnd(lineEndByteOf(source)),
+          m_longestLine(longestLine) {}
 
     QByteArray text() &&;
 
@@ -85,8 +87,8 @@ private:
     struct Slot {
         std::size_t first = 0; // token
         std::size_t last = 0;
-        bool isOwnLine = false; // nothing but this row, perhaps with a comment, stands on its line
-        Span line;              // with the line end
+        bool isOwnLine = false; // nothing but this row, perhaps with a comment after it, stands on its lines
+        Span line;              // with the line end; from the first line to the last
     };
 
     void rename();
@@ -102,6 +104,7 @@ private:
 
     std::vector<Slot> rowSlots() const;
     std::vector<Patch> numberPatches(std::size_t row, const Row& after) const;
+    void breakLongLine(const Slot& slot, std::vector<Patch>& patches) const;
     QByteArray rowText(const Row& row) const;
     QByteArray numberAsHere(double value) const;
     QByteArray encoded(const QString& text) const;
@@ -120,6 +123,7 @@ private:
     const Fractal& m_after;
     bool m_isUtf8;
     char m_lineEnd;
+    qsizetype m_longestLine; // on which a row may stand
     QByteArray m_indent;
     bool m_writesWeights = true;
     std::vector<Slot> m_slots;
@@ -245,8 +249,10 @@ std::vector<Edit::Slot> Edit::rowSlots() const {
         slot.line.end = lineOf(tokens[last].span.end).end;
         const bool isShared = (first > 0 && tokens[first - 1].line == tokens[first].line) ||
                               (last + 1 < tokens.size() && tokens[last + 1].line == tokens[last].line);
-        slot.isOwnLine = tokens[first].line == tokens[last].line && !isShared &&
-                         !isHeaderLine(tokens[first].span.begin) && slot.line.end <= m_layout.block.close;
+        const auto numbers =
+            m_text.sliced(tokens[first].span.begin, tokens[last].span.end - tokens[first].span.begin);
+        slot.isOwnLine = !isShared && !numbers.contains(';') && !isHeaderLine(tokens[first].span.begin) &&
+                         slot.line.end <= m_layout.block.close;
         rows.push_back(slot);
     }
     return rows;
@@ -327,7 +333,22 @@ std::vector<Patch> Edit::numberPatches(std::size_t row, const Row& after) const 
     } else if (m_writesWeights) {
         patches.push_back({last.span.end, last.span.end, ' ' + numberAsHere(after.written)});
     }
+    breakLongLine(slot, patches);
     return patches;
+}
+
+// A row that stood on one line takes a second one once its numbers need more than other programs read.
+void Edit::breakLongLine(const Slot& slot, std::vector<Patch>& patches) const {
+    const Token& last = m_layout.numbers[slot.last];
+    if (!slot.isOwnLine || m_layout.numbers[slot.first].line != last.line) return;
+    const qsizetype before = last.span.end - slot.line.begin;
+    qsizetype after = before;
+    for (const Patch& patch : patches)
+        after += patch.text.size() - (patch.end - patch.begin);
+    if (before > m_longestLine || after <= m_longestLine) return;
+    const std::size_t second = slot.first + secondLine(slot.last - slot.first + 1);
+    patches.push_back({m_layout.numbers[second - 1].span.end, m_layout.numbers[second].span.begin,
+                       m_source.lineEnd + m_indent + m_indent});
 }
 
 void Edit::replaceRow(std::size_t row, const Row& after) {
@@ -341,7 +362,10 @@ void Edit::permute(const std::vector<std::size_t>& kept, const std::vector<const
         std::all_of(kept.begin(), kept.end(), [this](std::size_t row) { return m_slots[row].isOwnLine; });
     const auto content = [&](std::size_t row) {
         const Slot& slot = m_slots[row];
-        if (wholeLines) return Span{slot.line.begin, lineEnd(m_text, slot.line.begin, m_lineEnd)};
+        if (wholeLines) {
+            const qsizetype last = m_layout.numbers[slot.last].span.begin;
+            return Span{slot.line.begin, lineEnd(m_text, last, m_lineEnd)};
+        }
         return Span{m_layout.numbers[slot.first].span.begin, m_layout.numbers[slot.last].span.end};
     };
     std::vector<std::size_t> sorted = kept;
@@ -373,11 +397,15 @@ void Edit::removeRow(std::size_t row) {
 }
 
 QByteArray Edit::rowText(const Row& row) const {
-    QByteArray text;
+    QByteArrayList numbers;
     for (const double number : row.coefficients)
-        text += (text.isEmpty() ? "" : " ") + numberAsHere(number);
-    if (m_writesWeights) text += ' ' + numberAsHere(row.written);
-    return text;
+        numbers << numberAsHere(number);
+    if (m_writesWeights) numbers << numberAsHere(row.written);
+    const QByteArray text = numbers.join(' ');
+    if (m_indent.size() + text.size() <= m_longestLine) return text;
+    const auto second = static_cast<qsizetype>(secondLine(static_cast<std::size_t>(numbers.size())));
+    return numbers.first(second).join(' ') + m_source.lineEnd + m_indent + m_indent +
+           numbers.sliced(second).join(' ');
 }
 
 void Edit::insertRows(const std::vector<Slot>::const_iterator& slot, bool before,
@@ -436,12 +464,17 @@ QByteArray editedText(const EntrySource& source, const Fractal& fractal) {
     const auto original = parsed(source.text, lineEndByteOf(source), bare);
     const bool canPatch = original && document::dimension(fractal) == document::dimension(before) &&
                           document::dimension(original->fractal) == document::dimension(before);
-    if (canPatch) {
-        const QByteArray text = Edit(source, original->layout, fractal).text();
+    const auto isRead = [&](const QByteArray& text) {
         auto reread = parsed(text, lineEndByteOf(source), bare);
         if (reread && bare) reread->fractal.name = before.name; // it has none of its own
-        if (reread && reread->fractal == expected(fractal, before)) return text;
-    }
+        return reread && reread->fractal == expected(fractal, before);
+    };
+    // Rows in space are only known by their lines where their entry is not marked as one of space.
+    if (canPatch)
+        for (const qsizetype longestLine : {maxLine, std::numeric_limits<qsizetype>::max()}) {
+            const QByteArray text = Edit(source, original->layout, fractal, longestLine).text();
+            if (isRead(text)) return text;
+        }
     return writeEntry(fractal, source.lineEnd);
 }
 

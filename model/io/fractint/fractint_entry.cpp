@@ -2,6 +2,7 @@
 #include "io/fractint/fractint_entry.h"
 
 #include "io/fractint/fractint_numbers.h"
+#include "io/fractint/fractint_rows.h"
 #include "io/fractint/metadata_comments.h"
 #include "io/text/export_weights.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 using document::Problem;
 
-constexpr qsizetype maxLine = 200; // what Fractint and Iterated Dynamics read of a line
 constexpr std::size_t maxMapsElsewhere = 63;
 constexpr qsizetype maxName = 18;
 constexpr std::size_t maxNumbers = maxMaps * 13;

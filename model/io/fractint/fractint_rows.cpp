@@ -46,6 +46,10 @@ QByteArray numberText(double value) {
     return formatNumber(std::isfinite(value) ? std::clamp(value, -maxNumber, maxNumber) : 0);
 }
 
+std::size_t secondLine(std::size_t numbers) {
+    return (numbers + 1) / 2;
+}
+
 QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows) {
     std::vector<qsizetype> widths;
     for (const auto& row : rows) {
@@ -60,6 +64,23 @@ QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows) {
             line += ' ' + row[i].rightJustified(widths[i]);
         lines << ' ' + line;
     }
+    return lines;
+}
+
+QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows) {
+    const QByteArrayList whole = alignedRows(rows);
+    if (std::ranges::all_of(whole, [](const QByteArray& line) { return line.size() <= maxLine; }))
+        return whole;
+    std::vector<std::vector<QByteArray>> first, second;
+    for (const auto& row : rows) {
+        const auto middle = row.begin() + static_cast<std::ptrdiff_t>(secondLine(row.size()));
+        first.emplace_back(row.begin(), middle);
+        second.emplace_back(middle, row.end());
+    }
+    const QByteArrayList begins = alignedRows(first), ends = alignedRows(second);
+    QByteArrayList lines;
+    for (qsizetype i = 0; i < begins.size(); ++i)
+        lines << begins[i] << "  " + ends[i];
     return lines;
 }
 

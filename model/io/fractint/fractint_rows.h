@@ -12,6 +12,8 @@
 // A system as rows of numbers, whatever its dimension, and texts that an entry can hold.
 namespace io::fractint {
 
+constexpr qsizetype maxLine = 200; // bytes that Fractint and Iterated Dynamics read of a line
+
 struct Row {
     ifs::MapId id = ifs::MapId::None;
     std::vector<double> coefficients; // 6, or 12: the matrix row by row, then the vector
@@ -26,9 +28,14 @@ std::vector<Row> rowsOf(const document::Fractal& fractal); // none for an entry 
 
 QByteArray numberText(double value); // finite, and within what readers accept
 
+// The number of a row that begins a second line, where one line cannot hold all of them.
+std::size_t secondLine(std::size_t numbers);
+
 // Rows as lines without line ends, columns aligned to the right.
 QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows);
-// The same with single blanks.
+// The same, each row on two lines where it would be longer than maxLine.
+QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows);
+// As alignedRows, with single blanks.
 QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows);
 
 QString storedName(const QString& name);       // one word that hides no brace, comment or prefix

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_edit.h"
 #include "io/fractint/fractint_reader.h"
 
@@ -22,6 +23,22 @@ ifs::WeightedMap<2>& map(Fractal& fractal, std::size_t i) {
 
 using Change = std::function<void(Fractal&)>;
 
+constexpr auto solid =
+    "a (3D) {\n .5 0 0  0 .5 0  0 0 .5  0 0 0  .5 ; left\n .5 0 0  0 .5 0  0 0 .5  1 0 0  .5\n}\n";
+
+// So that every number of the map needs 17 digits.
+void makeLong(ifs::WeightedMap<3>& map) {
+    map.map.linear.fill(-1.0 / 3e-5);
+    map.map.translation.fill(-1.0 / 3e-6);
+}
+
+// The text as it is read again: without a remark, and what was written.
+void readsAs(const QByteArray& text, const Fractal& fractal) {
+    const auto read = io::readFractint(text);
+    QVERIFY2(read.problems.isEmpty(), qPrintable(read.problems.value(0).message));
+    QVERIFY(document::isSameSystem(*read.entries.first().fractal, fractal));
+}
+
 } // namespace
 
 Q_DECLARE_METATYPE(Change)
@@ -38,6 +55,9 @@ private slots:
     void gluedNumbersAreWrittenAfresh();
     void kindsOfSystemsAreWrittenAfresh();
     void latin1StaysLatin1();
+    void longRowsTakeTwoLines();
+    void rowsOnTwoLinesAreMovedWhole();
+    void longRowsAreWrittenOnTwoLines();
 };
 
 void FractintEditTest::nothingIsTouchedUnlessItChanged_data() {
@@ -190,6 +210,60 @@ void FractintEditTest::latin1StaysLatin1() {
     fractal.comments[0] = QStringLiteral("Straße");
     QCOMPARE(editedText(source, fractal), QByteArray("a { ; caf\xe9\n; Stra\xdf"
                                                      "e\n1 0 0 1 0 0 1\n}\n"));
+}
+
+// Fractint reads 200 bytes of a line.
+void FractintEditTest::longRowsTakeTwoLines() {
+    const EntrySource source = sourceOf(solid);
+    Fractal changed = source.fractal;
+    makeLong(document::system3(changed)->maps[0]);
+    QByteArray text = editedText(source, changed);
+    QByteArrayList lines = text.split('\n');
+    QCOMPARE(lines.size(), 6);
+    QCOMPARE(lines[1].simplified().count(' '), 6);
+    QVERIFY(lines[2].startsWith("  -") && lines[2].endsWith(" .5 ; left"));
+    QCOMPARE(lines[3], source.text.split('\n')[2]);
+    readsAs(text, changed);
+
+    ifs::append(*document::system3(changed), document::system3(changed)->maps[0].map, 0.5);
+    text = editedText(source, changed);
+    lines = text.split('\n');
+    QCOMPARE(lines.size(), 8);
+    QVERIFY(lines[4].size() < 200 && lines[5].startsWith("  -"));
+    readsAs(text, changed);
+
+    const EntrySource unmarked = sourceOf(QByteArray(solid).replace(" (3D)", ""));
+    changed = unmarked.fractal;
+    makeLong(document::system3(changed)->maps[0]);
+    lines = editedText(unmarked, changed).split('\n');
+    QCOMPARE(lines.size(), 5); // the thirteen numbers of each line tell the dimension
+    QCOMPARE(lines[2], unmarked.text.split('\n')[2]);
+}
+
+void FractintEditTest::rowsOnTwoLinesAreMovedWhole() {
+    const EntrySource plain = sourceOf(solid);
+    Fractal changed = plain.fractal;
+    makeLong(document::system3(changed)->maps[0]);
+    const EntrySource source = sourceOf(editedText(plain, changed));
+    const QByteArrayList lines = source.text.split('\n');
+
+    Fractal swapped = source.fractal;
+    std::swap(document::system3(swapped)->maps[0], document::system3(swapped)->maps[1]);
+    QCOMPARE(editedText(source, swapped),
+             (QByteArrayList{lines[0], lines[3], lines[1], lines[2], lines[4], {}}.join('\n')));
+    Fractal without = source.fractal;
+    document::system3(without)->maps.erase(document::system3(without)->maps.begin());
+    QCOMPARE(editedText(source, without), (QByteArrayList{lines[0], lines[3], lines[4], {}}.join('\n')));
+}
+
+void FractintEditTest::longRowsAreWrittenOnTwoLines() {
+    Fractal fractal = sourceOf(solid).fractal;
+    for (auto& map : document::system3(fractal)->maps)
+        makeLong(map);
+    const QByteArray text = io::writeEntry(fractal, "\n");
+    for (const QByteArray& line : text.split('\n'))
+        QVERIFY(line.size() <= 200);
+    readsAs(text, fractal);
 }
 
 QTEST_APPLESS_MAIN(FractintEditTest)
