@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
-        <translation>Umschalt + Mausrad wählt, wie tief der Zweig liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Zweig, die letzte Abbildung seiner Adresse, nur diesen Zweig oder diesen Zweig und denselben in ihm.</translation>
+        <translation>Umschalt + Mausrad wählt, wie tief der Ast liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Ast, die letzte Abbildung seiner Adresse, nur diesen Ast oder diesen Ast und denselben in ihm.</translation>
     </message>
 </context>
 <context>
@@ -754,7 +754,7 @@
     </message>
     <message>
         <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
-        <translation>„%1“ hat verschobene Zweige, die nicht abgeflacht werden können. Setzen Sie sie zuerst zurück.</translation>
+        <translation>„%1“ hat verschobene Äste, die nicht abgeflacht werden können. Setzen Sie sie zuerst zurück.</translation>
     </message>
     <message>
         <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
@@ -4157,7 +4157,7 @@
     </message>
     <message>
         <source>its moved branches</source>
-        <translation>seine bewegten Zweige</translation>
+        <translation>seine bewegten Äste</translation>
     </message>
     <message>
         <source>its palette</source>
@@ -5109,7 +5109,7 @@
     </message>
     <message>
         <source>A branch</source>
-        <translation>Ein Zweig</translation>
+        <translation>Ein Ast</translation>
     </message>
     <message>
         <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
@@ -6189,7 +6189,7 @@
     </message>
     <message>
         <source>The code does not change. This branch is shown in another position, and so is the same branch inside it, again and again: a frond curls up. Nothing beside it changes.</source>
-        <translation>Der Code ändert sich nicht. Dieser Zweig wird an anderer Stelle gezeigt, und ebenso derselbe Zweig in ihm, immer wieder: Ein Wedel rollt sich ein. Daneben ändert sich nichts.</translation>
+        <translation>Der Code ändert sich nicht. Dieser Ast wird an anderer Stelle gezeigt, und ebenso derselbe Ast in ihm, immer wieder: Ein Wedel rollt sich ein. Daneben ändert sich nichts.</translation>
     </message>
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
@@ -6231,7 +6231,7 @@
     </message>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
-        <translation>Angehalten: Darüber hinaus würde der Zweig in sich selbst nicht kleiner.</translation>
+        <translation>Angehalten: Darüber hinaus würde der Ast in sich selbst nicht kleiner.</translation>
     </message>
 </context>
 <context>
@@ -13416,7 +13416,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Branch %1, inside itself</source>
-        <translation>Zweig %1, in sich selbst</translation>
+        <translation>Ast %1, in sich selbst</translation>
     </message>
 </context>
 <context>
