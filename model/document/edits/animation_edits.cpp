@@ -4,6 +4,7 @@
 #include "animation/key_edits.h"
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -106,7 +107,7 @@ template <int Dim> std::vector<TrackKeys> tracksOfShape(const Shape<Dim>& shape)
         for (const auto& key : *keys)
             added.keys.push_back({key.frame, key.ease});
     };
-    if (Dim == 2 || shape.cage) add({Track::Kind::Cage}, &animation.cage);
+    add({Track::Kind::Cage}, &animation.cage);
     std::unordered_map<ifs::MapId, const animation::MapTrack<Dim>*> moving;
     for (const auto& track : animation.maps)
         moving.emplace(track.map, &track);
@@ -277,8 +278,10 @@ Fractal withTiming(Fractal entry, const Timing& timing) {
 }
 
 Fractal withKey(Fractal entry, const Track& track, int frame, const SeenCamera& camera) {
-    if (track.kind == Track::Kind::Cage && plane(entry) && !plane(entry)->cage)
-        plane(entry)->cage = canonicalCage(entry);
+    if (track.kind == Track::Kind::Cage) {
+        if (plane(entry) && !plane(entry)->cage) plane(entry)->cage = canonicalCage(entry);
+        if (space(entry) && !space(entry)->cage) space(entry)->cage = spaceCage(entry);
+    }
     const Fractal before = entry;
     inItsDimension(entry, [&]<int Dim>(Shape<Dim>& shape) {
         auto& animation = animationOf<Dim>(shape);

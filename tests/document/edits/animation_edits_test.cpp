@@ -3,6 +3,7 @@
 
 #include "document/animated_fractal.h"
 #include "document/edits/motion_edits.h"
+#include "document/space_geometry.h"
 
 #include <QtTest>
 
@@ -38,6 +39,7 @@ class AnimationEditsTest : public QObject {
 private slots:
     void rowsAreWhatCanMove();
     void keysHaveTheValueShown();
+    void theCageOfAFreshSolidMoves();
     void theCameraInSpaceIsKeyedWithoutTheOrbit();
     void theLastKeyLeavesItsValue();
     void keysMoveWithinTheAnimation();
@@ -114,6 +116,25 @@ void AnimationEditsTest::rowsAreWhatCanMove() {
     QVERIFY(areTracksAlike(Fractal(), Fractal()) && !areTracksAlike(Fractal(), moved));
     Fractal unread;
     QCOMPARE(withTiming(unread, {{24, 1}, 24, animation::Loop::Off}), unread);
+}
+
+// As of one in the plane, though no cage is stored.
+void AnimationEditsTest::theCageOfAFreshSolidMoves() {
+    Fractal solid;
+    System3& system = solid.shape.emplace<Shape<3>>().system;
+    for (int i = 0; i < 4; ++i) {
+        ifs::AffineMap<3> half;
+        half.linear = ifs::Matrix<3>::Identity() / 2;
+        if (i > 0) half.translation[i - 1] = 1;
+        ifs::append(system, half, 0.25);
+    }
+    QVERIFY(tracksOf(solid).front().track == cage);
+    const auto shown = *spaceCage(solid);
+    solid = withTiming(std::move(solid), {{24, 1}, 24, animation::Loop::Off});
+    const Fractal keyed = withKey(solid, cage, 10, std::nullopt);
+    QVERIFY(space(keyed)->cage && space(keyed)->cage->current == shown.current);
+    QVERIFY(!framesOf(keyed, cage).empty());
+    QCOMPARE(space(frameAt(keyed, animation::moment(10)).fractal)->cage->current, shown.current);
 }
 
 void AnimationEditsTest::keysHaveTheValueShown() {
