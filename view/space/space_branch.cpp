@@ -82,6 +82,10 @@ QString SpaceBranch::stepText(SpatialDrag::Mode mode, std::size_t handle) const 
 }
 
 bool SpaceBranch::keyPress(const QKeyEvent& event) {
+    if (isActive() && event.key() == Qt::Key_Escape && !m_choice->address().empty()) {
+        m_choice->choose({});
+        return true;
+    }
     const bool deeper = event.key() == Qt::Key_PageDown;
     if (!isActive() || !(deeper || event.key() == Qt::Key_PageUp)) return false;
     m_choice->setDepth(m_choice->depth() + (deeper ? 1 : -1));

@@ -40,7 +40,8 @@ public:
     std::optional<SpaceMapDrag> drag(QString& obstacle);
     QString stepText(SpatialDrag::Mode mode, std::size_t handle) const;
 
-    bool keyPress(const QKeyEvent& event); // Page Down and Page Up, for its depth; false: no key of ours
+    // Page Down and Page Up change its depth, Esc lets it go; false: no key of ours.
+    bool keyPress(const QKeyEvent& event);
 
 private:
     const document::Document* m_document;

@@ -414,7 +414,7 @@ bool SpaceInput::needsKey(const QKeyEvent& event) const {
 }
 
 bool SpaceInput::keyPress(const QKeyEvent& event) {
-    if (event.key() == Qt::Key_Escape) return cancelGesture();
+    if (event.key() == Qt::Key_Escape && cancelGesture()) return true;
     if (event.key() == Qt::Key_Backspace && m_definition.isActive()) {
         m_definition.takeBack();
         emit prompted();

@@ -314,6 +314,9 @@ void SpaceBranchTest::escapeBringsTheBranchBack() {
     QCOMPARE(window.choice.branch(), (Word{3, 5}));
     QCOMPARE(window.document.undoStack()->count(), 0);
     QVERIFY(!window.choice.before());
+    window.send(QEvent::MouseButtonRelease, corner + QPointF(9, 9), Qt::LeftButton);
+    QTest::keyClick(window.view.get(), Qt::Key_Escape);
+    QVERIFY(window.choice.branch().empty());
 }
 
 void SpaceBranchTest::theKeyboardMovesTheBranch() {

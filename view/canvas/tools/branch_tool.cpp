@@ -84,6 +84,11 @@ bool BranchTool::keyPress(const QKeyEvent& event) {
         m_choice.setDepth(m_choice.depth() + (event.key() == Qt::Key_PageDown ? 1 : -1));
         return true;
     }
+    const bool isCornerFocused = selection().focused().kind != Kind::None;
+    if (isBareKey(event, Qt::Key_Escape) && !isCornerFocused && !m_choice.address().empty()) {
+        m_choice.choose({});
+        return true;
+    }
     return PolygonTool::keyPress(event); // NOLINT(bugprone-parent-virtual-call): MapsTool selects maps
 }
 

@@ -214,6 +214,16 @@ private slots:
         QVERIFY(scene().handles().branch().empty()); // another system has other branches
     }
 
+    void escapeLetsTheBranchGo() {
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        QTest::keyClick(m_canvas.get(), Qt::Key_Escape);
+        QVERIFY(scene().handles().branch().empty());
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        QCOMPARE(steps(), 0);
+    }
+
     void escapeLeavesBranchAndCode() {
         const document::Fractal before = m_document->fractal();
         click(pointOf({1, 2, 0, 2}));
