@@ -430,7 +430,7 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
     const QPointF way = arrowDirection(event.key());
     if (way.isNull() || !isIdle()) return false;
     const double factor = event.modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
-    if (m_focused) {
+    if (m_focused && *m_focused < held().vertices().size()) { // a branch that was let go has none
         nudge(factor * way);
     } else if (m_isFixed) {
         m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * factor * toVector(way)));
@@ -484,7 +484,6 @@ bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
 }
 
 void SpaceInput::nudge(const QPointF& pixels) {
-    if (*m_focused >= held().vertices().size()) return;
     const After after = holdsMap() ? afterMap() : afterCage();
     if (!after) return;
     SpatialDrag drag;

@@ -338,6 +338,15 @@ void SpaceBranchTest::theKeyboardMovesTheBranch() {
     QTest::keyClick(window.view.get(), Qt::Key_Right); // the same corner, of a map now
     QCOMPARE(document::system3(window.document.fractal())->maps.size(), std::size_t(15));
     QCOMPARE(window.document.undoStack()->undoText(), QStringLiteral("Move corner 1 of branch 1"));
+
+    // Without a branch there is no corner to move: the keys turn the view.
+    const int steps = window.document.undoStack()->index();
+    QTest::keyClick(window.view.get(), Qt::Key_Escape);
+    QVERIFY(window.choice.branch().empty());
+    const auto before = window.camera().orientation;
+    QTest::keyClick(window.view.get(), Qt::Key_Right);
+    QVERIFY(!(window.camera().orientation.coeffs() == before.coeffs()));
+    QCOMPARE(window.document.undoStack()->index(), steps);
 }
 
 // Another file has other branches; the drag of before does not come back.
