@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
+#include "io/file/background.h"
 #include "widgets/icon.h"
 #include "widgets/text_edit_workarounds.h"
 
@@ -8,8 +9,11 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFutureWatcher>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QImage>
+#include <QImageReader>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -29,14 +33,31 @@ namespace {
 
 constexpr int margin = 16;
 
-// As wide as its window and no wider: long lines of code are broken, and wide pictures made smaller.
+struct Picture {
+    QUrl name;
+    QImage image;
+};
+
+QString pathOf(const QUrl& picture) {
+    return u':' + picture.path();
+}
+
+// As wide as its window and no wider: long lines of code are broken, and wide pictures made smaller. Pictures
+// are decoded in the background; until they are there, the place of each is kept.
 class Page : public TextEditWithWorkarounds<QTextBrowser> {
 public:
     explicit Page(QWidget* parent) : TextEditWithWorkarounds(parent) {
         document()->setDocumentMargin(margin);
         document()->setIndentWidth(1.25 * margin);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
+        connect(&m_decoding, &QFutureWatcherBase::resultReadyAt, this, [this](int i) {
+            const Picture picture = m_decoding.resultAt(i);
+            m_decoded.insert(picture.name, picture.image);
+            document()->addResource(QTextDocument::ImageResource, picture.name, picture.image);
+            viewport()->update();
+        });
     }
+    ~Page() override { m_decoding.cancel(); }
 
     void open(const QUrl& text) {
         setSource(text);
@@ -64,23 +85,55 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override {
-        const int room = viewport()->width() - 2 * margin;
+        QList<Picture> wanted;
         for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
             for (auto part = block.begin(); !part.atEnd(); ++part)
-                if (const auto picture = part.fragment().charFormat().toImageFormat(); picture.isValid())
-                    fit(source().resolved(QUrl(picture.name())), room);
+                if (const auto format = part.fragment().charFormat().toImageFormat(); format.isValid())
+                    wanted << place(source().resolved(QUrl(format.name())));
+        for (const auto& [name, image] : wanted)
+            document()->addResource(QTextDocument::ImageResource, name, image);
         document()->markContentsDirty(0, document()->characterCount());
         TextEditWithWorkarounds::resizeEvent(event);
+        wanted.removeIf(
+            [this](const Picture& p) { return m_decoded.value(p.name).size() == p.image.size(); });
+        decode(wanted);
+    }
+
+    QVariant loadResource(int type, const QUrl& name) override {
+        return type == QTextDocument::ImageResource ? QVariant(place(source().resolved(name)).image)
+                                                    : TextEditWithWorkarounds::loadResource(type, name);
     }
 
 private:
-    void fit(const QUrl& picture, int room) {
-        const QImage whole(u':' + picture.path());
-        QImage fitted = whole.scaledToWidth(int(std::min(whole.width(), room) * devicePixelRatioF()),
-                                            Qt::SmoothTransformation);
-        fitted.setDevicePixelRatio(devicePixelRatioF());
-        document()->addResource(QTextDocument::ImageResource, picture, fitted);
+    // In the size that fits: what is there already, stretched, or nothing.
+    Picture place(const QUrl& name) const {
+        const int room = viewport()->width() - 2 * margin;
+        const QSize whole = QImageReader(pathOf(name)).size();
+        const double scale = std::min(1.0, double(room) / whole.width()) * devicePixelRatioF();
+        const QSize size = (QSizeF(whole) * scale).toSize().expandedTo({1, 1});
+        QImage image(size, QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        if (const auto decoded = m_decoded.find(name); decoded != m_decoded.end())
+            image = decoded->scaled(size);
+        image.setDevicePixelRatio(devicePixelRatioF());
+        return {name, image};
     }
+
+    void decode(const QList<Picture>& wanted) {
+        m_decoding.cancel();
+        m_decoding.setFuture(io::inBackground<Picture>([wanted](QPromise<Picture>& decoded) {
+            for (const auto& [name, place] : wanted) {
+                if (decoded.isCanceled()) return;
+                QImage image = QImage(pathOf(name))
+                                   .scaled(place.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+                image.setDevicePixelRatio(place.devicePixelRatio());
+                decoded.addResult(Picture{name, image});
+            }
+        }));
+    }
+
+    QFutureWatcher<Picture> m_decoding;
+    QHash<QUrl, QImage> m_decoded; // in the last size
 };
 
 // Marks what is typed wherever the page has it, and shows one place after the other.

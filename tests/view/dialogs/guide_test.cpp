@@ -16,6 +16,7 @@ class GuideTest : public QObject {
 
 private slots:
     void showsTextAndPictures();
+    void picturesAreDecodedInTheBackground();
     void nothingIsBesideANarrowWindow();
     void wordsAreFound();
 };
@@ -40,6 +41,35 @@ void GuideTest::showsTextAndPictures() {
     QVERIFY(source.open(QIODevice::ReadOnly));
     QCOMPARE(pictures, source.readAll().count("!["));
     QVERIFY(pictures > 3);
+}
+
+// The window waits for no picture, and no text moves when one arrives.
+void GuideTest::picturesAreDecodedInTheBackground() {
+    QWidget window;
+    view::showGuide(&window);
+    auto* browser = window.findChild<QTextBrowser*>();
+    const QUrl name(QStringLiteral("qrc:/guide/images/guide-maple.png"));
+    const auto picture = [&] {
+        return browser->document()->resource(QTextDocument::ImageResource, name).value<QImage>();
+    };
+    const QImage source(QStringLiteral(":/guide/images/guide-maple.png"));
+    const auto isBlank = [](QImage image) {
+        const QImage whole = image.convertToFormat(QImage::Format_ARGB32);
+        QImage blank(whole.size(), whole.format());
+        blank.fill(Qt::transparent);
+        blank.setDevicePixelRatio(whole.devicePixelRatio());
+        return whole == blank;
+    };
+    for (const int width : {900, 360, 500}) {
+        browser->window()->resize(width, 600);
+        const QSize place = picture().size();
+        const QSizeF page = browser->document()->size();
+        QCOMPARE(isBlank(picture()), width == 900); // later the last picture is stretched
+        const QImage wanted = source.scaled(place, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        QTRY_COMPARE(picture().convertToFormat(wanted.format()), wanted);
+        QCOMPARE(browser->document()->size(), page);
+        QCOMPARE(place.width(), std::min(source.width(), browser->viewport()->width() - 32));
+    }
 }
 
 void GuideTest::nothingIsBesideANarrowWindow() {
