@@ -77,7 +77,8 @@ std::string helpText(const CLI::App& program, const CLI::App* command) {
         if (std::ranges::find(groups, option->get_group()) == groups.end())
             groups.push_back(option->get_group());
     const auto isGeneral = [](const std::string& group) { return group == "Options"; };
-    std::ranges::stable_partition(groups, [&](const std::string& group) { return !isGeneral(group); });
+    std::stable_partition(groups.begin(), groups.end(),
+                          [&](const std::string& group) { return !isGeneral(group); });
     for (const std::string& group : groups) {
         text += '\n' + group + ":\n";
         for (const CLI::Option* option : command->get_options())

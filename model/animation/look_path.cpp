@@ -34,7 +34,7 @@ Palette mixed(const Palette& from, const Palette& to, double share) {
         for (const auto& stop : palette->stops)
             positions.push_back(stop.position);
     std::ranges::sort(positions);
-    positions.erase(std::ranges::unique(positions).begin(), positions.end());
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
     Palette palette{from.name, {}};
     for (const double position : positions)
         palette.stops.push_back({position, mixed(attractor::linearColourAt(from, position),
@@ -124,7 +124,7 @@ Palette cycled(const Palette& palette, double share) {
              {stop.position, -stop.position, 2 - stop.position, 2 + stop.position, 4 - stop.position})
             if (const double at = image - shift; at > 0 && at < 1) positions.push_back(at);
     std::ranges::sort(positions);
-    positions.erase(std::ranges::unique(positions).begin(), positions.end());
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
     Palette result{palette.name, {}};
     for (const double position : positions)
         result.stops.push_back({position, attractor::colourAt(palette, reflected(position + shift))});

@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 
-#include <ranges>
 
 namespace animation {
 
@@ -32,9 +31,9 @@ ifs::IteratedFunctionSystem<Dim> factors(const Motion<Dim>& motion, const Moment
 template <int Dim>
 ifs::IteratedFunctionSystem<Dim> movedBack(const std::vector<Motion<Dim>>& motions, const Moment& moment,
                                            int length, ifs::IteratedFunctionSystem<Dim> shown) {
-    for (const Motion<Dim>& motion : motions | std::views::reverse) {
-        const ifs::IteratedFunctionSystem<Dim> moved = factors<Dim>(motion, moment, length, shown);
-        const ifs::Vector<Dim> reference = referenceOf<Dim>(motion);
+    for (auto motion = motions.rbegin(); motion != motions.rend(); ++motion) {
+        const ifs::IteratedFunctionSystem<Dim> moved = factors<Dim>(*motion, moment, length, shown);
+        const ifs::Vector<Dim> reference = referenceOf<Dim>(*motion);
         for (std::size_t i = 0; i < shown.maps.size(); ++i) {
             const ifs::Matrix<Dim>& factor = moved.maps[i].map.linear;
             if (factor == ifs::Matrix<Dim>::Identity()) continue;
@@ -49,9 +48,9 @@ ifs::IteratedFunctionSystem<Dim> movedBack(const std::vector<Motion<Dim>>& motio
 
 void turnBack(const std::vector<Motion<2>>& motions, const Moment& moment, int length,
               ifs::ControlCage<2>& cage) {
-    for (const Motion<2>& motion : motions | std::views::reverse)
-        if (const auto* orbit = std::get_if<Orbit<2>>(&motion))
-            turnCage(cage, orbit->centre, -orbitAngle<2>(motion, moment, length));
+    for (auto motion = motions.rbegin(); motion != motions.rend(); ++motion)
+        if (const auto* orbit = std::get_if<Orbit<2>>(&*motion))
+            turnCage(cage, orbit->centre, -orbitAngle<2>(*motion, moment, length));
 }
 
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \

@@ -60,7 +60,7 @@ std::vector<int> keyFrames(const animation::Animation<Dim>& animation, const Ani
 // Ascending, each once, evenly thinned where there are very many.
 std::vector<Moment> inOrder(std::vector<Moment> moments) {
     std::ranges::sort(moments, isBefore);
-    moments.erase(std::ranges::unique(moments).begin(), moments.end());
+    moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
     if (moments.size() <= maxPilots) return moments;
     std::vector<Moment> some;
     for (std::size_t i = 0; i < maxPilots; ++i)

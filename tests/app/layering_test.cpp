@@ -29,6 +29,7 @@ private slots:
     void sourcesStandBesideTheirHeaders();
     void coreCompilesWithoutQt();
     void viewStartsNoThread();
+    void nothingReturnsASubrange();
 };
 
 namespace {
@@ -286,6 +287,22 @@ void LayeringTest::viewStartsNoThread() {
     QVERIFY(!files.isEmpty());
     for (const QString& path : files)
         QVERIFY2(!thread.match(contents(path)).hasMatch(), qPrintable(path));
+}
+
+// Clang 14, with which the readers are fuzzed and the sources checked, cannot compile std::ranges::subrange
+// and views of libstdc++ 12.
+void LayeringTest::nothingReturnsASubrange() {
+    static const QRegularExpression subrange(QStringLiteral(
+        "std::views::|std::ranges::(subrange|equal_range|find_end|partition|remove|remove_if|rotate|search|"
+        "search_n|stable_partition|unique)\\b"));
+    for (const char* folder : {"app", "model", "view"}) {
+        const QStringList files = sourceFiles(support::sourcePath(QString::fromLatin1(folder)));
+        QVERIFY(!files.isEmpty());
+        for (const QString& path : files) {
+            const auto match = subrange.match(contents(path));
+            QVERIFY2(!match.hasMatch(), qPrintable(path + QStringLiteral(": ") + match.captured()));
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(LayeringTest)

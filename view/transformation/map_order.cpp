@@ -30,7 +30,8 @@ std::vector<std::size_t> activeIndices(const document::Fractal& fractal) {
     const document::System2* system = document::system2(fractal);
     if (system == nullptr) return {};
     std::vector<std::size_t> indices = ifs::activeMaps(*system).index;
-    indices.erase(std::ranges::unique(indices).begin(), indices.end()); // copies under a symmetry go together
+    indices.erase(std::unique(indices.begin(), indices.end()),
+                  indices.end()); // copies under a symmetry go together
     return indices;
 }
 

@@ -145,7 +145,7 @@ CellsOutside cellsOutside(const std::vector<Place>& outside) {
     for (const Place& place : outside)
         cells.emplace_back(std::floor(place.point.x()), std::floor(place.point.y()), place.layer);
     std::ranges::sort(cells);
-    cells.erase(std::ranges::unique(cells).begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     CellsOutside result{0, cells.size()};
     for (std::size_t k = 0; k < cells.size(); ++k)
         if (k == 0 || std::get<0>(cells[k]) != std::get<0>(cells[k - 1]) ||

@@ -69,9 +69,9 @@ std::optional<std::vector<std::size_t>> placesInOrder(std::span<const std::size_
                                                       const std::vector<std::size_t>& indices) {
     std::vector<std::size_t> result;
     for (const std::size_t index : order) {
-        const auto copies = std::ranges::equal_range(indices, index);
-        if (copies.empty() || result.size() + copies.size() > indices.size()) return std::nullopt;
-        for (auto copy = copies.begin(); copy != copies.end(); ++copy)
+        const auto [first, last] = std::equal_range(indices.begin(), indices.end(), index);
+        if (first == last || result.size() + std::size_t(last - first) > indices.size()) return std::nullopt;
+        for (auto copy = first; copy != last; ++copy)
             result.push_back(std::size_t(copy - indices.begin()));
     }
     for (std::size_t k = 0; order.empty() && k < indices.size(); ++k)

@@ -43,7 +43,7 @@ void sortAround(std::vector<int>& face, std::span<const Vector<3>> vertices, con
     std::ranges::sort(order);
     // The smallest index first, so that no rounding decides where a face begins.
     const auto first = std::ranges::min_element(order, {}, &std::pair<double, int>::second);
-    std::ranges::rotate(order, first);
+    std::rotate(order.begin(), first, order.end());
     std::ranges::transform(order, face.begin(), &std::pair<double, int>::second);
 }
 

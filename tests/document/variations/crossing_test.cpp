@@ -125,7 +125,8 @@ void CrossingTest::scaleAndPlaceOfThePartnerDoNotMatter() {
 void CrossingTest::mapsThatBelongTogetherArePaired() {
     const FractalPointer parent = triangle();
     Fractal turned = *parent;
-    std::ranges::rotate(document::system2(turned)->maps, document::system2(turned)->maps.begin() + 1);
+    auto& maps = document::system2(turned)->maps;
+    std::rotate(maps.begin(), maps.begin() + 1, maps.end());
     const document::Crossing<2> crossing(parent, turned);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         document::Chance chance(seed);

@@ -109,10 +109,11 @@ double fixedPointError(const Analysis& analysis, std::size_t k) {
     const auto& active = analysis.facts.active;
     if (active.maps.empty()) return 0;
     double error = std::numeric_limits<double>::infinity();
-    const auto copies = std::ranges::equal_range(active.index, analysis.fixedBy[k]); // under a symmetry
-    for (auto copy = copies.begin(); copy != copies.end(); ++copy)
-        error = std::min(error, errorOf<2>(analysis.fixedPoints[k],
-                                           active.maps[std::size_t(copy - active.index.begin())]));
+    const auto& index = active.index; // copies under a symmetry have the same
+    const auto [first, last] = std::equal_range(index.begin(), index.end(), analysis.fixedBy[k]);
+    for (auto copy = first; copy != last; ++copy)
+        error = std::min(error,
+                         errorOf<2>(analysis.fixedPoints[k], active.maps[std::size_t(copy - index.begin())]));
     return error;
 }
 
