@@ -18,8 +18,8 @@ namespace ifs {
 // The shapes stay exactly the same. docs/decisions/0012-svg-in-browsers.md.
 class MergedCopies {
 public:
-    // A reader's time up to which nothing is merged, as effort() gives it: about three seconds in Chromium.
-    static constexpr double comfortable = 250'000;
+    // A reader's time up to which nothing is merged, as effort() gives it: about two seconds in Chromium.
+    static constexpr double comfortable = 1'700'000;
     static constexpr std::size_t maxCorners = 60'000; // of all paths, unless there are none
     static constexpr std::size_t maxWritten = 4'000;  // copies, unless the levels as they are have more
 
@@ -40,7 +40,7 @@ public:
     const Levels& levels() const { return m_levels; } // those that are needed, from the lowest
     const std::set<std::size_t>& projections() const { return m_projections; }
 
-    // The copies that a reader of the file makes, weighed by how deep each is nested.
+    // The copies that a reader of the file makes, weighed by the square of how deep each is nested.
     double effort() const;
 
 private:

@@ -80,6 +80,7 @@ private slots:
     void theShapesStayTheSame();
     void littleIsLeftAsItIs();
     void browsersAreSparedMost();
+    void deepNestingWeighsMore();
     void whatIsWrittenIsBounded();
 };
 
@@ -130,6 +131,25 @@ void CopyMergingTest::browsersAreSparedMost() {
     QVERIFY(hierarchy.references(depth) > 20'000);
     const MergedCopies merged(hierarchy, depth);
     QVERIFY2(merged.effort() <= MergedCopies::comfortable, qPrintable(QString::number(merged.effort())));
+}
+
+// A fern of ninety levels, whose largest map hardly shrinks.
+void CopyMergingTest::deepNestingWeighsMore() {
+    const Maps2 fishbone{affineMap(0, 0, 0, 0.25, 0, -0.4), affineMap(0.95, 0.002, -0.002, 0.93, -0.002, 0.5),
+                         affineMap(0.035, -0.11, 0.27, 0.01, -0.05, 0.005),
+                         affineMap(-0.04, 0.11, 0.27, 0.01, 0.047, 0.06)};
+    const CopyHierarchy hierarchy =
+        *CopyHierarchy::of(system<2>(fishbone), pictured(fishbone, 1200, 900).display);
+    const int depth = hierarchy.levelFor(1);
+    QVERIFY(depth > 60);
+    const MergedCopies merged(hierarchy, depth);
+    std::map<int, int> nested;
+    for (const auto& [number, level] : merged.levels())
+        for (const Copy& copy : level.copies)
+            nested[number] = std::max(nested[number], 1 + (copy.projection ? 0 : nested[copy.level]));
+    const auto isDeeper = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const int deepest = std::ranges::max_element(nested, isDeeper)->second;
+    QVERIFY2(deepest < depth / 2, qPrintable(QString::number(deepest)));
 }
 
 void CopyMergingTest::whatIsWrittenIsBounded() {
