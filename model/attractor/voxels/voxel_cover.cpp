@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace attractor {
@@ -43,7 +44,8 @@ public:
     }
 
     VoxelCover::Outcome run(const std::function<void(double)>& progress, const std::stop_token& stop) {
-        constexpr std::uint64_t between = 1U << 20; // words between two looks at the clock
+        if (!fillKnownPoints(stop)) return VoxelCover::Outcome::Stopped;
+        m_open.clear();
         std::size_t begun = 0;
         while (!m_open.empty() || begun < m_pieces.size()) {
             if (m_open.empty()) {
@@ -63,15 +65,70 @@ public:
                 if (progress) progress((double(begun) - 1 + share()) / double(m_pieces.size()));
             }
             if (!isDone(word)) m_open.push_back({word, 0});
+            if (m_open.size() > maxDepth) return VoxelCover::Outcome::TooManyWords;
         }
         return VoxelCover::Outcome::Done;
     }
 
 private:
+    static constexpr std::uint64_t between = 1U << 20; // words between two looks at the clock
+    static constexpr std::size_t maxDepth = 1'000'000; // 100 MB
+
     struct Open {
         ifs::AffineMap<3> word;
         std::size_t next; // of its children
     };
+
+    // Images of a fixed point, as close as voxels. Their voxels are met whatever words are taken apart into,
+    // and a word on the border of voxels that are known to be met need not be taken apart.
+    bool fillKnownPoints(const std::stop_token& stop) {
+        constexpr double fewVoxels = 2; // wide
+        const auto fixed = fixedPoint();
+        if (!fixed) return true;
+        std::vector<ifs::Vector<3>> points;
+        for (const ifs::AffineMap<3>& map : m_maps)
+            points.push_back(map(*fixed));
+        std::uint64_t words = 0;
+        std::uint64_t looked = 0; // at the clock
+        for (const ifs::AffineMap<3>& piece : m_pieces)
+            for (m_open = {{piece, 0}}; !m_open.empty();) {
+                Open& open = m_open.back();
+                const ifs::Matrix<3>& linear = open.word.linear;
+                if (2 * linear.cwiseAbs().rowwise().sum().maxCoeff() <= fewVoxels) {
+                    for (const ifs::Vector<3>& point : points)
+                        fill(open.word(point));
+                    words += points.size() / 4; // what they take beside a word
+                    open.next = m_maps.size();
+                }
+                if (open.next == m_maps.size()) {
+                    m_open.pop_back();
+                    continue;
+                }
+                const ifs::AffineMap<3> word = open.word * m_maps[open.next++];
+                m_open.push_back({word, 0});
+                if (++words > VoxelCover::maxWords / 8 || m_open.size() > maxDepth) return true;
+                if (words - looked > between) {
+                    if (stop.stop_requested()) return false;
+                    looked = words;
+                }
+            }
+        return true;
+    }
+
+    // Of a map, in box coordinates; one that shrinks so much that the point is exact but for rounding.
+    std::optional<ifs::Vector<3>> fixedPoint() const {
+        for (const ifs::AffineMap<3>& map : m_maps) {
+            const ifs::Matrix<3> difference = ifs::Matrix<3>::Identity() - map.linear;
+            const ifs::Vector<3> point = difference.partialPivLu().solve(map.translation);
+            if (map.linear.norm() <= 0.9 && point.cwiseAbs().maxCoeff() <= 1 + 1e-12) return point;
+        }
+        return {};
+    }
+
+    void fill(const ifs::Vector<3>& point) {
+        const Index voxel{int(std::floor(point[0])), int(std::floor(point[1])), int(std::floor(point[2]))};
+        if (m_cover.grid.contains(voxel)) m_cover.grid.fill(voxel);
+    }
 
     double share() const { // of the piece
         double part = 1;

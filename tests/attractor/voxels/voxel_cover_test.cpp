@@ -19,6 +19,7 @@ private slots:
     void everyVoxelIsNear_data() { everyPointIsCovered_data(); }
     void everyVoxelIsNear();
     void aCubeIsFull();
+    void fewWordsAreTakenApartWherePiecesTouch();
     void limitsAreKept();
     void stops();
 };
@@ -100,10 +101,22 @@ void VoxelCoverTest::aCubeIsFull() {
     QCOMPARE(cover.grid.size(), (attractor::VoxelGrid::Index{12, 12, 12}));
 }
 
+void VoxelCoverTest::fewWordsAreTakenApartWherePiecesTouch() {
+    const VoxelCover cover = coverOf(attractor::preparedSpace(systems::menger()), {}, 0.01);
+    QVERIFY(cover.outcome == VoxelCover::Outcome::Done);
+    const double wordsPerVoxel = double(cover.words) / double(cover.grid.countFilled());
+    QVERIFY2(wordsPerVoxel < 30, qPrintable(QString::number(wordsPerVoxel)));
+}
+
 void VoxelCoverTest::limitsAreKept() {
     const attractor::PreparedSpace menger = attractor::preparedSpace(systems::menger());
     QVERIFY(coverOf(menger, {}, 1e-5).outcome == VoxelCover::Outcome::TooManyVoxels);
     QVERIFY(coverOf(menger, {}, 1e-300).outcome == VoxelCover::Outcome::TooManyVoxels);
+    // Words that hardly shrink would be taken apart until they fill the memory.
+    const auto slow = attractor::preparedSpace(canonical::system(
+        canonical::Maps3{systems::scaled(1 - 1e-8, 0, 0, 0), systems::scaled(0.5, 1, 1, 1)}));
+    const VoxelCover cover = coverOf(slow, {}, 0.01);
+    QVERIFY(cover.outcome == VoxelCover::Outcome::TooManyWords && cover.words < 2'000'000);
 }
 
 void VoxelCoverTest::stops() {
