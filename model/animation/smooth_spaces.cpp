@@ -29,7 +29,7 @@ attractor::Orientation Rotations::moved(const attractor::Orientation& from, cons
 }
 
 template <int Dim>
-Framings<Dim>::Step Framings<Dim>::between(const Framing<Dim>& from, const Framing<Dim>& to) {
+typename Framings<Dim>::Step Framings<Dim>::between(const Framing<Dim>& from, const Framing<Dim>& to) {
     const double ratio = to.height / from.height, zoom = attractor::naturalLogarithm(ratio);
     const double share = std::abs(zoom) < small ? 1 - zoom / 2 + zoom * zoom / 12 : zoom / (ratio - 1);
     Step step;
