@@ -163,8 +163,9 @@ std::optional<int> qualityOf(const RenderArguments& arguments) {
 std::optional<double> dotsPerInch(const RenderArguments& arguments) {
     if (!arguments.dpi) return std::nullopt;
     constexpr double maxDots = 100'000;
-    const double dots = positiveArgument("--dpi", *arguments.dpi);
-    if (dots < 1 || dots > maxDots) throw UsageError{tr("--dpi must be a number from 1 to 100000.")};
+    const auto dots = io::parseNumber(QString::fromStdString(*arguments.dpi));
+    if (!dots || !(*dots >= 1 && *dots <= maxDots))
+        throw UsageError{tr("--dpi must be a number from 1 to 100000.")};
     return dots;
 }
 

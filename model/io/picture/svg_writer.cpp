@@ -76,8 +76,9 @@ SvgPlan planOf(const document::Fractal& fractal, const ifs::CopyHierarchy& level
     plan.depth = svgDepth(levels, format);
     plan.references = std::max<std::uint64_t>(levels.references(plan.depth), 1);
     plan.errorInPixels = levels.error(plan.depth);
-    plan.isCutShort = !format.depth && plan.errorInPixels > goodEnough &&
-                      levels.references(plan.depth + 1) > ifs::CopyHierarchy::comfortableReferences;
+    plan.isCutShort = !format.depth && plan.errorInPixels > goodEnough && plan.depth < plan.deepest &&
+                      levels.references(plan.depth + 1) > ifs::CopyHierarchy::comfortableReferences &&
+                      levels.error(plan.depth + 1) < plan.errorInPixels;
     const ifs::ControlCage<2>* cage = document::cage2(fractal);
     plan.unbent = cage && ifs::bends(*cage);
     return plan;
