@@ -12581,7 +12581,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <name>view::SpaceRows</name>
     <message>
         <source>Look</source>
-        <translation>Aussehen</translation>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>A lit solid, the density of its points, or data for other programs.</source>
@@ -12637,7 +12637,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Look: %1</source>
-        <translation>Aussehen: %1</translation>
+        <translation>Darstellung: %1</translation>
     </message>
     <message>
         <source>Colour of the solid by</source>

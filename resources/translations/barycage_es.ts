@@ -12581,7 +12581,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <name>view::SpaceRows</name>
     <message>
         <source>Look</source>
-        <translation>Aspecto</translation>
+        <translation>Estilo</translation>
     </message>
     <message>
         <source>A lit solid, the density of its points, or data for other programs.</source>
@@ -12637,7 +12637,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>Look: %1</source>
-        <translation>Aspecto: %1</translation>
+        <translation>Estilo: %1</translation>
     </message>
     <message>
         <source>Colour of the solid by</source>

@@ -10190,7 +10190,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>On</source>
-        <translation>Вкл.</translation>
+        <translation>Да</translation>
     </message>
     <message>
         <source>p</source>
@@ -12611,7 +12611,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <name>view::SpaceRows</name>
     <message>
         <source>Look</source>
-        <translation>Изглед</translation>
+        <translation>Приказ</translation>
     </message>
     <message>
         <source>A lit solid, the density of its points, or data for other programs.</source>
@@ -12667,7 +12667,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Look: %1</source>
-        <translation>Изглед: %1</translation>
+        <translation>Приказ: %1</translation>
     </message>
     <message>
         <source>Colour of the solid by</source>

@@ -266,9 +266,10 @@ void SpaceExportDialog::update() {
         m_form->setRowVisible(row, isBody());
     m_message->setText(obstacle()  ? *obstacle()
                        : isPicture ? QString()
-                       : isBody()
-                           ? tr("A closed surface around the attractor, without its slice, for a printer.")
-                           : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+                       : isBody()  ? tr("A closed surface around the attractor, for a printer.")
+                                   : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+    if (!isPicture && !obstacle() && m_fractal.inSpace.clip)
+        m_message->setText(m_message->text() + u' ' + tr("The whole solid is written, not only the slice."));
 }
 
 io::Failure SpaceExportDialog::obstacle() const {

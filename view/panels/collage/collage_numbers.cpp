@@ -87,7 +87,7 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         {tr("Coverage"), tr("The part of the target that is covered")},
         {tr("Excess"), tr("The area covered outside the target, relative to the area of the target")},
         {tr("Overlap (IoU)"), tr("The area that both cover, relative to the area that either covers")},
-        {tr("Overlap ratio"),
+        {tr("Overlap of the maps"),
          tr("How often the images of the maps cover the same places: their areas together, "
             "divided by the area that they cover. It is 1 where no two of them overlap")},
         {tr("Mean distance"), tr("From each point to the nearest point of the other shape, in pixels of the "

@@ -105,6 +105,23 @@ private slots:
         }
     }
 
+    void aSliceIsMentionedWhereItIsNotWritten() {
+        const QString slice = QStringLiteral("slice");
+        document::Fractal fractal = m_document->fractal();
+        for (const bool isSliced : {false, true}) {
+            if (isSliced) fractal.inSpace.clip = attractor::SpaceClip{ifs::Vector<3>::UnitX(), 0, 1};
+            m_document->setFile(document::fileOf(fractal));
+            SpaceExportDialog dialog(m_document.get(), {});
+            for (const auto format : {SpaceExportDialog::Format::Stl, SpaceExportDialog::Format::OpenScad}) {
+                dialog.setFormat(format);
+                QVERIFY(!dialog.message().isEmpty());
+                QCOMPARE(dialog.message().contains(slice), isSliced);
+            }
+            dialog.setFormat(SpaceExportDialog::Format::Png);
+            QVERIFY(!dialog.message().contains(slice));
+        }
+    }
+
     void openScadGetsOneMatrixForEachMap() {
         QVERIFY(exportedAs(SpaceExportDialog::Format::OpenScad, QStringLiteral("a.scad")));
         QFile file(path(QStringLiteral("a.scad")));

@@ -68,7 +68,8 @@ private slots:
         QVERIFY(mask(80, 80));
         QVERIFY(!mask(5, 5));
         QVERIFY(number("Coverage").endsWith(QStringLiteral("%")));
-        QVERIFY(number("Overlap ratio").toDouble() >= 1 && number("Overlap ratio").toDouble() <= 3);
+        QVERIFY(number("Overlap of the maps").toDouble() >= 1 &&
+                number("Overlap of the maps").toDouble() <= 3);
         QVERIFY2(number("Guarantee").contains(QStringLiteral("s = 0.5")), qPrintable(number("Guarantee")));
         QCOMPARE(steps(), 0); // a target is no step of the history
         QVERIFY(layer()->mark().has_value());
