@@ -24,6 +24,7 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <numbers>
@@ -154,8 +155,10 @@ QWidget* BranchBar::makeSwing() {
 void BranchBar::follow() {
     showRow(m_canvas->tool() == CanvasView::Tool::Maps ? m_swingRow : m_branchRow);
     const QSignalBlocker quiet(m_depth);
-    m_depth->setValue(choice().depth());
     const ifs::Word& address = choice().address();
+    const auto known = int(std::min(address.size(), std::size_t(BranchChoice::maxDepth)));
+    m_depth->setMaximum(address.empty() ? BranchChoice::maxDepth : known);
+    m_depth->setValue(choice().depth()); // or what is known
     const ifs::Word word = choice().branch();
     const ifs::Word rest(address.begin() + std::ptrdiff_t(word.size()), address.end());
     m_address->setText(

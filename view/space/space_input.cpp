@@ -335,7 +335,7 @@ void SpaceInput::endDrag() {
 
 void SpaceInput::chooseBranchAt(const QPointF& position) {
     const auto point = m_navigation.pointNear(position);
-    if (!point) return;
+    if (!point) return m_branch.choice()->choose({});
     m_focused.reset();
     emit message(m_branch.chooseAt(*point, 1 / pixelsPerUnit(m_navigation.camera())));
 }

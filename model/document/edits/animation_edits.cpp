@@ -39,11 +39,13 @@ void visitKeys(animation::Animation<Dim>& animation, const Track& track, Use use
     if (track.kind == Kind::Camera) return use(animation.camera);
     if (track.kind == Kind::Map) {
         auto* known = named(animation.maps, track.maps);
-        use(known ? known->keys : animation.maps.emplace_back(track.maps.front()).keys);
+        if (!known) known = &animation.maps.emplace_back(animation::MapTrack<Dim>{track.maps.front(), {}});
+        use(known->keys);
         std::erase_if(animation.maps, [](const auto& one) { return one.keys.empty(); });
     } else {
         auto* known = named(animation.branches, track.maps);
-        use(known ? known->keys : animation.branches.emplace_back(track.maps).keys);
+        if (!known) known = &animation.branches.emplace_back(animation::BranchTrack<Dim>{track.maps, {}});
+        use(known->keys);
         std::erase_if(animation.branches, [](const auto& one) { return one.keys.empty(); });
     }
 }

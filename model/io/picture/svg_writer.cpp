@@ -220,17 +220,17 @@ private:
     static QString pathOf(const ifs::CopyHierarchy& levels, const ifs::Polygon& outline,
                           const std::vector<ifs::MergedCopies::Piece>& pieces) {
         std::vector<ifs::Polygon> polygons;
-        for (const auto& [map, projection] : pieces) {
+        for (const ifs::MergedCopies::Piece& piece : pieces) {
             const auto add = [&](ifs::Polygon polygon) {
                 for (auto& corner : polygon)
-                    corner = map(corner);
-                if (map.linear.determinant() < 0) std::reverse(polygon.begin(), polygon.end());
+                    corner = piece.map(corner);
+                if (piece.map.linear.determinant() < 0) std::reverse(polygon.begin(), polygon.end());
                 polygons.push_back(std::move(polygon));
             };
-            if (!projection)
+            if (!piece.projection)
                 add(outline);
             else
-                std::ranges::for_each(levels.projection(*projection)->bars, add);
+                std::ranges::for_each(levels.projection(*piece.projection)->bars, add);
         }
         const int digits = digitsFor(polygons);
         QString path;

@@ -66,6 +66,7 @@ private slots:
     void aClickSelectsTheBranchUnderThePointer();
     void aThinTwigIsHitNearby();
     void theDepthIsChosenByWheelAndKeys();
+    void aClickBesideTheSolidLetsTheBranchGo();
     void aDragTurnsTheViewAndSelectsNothing();
     void aBranchBecomesAMapOfItsOwnInOneStep();
     void theLastMapOfItsAddressChanges();
@@ -129,6 +130,23 @@ void SpaceBranchTest::aThinTwigIsHitNearby() {
     const Word beside = clickBeside(2.5);
     QVERIFY(!beside.empty());
     QCOMPARE(beside, clickBeside(-2));
+}
+
+void SpaceBranchTest::aClickBesideTheSolidLetsTheBranchGo() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    window.clickTheFace();
+    QCOMPARE(window.choice.branch(), (Word{3, 5}));
+    const QPointF beside(3, 3);
+    window.send(QEvent::MouseButtonPress, beside, Qt::LeftButton); // an orbit
+    window.send(QEvent::MouseMove, beside + QPointF(20, 9), Qt::LeftButton);
+    window.send(QEvent::MouseButtonRelease, beside + QPointF(20, 9), Qt::LeftButton);
+    QCOMPARE(window.choice.branch(), (Word{3, 5}));
+    QVERIFY(window.rests());
+    window.send(QEvent::MouseButtonPress, beside, Qt::LeftButton);
+    window.send(QEvent::MouseButtonRelease, beside, Qt::LeftButton);
+    QVERIFY(window.choice.branch().empty());
+    QVERIFY(window.view->note().contains(QStringLiteral("Click a point")));
 }
 
 void SpaceBranchTest::theDepthIsChosenByWheelAndKeys() {

@@ -45,13 +45,14 @@ void BranchTool::stop() {
     scene().notes().setPrompt({});
 }
 
-void BranchTool::selectAt(const QPointF& position) {
+bool BranchTool::selectAt(const QPointF& position) {
     const attractor::Camera& camera = scene().camera();
     const ifs::Word address = handles().addressAt(worldAt(camera, position), 1 / camera.pixelsPerUnit);
-    if (address.empty()) return;
+    if (address.empty()) return false;
     selection().setFocused({});
     m_choice.choose(address);
     say();
+    return true;
 }
 
 double BranchTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
@@ -67,7 +68,7 @@ double BranchTool::shareToShow(const std::function<const document::Fractal&(doub
 
 void BranchTool::press(const Pointer& pointer) {
     MapsTool::press(pointer);
-    if (!isBusy()) selectAt(pointer.position);
+    if (!isBusy() && !selectAt(pointer.position)) m_choice.choose({});
 }
 
 void BranchTool::clicked(const CanvasPart& part, const Pointer& pointer) {

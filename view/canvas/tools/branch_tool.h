@@ -33,7 +33,7 @@ protected:
 
 private:
     void showChoice();
-    void selectAt(const QPointF& position);
+    bool selectAt(const QPointF& position); // false: no branch is there
     void ask();
     void say();
 

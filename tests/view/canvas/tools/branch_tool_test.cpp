@@ -208,8 +208,11 @@ private slots:
         m_document->undoStack()->undo();
         QVERIFY(m_document->fractal() == fractal);
         QCOMPARE(scene().handles().branch(), (Word{1, 2})); // still selected, as before the drag
+        QCOMPARE(m_bar->depth()->value(), 2);
         m_document->undoStack()->redo();
         QCOMPARE(scene().handles().branch(), (Word{0}));
+        QCOMPARE(m_bar->depth()->value(), 1); // of the map that it is now; the next click has two again
+        QCOMPARE(m_canvas->tools().branchTool().choice().depth(), 2);
         m_document->setFile(document::fileOf(document::sierpinskiTriangle()));
         QVERIFY(scene().handles().branch().empty()); // another system has other branches
     }
@@ -221,6 +224,14 @@ private slots:
         QVERIFY(scene().handles().branch().empty());
         click(pointOf({1, 2, 0, 2}));
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        QCOMPARE(steps(), 0);
+    }
+
+    void aClickBesideTheAttractorLetsTheBranchGo() {
+        click(pointOf({1, 2, 0, 2}));
+        QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+        click(at({Kind::Vertex, 0, -1}) + QPointF(-60, 60)); // outside the cage
+        QVERIFY(scene().handles().branch().empty());
         QCOMPARE(steps(), 0);
     }
 
