@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compare/compare_pane.h"
 
+#include "bridges/extent_finder.h"
 #include "bridges/render_bridge.h"
 #include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
@@ -72,6 +73,7 @@ void ComparePane::create() {
     m_otherRender = new RenderBridge(other, this);
     m_otherRender->setQuality(m_render->quality());
     m_otherSolid = new SolidBridge(other, this);
+    new ExtentFinder(other, m_otherSolid); // without the extent, there are no handles
     m_views = new QStackedWidget(this);
     m_otherPlane = new CanvasView(other, m_otherRender, m_views);
     m_otherSpace = new SpaceView(other, m_otherSolid, m_views);
@@ -133,9 +135,20 @@ void ComparePane::followTools() {
     const auto follow = [this](CanvasView::Tool tool) {
         if (tool == CanvasView::Tool::DefineTriangle) return;
         m_otherPlane->setTool(tool);
-        m_otherSpace->setTarget(tool == CanvasView::Tool::Maps ? SpaceView::Target::Maps
-                                                               : SpaceView::Target::Cage);
+        m_otherSpace->setTarget(tool == CanvasView::Tool::Maps     ? SpaceView::Target::Maps
+                                : tool == CanvasView::Tool::Branch ? SpaceView::Target::Branch
+                                                                   : SpaceView::Target::Cage);
     };
+    BranchChoice* branch = &m_plane->tools().branchTool().choice();
+    BranchChoice* otherBranch = &m_otherPlane->tools().branchTool().choice();
+    const auto have = [](BranchChoice* to, const BranchChoice* as) {
+        to->setDepth(as->depth());
+        to->setEdit(as->edit());
+    };
+    have(otherBranch, branch);
+    connect(branch, &BranchChoice::changed, otherBranch, [=] { have(otherBranch, branch); });
+    connect(otherBranch, &BranchChoice::changed, branch, [=] { have(branch, otherBranch); });
+    m_otherSpace->setBranchChoice(otherBranch);
     follow(m_plane->tool());
     connect(m_plane, &CanvasView::toolChanged, this, follow);
     CanvasOptions& own = m_plane->options();

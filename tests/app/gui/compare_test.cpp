@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
 #include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_geometry.h"
 #include "compare/compare_pane.h"
 #include "document/fractal_geometry.h"
 #include "space/space_view.h"
@@ -31,6 +32,7 @@ private slots:
     void undoLeavesThePlaces();
     void entriesComeAndGo();
     void solidsAreCompared();
+    void branchesOfBothAreDragged();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -288,6 +290,47 @@ void CompareTest::solidsAreCompared() {
     QVERIFY(own.camera() == before);
     document().setCurrent(idOf(u"flat"_s));
     QTRY_VERIFY(pane()->space()->isVisible());
+}
+
+// What the bar says of branches holds for both canvases.
+void CompareTest::branchesOfBothAreDragged() {
+    QByteArray cube;
+    for (int corner = 0; corner < 8; ++corner)
+        cube += u" .5 0 0 0 .5 0 0 0 .5 %1 %2 %3 1\n"_s.arg((corner & 1) / 2.0)
+                    .arg((corner >> 1 & 1) / 2.0)
+                    .arg((corner >> 2) / 2.0)
+                    .toLatin1();
+    open("a (3D) {\n" + cube + "}\nb (3D) {\n" + cube + "}\n");
+    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(pane()->isVisible() && pane()->space()->isVisible());
+    canvas()->setTool(view::CanvasView::Tool::Branch);
+    const view::BranchChoice& choice = pane()->plane()->tools().branchTool().choice();
+    canvas()->tools().branchTool().choice().setDepth(3);
+    QCOMPARE(choice.depth(), 3);
+    canvas()->tools().branchTool().choice().setEdit(document::BranchEdit::LastMap);
+    QVERIFY(choice.edit() == document::BranchEdit::LastMap);
+    view::SpaceView* other = pane()->space();
+    const ifs::Vector<3> face(1, 0.6, 0.3); // in the eighth at (1, 1, 0), and of that at (1, 0.2, 0.6)
+    const auto pixel = [&] {
+        return view::toPoint(toScreen(other->navigation().camera(), face).pixel).toPoint();
+    };
+    QTRY_VERIFY(other->navigation().pointNear(pixel()));
+    QTest::mouseClick(other->viewport(), Qt::LeftButton, {}, pixel());
+    QCOMPARE(choice.branch().size(), std::size_t(3));
+    QCOMPARE(choice.branch()[0], 3);
+    QVERIFY(canvas()->tools().branchTool().choice().branch().empty());
+    QCOMPARE(other->mapItem().count(), std::size_t(5));
+    const document::Fractal before = *document().file().entries[1].fractal;
+    const QPoint corner = other->mapItem().handle(2).toPoint();
+    QTest::mousePress(other->viewport(), Qt::LeftButton, {}, corner);
+    QTest::mouseMove(other->viewport(), corner + QPoint(9, 9));
+    QTest::mouseRelease(other->viewport(), Qt::LeftButton, {}, corner + QPoint(9, 9));
+    QCOMPARE(document().undoStack()->count(), 1);
+    QVERIFY(!(*document().file().entries[1].fractal == before));
+    document().undoStack()->undo();
+    QVERIFY(*document().file().entries[1].fractal == before);
+    QTest::keyClick(other, Qt::Key_Escape);
+    QVERIFY(choice.branch().empty());
 }
 
 QTEST_MAIN(CompareTest)

@@ -54,6 +54,10 @@ void BranchChoice::setDepth(int depth) {
     emit announced();
 }
 
+void BranchChoice::setEdit(document::BranchEdit edit) {
+    if (std::exchange(m_edit, edit) != edit) emit changed();
+}
+
 void BranchChoice::turnDepth(int angle) {
     m_turned += angle;
     setDepth(m_depth + m_turned / notch);

@@ -26,7 +26,7 @@ public:
     void setDepth(int depth);
     void turnDepth(int angle);                           // by a wheel, in eighths of a degree
     document::BranchEdit edit() const { return m_edit; } // what drags to come change
-    void setEdit(document::BranchEdit edit) { m_edit = edit; }
+    void setEdit(document::BranchEdit edit);
     // The whole address of the point that was clicked, of which the branch is the beginning.
     const ifs::Word& address() const { return m_address; }
     ifs::Word branch() const; // by indices in the system; empty: none
@@ -46,7 +46,7 @@ public:
     const std::shared_ptr<const document::Fractal>& before() const { return m_before; } // null: no drag
 
 signals:
-    void changed();   // depth or address
+    void changed();   // depth, address or edit
     void announced(); // after changed(): the depth, or by the document, so that it has to be said
 
 private:
