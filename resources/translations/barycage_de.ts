@@ -7232,10 +7232,6 @@
         <translation>Die Fläche, die beide überdecken, als Anteil der Fläche, die mindestens eines überdeckt</translation>
     </message>
     <message>
-        <source>Overlap ratio</source>
-        <translation>Überlappungsverhältnis</translation>
-    </message>
-    <message>
         <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
         <translation>Wie oft die Bilder der Abbildungen dieselben Stellen bedecken: ihre Flächen zusammen, geteilt durch die Fläche, die sie bedecken. Es ist 1, wenn keine zwei sich überlappen</translation>
     </message>
@@ -7274,6 +7270,10 @@
     <message>
         <source>The guarantee is now weaker.</source>
         <translation>Die Garantie ist jetzt schwächer.</translation>
+    </message>
+    <message>
+        <source>Overlap of the maps</source>
+        <translation>Überlappung der Abbildungen</translation>
     </message>
 </context>
 <context>
@@ -12450,10 +12450,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Füllt, was von außen abgeschlossen ist.</translation>
     </message>
     <message>
-        <source>A closed surface around the attractor, without its slice, for a printer.</source>
-        <translation>Eine geschlossene Fläche um den Attraktor, ohne seinen Schnitt, für einen Drucker.</translation>
-    </message>
-    <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Ein multmatrix für jede Abbildung; öffnen Sie es in OpenSCAD, um es zu berechnen.</translation>
     </message>
@@ -12528,6 +12524,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Sect&amp;ion:</source>
         <translation>Aus&amp;schnitt:</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, for a printer.</source>
+        <translation>Eine geschlossene Fläche um den Attraktor, für einen Drucker.</translation>
+    </message>
+    <message>
+        <source>The whole solid is written, not only the slice.</source>
+        <translation>Der ganze Körper wird geschrieben, nicht nur der Schnitt.</translation>
     </message>
 </context>
 <context>

@@ -7232,10 +7232,6 @@
         <translation>El área que cubren ambos, en relación con el área que cubre al menos uno</translation>
     </message>
     <message>
-        <source>Overlap ratio</source>
-        <translation>Razón de solapamiento</translation>
-    </message>
-    <message>
         <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
         <translation>Cuántas veces las imágenes de las aplicaciones cubren los mismos lugares: la suma de sus áreas, dividida entre el área que cubren. Es 1 si no hay dos que se solapen</translation>
     </message>
@@ -7274,6 +7270,10 @@
     <message>
         <source>The guarantee is now weaker.</source>
         <translation>La garantía es ahora más débil.</translation>
+    </message>
+    <message>
+        <source>Overlap of the maps</source>
+        <translation>Solapamiento de las aplicaciones</translation>
     </message>
 </context>
 <context>
@@ -12450,10 +12450,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Rellena lo que está aislado del exterior.</translation>
     </message>
     <message>
-        <source>A closed surface around the attractor, without its slice, for a printer.</source>
-        <translation>Una superficie cerrada alrededor del atractor, sin su corte, para una impresora.</translation>
-    </message>
-    <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Un multmatrix por aplicación; ábralo en OpenSCAD para calcularlo.</translation>
     </message>
@@ -12528,6 +12524,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Sect&amp;ion:</source>
         <translation>Enc&amp;uadre:</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, for a printer.</source>
+        <translation>Una superficie cerrada alrededor del atractor, para una impresora.</translation>
+    </message>
+    <message>
+        <source>The whole solid is written, not only the slice.</source>
+        <translation>Se escribe el sólido entero, no solo el corte.</translation>
     </message>
 </context>
 <context>

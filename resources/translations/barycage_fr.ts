@@ -7232,10 +7232,6 @@
         <translation>L’aire que les deux couvrent, rapportée à l’aire que l’un ou l’autre couvre</translation>
     </message>
     <message>
-        <source>Overlap ratio</source>
-        <translation>Taux de recouvrement</translation>
-    </message>
-    <message>
         <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
         <translation>Combien de fois les images des applications couvrent les mêmes endroits : la somme de leurs aires, divisée par l’aire qu’elles couvrent. Il vaut 1 si elles ne se recouvrent pas deux à deux</translation>
     </message>
@@ -7274,6 +7270,10 @@
     <message>
         <source>The guarantee is now weaker.</source>
         <translation>La garantie est maintenant plus faible.</translation>
+    </message>
+    <message>
+        <source>Overlap of the maps</source>
+        <translation>Recouvrement des applications</translation>
     </message>
 </context>
 <context>
@@ -12450,10 +12450,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Remplit ce qui est isolé de l’extérieur.</translation>
     </message>
     <message>
-        <source>A closed surface around the attractor, without its slice, for a printer.</source>
-        <translation>Une surface fermée autour de l’attracteur, sans sa coupe, pour une imprimante.</translation>
-    </message>
-    <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Un multmatrix par application ; ouvrez-le dans OpenSCAD pour le calculer.</translation>
     </message>
@@ -12528,6 +12524,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Sect&amp;ion:</source>
         <translation>Ca&amp;drage :</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, for a printer.</source>
+        <translation>Une surface fermée autour de l’attracteur, pour une imprimante.</translation>
+    </message>
+    <message>
+        <source>The whole solid is written, not only the slice.</source>
+        <translation>Le solide entier est écrit, pas seulement la coupe.</translation>
     </message>
 </context>
 <context>

@@ -7247,10 +7247,6 @@
         <translation>Плоштината што ја покриваат и двете, како дел од плоштината што ја покрива барем едно</translation>
     </message>
     <message>
-        <source>Overlap ratio</source>
-        <translation>Однос на преклопување</translation>
-    </message>
-    <message>
         <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
         <translation>Колку пати сликите на пресликувањата ги покриваат истите места: збирот на нивните плоштини поделен со плоштината што ја покриваат. Тој е 1 ако нема две што се преклопуваат</translation>
     </message>
@@ -7289,6 +7285,10 @@
     <message>
         <source>The guarantee is now weaker.</source>
         <translation>Гаранцијата сега е послаба.</translation>
+    </message>
+    <message>
+        <source>Overlap of the maps</source>
+        <translation>Преклоп на пресликувањата</translation>
     </message>
 </context>
 <context>
@@ -12480,10 +12480,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Го пополнува она што е затворено однадвор.</translation>
     </message>
     <message>
-        <source>A closed surface around the attractor, without its slice, for a printer.</source>
-        <translation>Затворена површина околу атракторот, без неговиот пресек, за печатач.</translation>
-    </message>
-    <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Еден multmatrix за секое пресликување; отворете го во OpenSCAD за да се пресмета.</translation>
     </message>
@@ -12558,6 +12554,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Sect&amp;ion:</source>
         <translation>&amp;Исечок:</translation>
+    </message>
+    <message>
+        <source>A closed surface around the attractor, for a printer.</source>
+        <translation>Затворена површина околу атракторот, за печатач.</translation>
+    </message>
+    <message>
+        <source>The whole solid is written, not only the slice.</source>
+        <translation>Се запишува целото тело, не само пресекот.</translation>
     </message>
 </context>
 <context>
