@@ -63,9 +63,8 @@ ifs::ControlCage<3> liftedCage(const ifs::ControlCage<2>& cage) {
 using PlaneProjection = Eigen::Matrix<double, 2, 3>;
 
 std::optional<PlaneProjection> planeProjection(const ifs::Vector<3>& direction) {
-    const double length = direction.norm();
-    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-    const ifs::Vector<3> d = direction / length;
+    if (!direction.allFinite() || direction.isZero(0)) return std::nullopt;
+    const ifs::Vector<3> d = direction.stableNormalized(); // of any length
     ifs::Vector<3> up = ifs::Vector<3>::UnitY() - d.y() * d;
     if (up.norm() > 1e-9)
         up.normalize();
@@ -77,11 +76,11 @@ std::optional<PlaneProjection> planeProjection(const ifs::Vector<3>& direction) 
     return projection;
 }
 
-bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) {
+bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) { // a unit vector
     constexpr double rounding = 1e-9;
     const ifs::Vector<3> image = linear * d;
-    const ifs::Vector<3> aside = image - d * (d.dot(image) / d.squaredNorm());
-    return aside.norm() <= rounding * ifs::spectralNorm<3>(linear) * d.norm();
+    const ifs::Vector<3> aside = image - d * d.dot(image);
+    return aside.norm() <= rounding * ifs::spectralNorm<3>(linear);
 }
 
 // The maps as they act on what is displayed; nullopt when the cage cannot be taken into them.
@@ -143,7 +142,7 @@ QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction)
         return Text::tr("The cage of “%1” cannot be baked into its maps, so it cannot be flattened.")
             .arg(fractal.name);
     for (std::size_t i = 0; i < system->maps.size(); ++i)
-        if (!keepsLine(system->maps[i].map.linear, direction))
+        if (!keepsLine(system->maps[i].map.linear, direction.stableNormalized()))
             return Text::tr(
                        "Map %1 of “%2” does not keep this direction, so the projection is not an iterated "
                        "function system. Export a picture seen from that direction instead.")

@@ -98,9 +98,11 @@ void DimensionEditsTest::whatCannotBeLifted() {
 
 void DimensionEditsTest::flatteningUndoesLifting() {
     const document::Fractal plane = planeOf(canonical::fern());
-    const auto back = document::flattened(*document::lifted(plane), {0, 0, 2});
-    QVERIFY(back.has_value());
-    QVERIFY(document::isSameSystem(*back, plane));
+    for (const double length : {2.0, 1e308, 1e-320}) {
+        const auto back = document::flattened(*document::lifted(plane), {0, 0, length});
+        QVERIFY(back.has_value());
+        QVERIFY(document::isSameSystem(*back, plane));
+    }
 }
 
 void DimensionEditsTest::projectionsAreThoseOfThePoints_data() {
