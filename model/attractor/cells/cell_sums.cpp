@@ -53,10 +53,12 @@ template <class Cell> Cell* CellSums::touch(Counters<Cell>& counters, const Cell
     for (int row = (region.firstRow - m_window.firstRow) / tileRows; row <= lastRow; ++row)
         for (int column = region.firstColumn / tileColumns; column <= lastColumn; ++column) {
             std::uint8_t& touched = counters.touched[tileOf(row * tileRows, column)];
-            if (touched == 0) clear(cells, row, column);
+            if (touched != 0) continue;
+            clear(cells, row, column);
             touched = 1;
         }
-    counters.whole = region == all();
+    // Written once: the next thread's counters may share the cache line.
+    if (region == all()) counters.whole = true;
     return cells;
 }
 

@@ -18,6 +18,8 @@ namespace {
 constexpr std::uint64_t maxPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
 constexpr std::uint64_t maxUninstanced = 2 * SampleSet::size; // the same where there is but one word
 constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two looks at the stop token
+// Sample sets that are counted word by word, while the cells of the word are in the cache.
+constexpr std::uint64_t setsTogether = 8;
 
 double unitInterval(std::uint64_t random) {
     return static_cast<double>(random >> 11) * 0x1p-53;
@@ -47,6 +49,7 @@ void DensityFold::rewind(const CellWindow& window) {
     m_jobs.clear();
     m_shares.clear();
     m_sampleSets = 0;
+    m_together = 0;
     m_overAttractor = 0;
     m_part = {};
 }
@@ -63,7 +66,7 @@ bool DensityFold::complete(const std::stop_token& stop) {
             settle(remaining(), 0);
             return true;
         }
-        planSampleSet();
+        planSampleSets();
     }
 }
 
@@ -104,71 +107,108 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
 // While one thread walks the address tree, another finds the strata and draws the samples.
 bool DensityFold::makeFirstCut(const std::stop_token& stop) {
     const PreparedSystem& system = prepared().system();
-    if (workers().size() < 2 || system.isLinked() || system.note != RenderNote::None || holdsSampleSet())
+    if (workers().size() < 2 || system.isLinked() || system.note != RenderNote::None || holdsSampleSet(0))
         return makeCut(stop);
     bool made = false;
     workers().run([&](std::size_t thread) {
         if (thread == 0) made = makeCut(stop);
-        if (thread == 1) drawSampleSet();
+        if (thread == 1) {
+            makePlaces(1);
+            drawSampleSet(0);
+        }
     });
     return made;
 }
 
 // Whether the samples are those of an earlier picture: only the cage or the view has moved.
-bool DensityFold::holdsSampleSet() const {
-    return m_drawn == SampleSetKey{prepared().request().seed, m_sampleSets} &&
-           m_strata.isOf(prepared().system());
+bool DensityFold::holdsSampleSet(std::size_t place) const {
+    return place < m_drawn.size() && m_drawn[place] == keyOf(place) && m_strata.isOf(prepared().system());
 }
 
-void DensityFold::drawSampleSet() {
+void DensityFold::makePlaces(std::size_t sets) {
+    if (!m_strata.isOf(prepared().system())) {
+        m_drawn.clear();
+        m_strata.follow(prepared().system());
+    }
+    m_samples.resize(std::max(m_samples.size(), sets));
+    m_drawn.resize(m_samples.size());
+}
+
+void DensityFold::drawSampleSet(std::size_t place) {
+    if (holdsSampleSet(place)) return;
+    const SampleSetKey key = keyOf(place);
+    m_drawn[place].reset();
+    drawSamples(prepared().system(), key.seed, key.number, m_samples[place], &m_strata);
+    m_drawn[place] = key;
+}
+
+// Those of which something is counted.
+void DensityFold::drawSampleSets() {
     const PreparedSystem& system = prepared().system();
-    const SampleSetKey key{prepared().request().seed, m_sampleSets};
     if (system.isLinked()) {
+        if (!isInPart(0)) return;
         m_samples.resize(1 + std::ranges::max(system.sampleSetOf));
-        drawLinkedSamples(system, key.seed, key.number, m_samples);
-        m_drawn.reset();
+        drawLinkedSamples(system, prepared().request().seed, m_sampleSets, m_samples);
+        m_drawn.clear();
         return;
     }
-    if (holdsSampleSet()) return;
-    m_drawn.reset();
-    m_strata.follow(system);
-    m_samples.resize(1);
-    drawSamples(system, key.seed, key.number, m_samples.front(), &m_strata);
-    m_drawn = key;
+    makePlaces(m_together);
+    std::vector<std::size_t> missing;
+    for (std::size_t place = 0; place < m_together; ++place)
+        if (isInPart(place) && !holdsSampleSet(place)) missing.push_back(place);
+    if (missing.empty()) return;
+    workers().run([&](std::size_t thread) {
+        for (std::size_t k = thread; k < missing.size(); k += workers().size())
+            drawSampleSet(missing[k]);
+    });
+}
+
+bool DensityFold::isInPart(std::size_t place) const {
+    const std::uint64_t firstUnit = (m_sampleSets + place) * PicturePart::unitsPerSet;
+    return m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
+}
+
+// As many as one cut and one set of places allow.
+void DensityFold::planSampleSets() {
+    const std::uint64_t most = maxPerSet(prepared().system());
+    const bool single = m_cut->isThinned || prepared().system().isLinked();
+    m_together = single ? 1 : std::min(setsTogether, sampleSetsFor(remaining(), prepared().system()));
+    makeRoomFor(std::min(remaining(), m_together * most));
+    drawSampleSets();
+    m_counts.clear();
+    for (std::size_t place = 0; place < m_together; ++place)
+        planSampleSet(place);
+    planJobs();
+    m_sampleSets += m_together;
 }
 
 // Systematic rounding: word k gets the whole numbers between two partial sums, so that its expectation is
 // exact.
-void DensityFold::planSampleSet() {
-    const PreparedSystem& system = prepared().system();
+void DensityFold::planSampleSet(std::size_t place) {
     const std::uint64_t seed = prepared().request().seed;
-    const std::uint64_t number = std::min(remaining(), maxPerSet(system));
-    makeRoomFor(number);
-    const std::uint64_t firstUnit = m_sampleSets * PicturePart::unitsPerSet;
-    const bool isInPart = m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
-    if (isInPart) drawSampleSet();
+    const std::uint64_t set = m_sampleSets + place;
+    const std::uint64_t number = std::min(remaining(), maxPerSet(prepared().system()));
+    const bool inPart = isInPart(place);
     const double perMeasure = static_cast<double>(number) / m_cut->probability;
-    double sum = unitInterval(mixed(mixed(seed) ^ m_sampleSets));
+    double sum = unitInterval(mixed(mixed(seed) ^ set));
     std::uint64_t before = 0;
-    m_counts.clear();
     const CellWindow& window = sums().window();
     const bool whole = window.firstRow <= 0 && window.endRow >= prepared().projection().grid.height;
     for (std::size_t k = 0; k < m_cut->words.size(); ++k) {
         sum += m_cut->words[k].probability * perMeasure;
         const auto after = static_cast<std::uint64_t>(sum);
-        const std::uint64_t unit = firstUnit + k * PicturePart::unitsPerSet / m_cut->words.size();
+        const std::uint64_t unit =
+            set * PicturePart::unitsPerSet + k * PicturePart::unitsPerSet / m_cut->words.size();
         // Where samples that go through the cage one by one may fall, the word does not tell.
         const auto isMet = [&] {
-            return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), samplesOf(k), window);
+            return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), samplesOf(k, place), window);
         };
-        m_counts.push_back(isInPart && m_part.holds(unit) && isMet() ? after - before : 0);
+        m_counts.push_back(inPart && m_part.holds(unit) && isMet() ? after - before : 0);
         counted(m_counts.back());
         before = after;
     }
-    planJobs();
     m_overAttractor += perMeasure;
     settle(number, before);
-    ++m_sampleSets;
 }
 
 // From the top of the picture to its bottom, so that every thread meets few tiles that others meet as well:
@@ -204,15 +244,22 @@ void DensityFold::planJobs() {
         planned = 0;
     };
     for (std::size_t at = 0; at < m_order.size(); ++at) {
-        const std::uint64_t count = m_counts[m_order[at]];
-        if (count > samplesPerJob) {
+        std::uint64_t most = 0;
+        for (std::size_t place = 0; place < m_together; ++place) {
+            const std::uint64_t count = countOf(m_order[at], place);
+            most = std::max(most, count);
+            planned += count;
+        }
+        if (most > samplesPerJob) {
             close(at);
-            for (std::uint64_t rest = count; rest > 0; rest -= std::min(rest, samplesPerJob))
-                m_jobs.push_back({job.firstWord, job.firstWord + 1, std::min(rest, samplesPerJob)});
+            for (std::size_t place = 0; place < m_together; ++place)
+                for (std::uint64_t rest = countOf(m_order[at], place); rest > 0;
+                     rest -= std::min(rest, samplesPerJob))
+                    m_jobs.push_back(
+                        {job.firstWord, job.firstWord + 1, std::min(rest, samplesPerJob), place});
             ++job.firstWord;
             continue;
         }
-        planned += count;
         if (planned >= samplesPerJob) close(at + 1);
     }
     close(m_order.size());
@@ -220,32 +267,40 @@ void DensityFold::planJobs() {
 }
 
 void DensityFold::runJob(const Job& job, std::size_t thread) {
-    const CellWindow& window = sums().window();
     for (std::uint32_t at = job.firstWord; at < job.endWord; ++at) {
-        const std::uint32_t k = m_order[at];
-        const std::uint64_t count = job.part > 0 ? job.part : m_counts[k];
-        if (k >= m_cut->firstExact) {
-            plotExactly(k, count, thread);
+        if (job.part > 0) {
+            countWord(m_order[at], job.place, job.part, thread);
             continue;
         }
-        const ShownWord shown = m_cut->shown(k);
-        const SampleSet& samples = samplesOf(k);
-        const CellRegion cells = reachedCells(shown, samples, window);
-        if (!prepared().coloured()) {
-            splat(shown, samples, count, window, sums().counts(thread, cells));
-            continue;
-        }
-        const Word& word = shown.word;
-        const ColourCell& colour = prepared().colourOf(word.firstMap, word.addressCoordinate);
-        if (splat(shown, samples, count, window, colour, sums().colours(thread, cells)))
-            sums().carryOverColours(thread);
+        for (std::size_t place = 0; place < m_together; ++place)
+            countWord(m_order[at], place, countOf(m_order[at], place), thread);
     }
 }
 
+void DensityFold::countWord(std::uint32_t k, std::size_t place, std::uint64_t count, std::size_t thread) {
+    if (count == 0) return;
+    const SampleSet& samples = samplesOf(k, place);
+    if (k >= m_cut->firstExact) {
+        plotExactly(k, samples, count, thread);
+        return;
+    }
+    const CellWindow& window = sums().window();
+    const ShownWord shown = m_cut->shown(k);
+    const CellRegion cells = reachedCells(shown, samples, window);
+    if (!prepared().coloured()) {
+        splat(shown, samples, count, window, sums().counts(thread, cells));
+        return;
+    }
+    const Word& word = shown.word;
+    const ColourCell& colour = prepared().colourOf(word.firstMap, word.addressCoordinate);
+    if (splat(shown, samples, count, window, colour, sums().colours(thread, cells)))
+        sums().carryOverColours(thread);
+}
+
 // The samples of a word that bends too much for a second-order map, in coordinates of the code.
-void DensityFold::plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread) {
+void DensityFold::plotExactly(std::uint32_t k, const SampleSet& samples, std::uint64_t count,
+                              std::size_t thread) {
     const Word& word = m_cut->words[k];
-    const SampleSet& samples = samplesOf(k);
     const ifs::AffineMap<2>& map = m_cut->exact[k - m_cut->firstExact];
     const ColourCell* colour =
         prepared().coloured() ? &prepared().colourOf(word.firstMap, word.addressCoordinate) : nullptr;

@@ -46,6 +46,7 @@ private:
         std::uint32_t firstWord = 0;
         std::uint32_t endWord = 0;
         std::uint64_t part = 0; // > 0: that many samples of the first word
+        std::size_t place = 0;  // of the sample set that the part is of
     };
 
     struct SampleSetKey {
@@ -57,24 +58,38 @@ private:
     CutSettings cutSettings() const;
     bool makeFirstCut(const std::stop_token& stop);
     bool makeCut(const std::stop_token& stop);
-    bool holdsSampleSet() const;
-    void drawSampleSet();
-    const SampleSet& samplesOf(std::size_t word) const { return m_samples[m_cut->sampleSet(word)]; }
-    void planSampleSet();
+    // Of the sample sets that are counted together.
+    SampleSetKey keyOf(std::size_t place) const { return {prepared().request().seed, m_sampleSets + place}; }
+    bool holdsSampleSet(std::size_t place) const;
+    bool isInPart(std::size_t place) const;
+    void makePlaces(std::size_t sets);
+    void drawSampleSet(std::size_t place);
+    void drawSampleSets();
+    const SampleSet& samplesOf(std::size_t word, std::size_t place) const {
+        return m_samples[place + m_cut->sampleSet(word)]; // linked maps: one place
+    }
+    std::uint64_t countOf(std::size_t word, std::size_t place) const {
+        return m_counts[place * m_cut->words.size() + word];
+    }
+    void planSampleSets();
+    void planSampleSet(std::size_t place);
     void orderWords();
     void planJobs();
     void runJob(const Job& job, std::size_t thread);
-    void plotExactly(std::uint32_t k, std::uint64_t count, std::size_t thread);
+    void countWord(std::uint32_t k, std::size_t place, std::uint64_t count, std::size_t thread);
+    void plotExactly(std::uint32_t k, const SampleSet& samples, std::uint64_t count, std::size_t thread);
 
     std::optional<AddressCut> m_cut;
     std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
     CutMemory m_cutMemory;
     AddressStrata m_strata;
-    std::vector<SampleSet> m_samples;    // one, or as many as AddressCut::sampleSets tells apart
-    std::optional<SampleSetKey> m_drawn; // what m_samples.front() holds, of maps that are not linked
-    std::uint64_t m_sampleSets = 0;      // drawn so far
-    std::vector<std::uint64_t> m_counts; // samples of every word
-    std::vector<std::uint32_t> m_order;  // of the words, as they are counted
+    // By place; of linked maps, as many as AddressCut::sampleSets tells apart.
+    std::vector<SampleSet> m_samples;
+    std::vector<std::optional<SampleSetKey>> m_drawn; // what m_samples holds, of maps that are not linked
+    std::uint64_t m_sampleSets = 0;                   // planned so far
+    std::size_t m_together = 0;                       // places in use
+    std::vector<std::uint64_t> m_counts;              // samples of every word, place by place
+    std::vector<std::uint32_t> m_order;               // of the words, as they are counted
     std::vector<Job> m_jobs;
     JobShares m_shares;
     double m_overAttractor = 0;

@@ -87,6 +87,41 @@ private slots:
         QVERIFY(same < first.words.size() / 2);
     }
 
+    // The sample sets of a pass are counted together, word by word. The sums are those of one set after the
+    // other, also where the sets are those of an earlier picture.
+    void setsCountedTogetherAreThoseCountedInTurn_data() {
+        QTest::addColumn<double>("zoom"); // far away there are few words, with many samples each
+        QTest::addColumn<quint64>("index");
+        QTest::addColumn<quint64>("count");
+        QTest::newRow("whole") << 1.0 << quint64{0} << quint64{1};
+        QTest::newRow("few words") << 1e-3 << quint64{0} << quint64{1};
+        QTest::newRow("part") << 1.0 << quint64{2} << quint64{3};
+        QTest::newRow("one set of three") << 1.0 << quint64{70} << quint64{1000};
+    }
+    void setsCountedTogetherAreThoseCountedInTurn() {
+        QFETCH(double, zoom);
+        QFETCH(quint64, index);
+        QFETCH(quint64, count);
+        constexpr std::uint64_t set = 1U << 24;
+        RenderRequest request = systems::request(systems::maple(), 2 * set + set / 3, 160, 100);
+        request.camera.pixelsPerUnit *= zoom;
+        request.threads = 2;
+        Drawing inTurn(request);
+        inTurn.fold.setPart({index, count});
+        for (const std::uint64_t samples : {set, set, set / 3})
+            QVERIFY(inTurn.pass(samples));
+        Drawing together(request);
+        for (int picture = 0; picture < 2; ++picture) {
+            together.fold.start(together.workers);
+            together.rewind();
+            together.fold.setPart({index, count});
+            QVERIFY(together.pass(request.samples));
+            QVERIFY(folds::totalOf(together.sums()) > 0);
+            QCOMPARE(together.fold.samplesOverAttractor(), inTurn.fold.samplesOverAttractor());
+            QVERIFY(folds::countsOf(together.sums()) == folds::countsOf(inTurn.sums()));
+        }
+    }
+
     // A pass that is stopped with all its jobs planned, and completed, has the same sums as one that is not.
     void aStoppedPassIsCompleted() {
         RenderRequest request = systems::request(systems::maple(), 2'000'000, 160, 100);
