@@ -375,6 +375,7 @@ void LessonCommands::addStep() {
     m_notebook->addStep(lessonState(m_parts));
     if (!m_dock) return;
     showPanel();
+    m_panel->beginToWrite();
     context().messages->say(tr("Step %1 has the current state of the window. Now write its text.")
                                 .arg(m_notebook->current() + 1));
 }

@@ -125,6 +125,7 @@ void write(const QString& path, const QByteArray& bytes) {
 void LessonTest::recordThree() {
     moveCorner(0.5);
     action(u"Add Step"_s)->trigger();
+    QCOMPARE(m_window->focusWidget()->accessibleName(), u"Title of the step"_s); // what is typed is its text
     notebook()->setStepTitle(u"First"_s);
     notebook()->setText(u"Look at the corner."_s);
     document().undoStack()->undo();

@@ -163,6 +163,10 @@ void LessonPanel::setPanels(const QList<QPair<QString, QString>>& panels) {
     follow();
 }
 
+void LessonPanel::beginToWrite() {
+    m_stepTitle->setFocus();
+}
+
 void LessonPanel::choosePanel(const QString& id, bool shown) {
     const document::LessonStep* step = m_notebook->currentStep();
     if (!step) return;

@@ -26,6 +26,7 @@ public:
 
     // The panels that a step may show besides the canvas: ids and names.
     void setPanels(const QList<QPair<QString, QString>>& panels);
+    void beginToWrite(); // the current step: what is typed is its title
 
 signals:
     void addRequested();    // a step, with the state of the window now
