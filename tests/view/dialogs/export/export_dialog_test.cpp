@@ -309,18 +309,34 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     QVERIFY(!automatic.contains(QStringLiteral("More levels would be more accurate")));
 }
 
-// The long thin copies of the maple stay long, however many there are.
+// A curve whose copies have to become smaller still. The long thin copies of the maple stay long instead,
+// however many there are.
 void ExportDialogTest::saysWhenAPixelNeedsMore() {
     document::Document document;
-    document.setFile(document::fileOf(maps_support::maple()));
     attractor::Camera view;
     view.width = 1000;
     view.height = 800;
-    ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
+    const QString remark = QStringLiteral("More levels would be more accurate");
+    {
+        document.setFile(document::fileOf(maps_support::maple()));
+        ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
+        dialog.show();
+        chooseFormat(dialog, "SVG");
+        auto* plan = named<QLabel>(dialog, "Description of the picture");
+        QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
+        QVERIFY(!plan->text().contains(remark));
+    }
+    document::Fractal ice;
+    document::System2 system;
+    for (const auto& map : {ifs::affineMap(.5, 0, 0, .5, 0, 0), ifs::affineMap(0, -.35, .35, 0, .5, 0),
+                            ifs::affineMap(0, .35, -.35, 0, .5, .35), ifs::affineMap(.5, 0, 0, .5, .5, 0)})
+        ifs::append(system, map, 1.0);
+    ice.shape = document::Shape<2>{system};
+    document.setFile(document::fileOf(ice));
+    ExportDialog dialog(&document, fitted(view, {0, -.05}, {1, .4}));
     dialog.show();
     chooseFormat(dialog, "SVG");
     auto* plan = named<QLabel>(dialog, "Description of the picture");
-    const QString remark = QStringLiteral("More levels would be more accurate");
     QTRY_VERIFY(plan->text().contains(remark));
     QVERIFY(plan->text().contains(QStringLiteral("the limit is 400\u202f000")));
     QTRY_VERIFY(plan->height() >= plan->heightForWidth(plan->width()));
