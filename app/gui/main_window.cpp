@@ -329,6 +329,7 @@ void MainWindow::createOptionsBar() {
     m_optionsBar->setMovable(false);
     auto* options = new view::ToolOptionsBar(&m_document, m_canvas);
     options->setSpaceView(m_stage->space());
+    connect(m_stage->compare(), &view::ComparePane::created, options, &view::ToolOptionsBar::setBeside);
     m_optionsBar->addWidget(options);
     addToolBarBreak(Qt::BottomToolBarArea); // side by side the two bars would widen a small window
     addToolBar(Qt::BottomToolBarArea, m_optionsBar);

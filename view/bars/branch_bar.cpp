@@ -28,6 +28,7 @@
 #include <array>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace view {
@@ -50,7 +51,7 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->addWidget(m_rows);
-    connect(&canvas->tools().branchTool().choice(), &BranchChoice::changed, this, &BranchBar::follow);
+    connect(&choice(), &BranchChoice::changed, this, [this] { followChoice(m_canvas); });
     connect(canvas, &CanvasView::toolChanged, this, &BranchBar::follow);
     connect(canvas, &CanvasView::selectedMapsChanged, this, &BranchBar::endSwing);
     connect(document, &document::Document::changed, this, [this] {
@@ -63,6 +64,23 @@ void BranchBar::setSpace(const SpaceView* space, const QString& hint) {
     m_space = space;
     m_hintInSpace = hint;
     connect(space, &SpaceView::mapHeld, this, &BranchBar::endSwing);
+    follow();
+}
+
+void BranchBar::setBeside(CanvasView* canvas) {
+    connect(&canvas->tools().branchTool().choice(), &BranchChoice::changed, this,
+            [this, canvas] { followChoice(canvas); });
+    connect(&canvas->canvas().document(), &document::Document::changed, this, &BranchBar::follow);
+}
+
+void BranchBar::followChoice(CanvasView* canvas) {
+    const ifs::Word& address = canvas->tools().branchTool().choice().address();
+    ifs::Word& seen = canvas == m_canvas ? m_seen : m_seenBeside;
+    const bool isAnother = std::exchange(seen, address) != address;
+    if (address.empty() && m_chosenIn == canvas)
+        m_chosenIn = m_canvas;
+    else if (isAnother && !address.empty())
+        m_chosenIn = canvas;
     follow();
 }
 
@@ -165,7 +183,7 @@ void BranchBar::follow() {
         address.empty() ? tr("no branch selected")
                         : tr("branch <b>%1</b> %2")
                               .arg(document::addressText(word, word.size()), document::addressText(rest, 8)));
-    const document::Fractal& fractal = m_document->fractal();
+    const document::Fractal& fractal = chosenIn().canvas().document().fractal();
     const bool isMoved = document::isMoved(fractal, word);
     m_putBack->setText(isMoved ? tr("Put &Back") : tr("Put All &Back"));
     m_putBack->setToolTip(isMoved
@@ -176,9 +194,10 @@ void BranchBar::follow() {
     const bool canPutBack = (plane && !plane->moved.empty()) || (space && !space->moved.empty());
     if (!canPutBack) takeFocusFrom(m_putBack);
     m_putBack->setVisible(canPutBack);
+    const bool isSpace = document::space(m_document->fractal());
     const bool isHeld = m_space && m_space->heldMap();
-    m_swing->setEnabled(document::space(fractal) ? isHeld : !m_canvas->selectedMaps().empty());
-    m_swingHint->setText(document::space(fractal) ? m_hintInSpace : QString());
+    m_swing->setEnabled(isSpace ? isHeld : !m_canvas->selectedMaps().empty());
+    m_swingHint->setText(isSpace ? m_hintInSpace : QString());
     m_swingHint->setToolTip(m_swingHint->text());
     m_angle->setText(tr("%1°").arg(m_swing->value()));
 }
@@ -195,12 +214,13 @@ void BranchBar::showRow(QWidget* row) {
 }
 
 BranchChoice& BranchBar::choice() const {
-    return m_canvas->tools().branchTool().choice();
+    return chosenIn().tools().branchTool().choice();
 }
 
 void BranchBar::putBack() {
     const ifs::Word word = choice().branch();
-    document::Fractal fractal = m_document->fractal();
+    document::Document& document = chosenIn().canvas().document();
+    document::Fractal fractal = document.fractal();
     const bool isMoved = document::isMoved(fractal, word);
     if (isMoved)
         fractal = document::withBranchPutBack(fractal, word);
@@ -208,9 +228,9 @@ void BranchBar::putBack() {
         plane->moved.clear();
     else if (document::Shape<3>* space = document::space(fractal))
         space->moved.clear();
-    m_document->edit(isMoved ? tr("Put branch %1 back").arg(document::addressText(word, word.size()))
-                             : tr("Put all branches back"),
-                     fractal);
+    document.edit(isMoved ? tr("Put branch %1 back").arg(document::addressText(word, word.size()))
+                          : tr("Put all branches back"),
+                  fractal);
 }
 
 BranchBar::Swung BranchBar::swungInPlane() {

@@ -4,6 +4,7 @@
 #include "canvas/canvas_view.h"
 #include "document/edits/live_edit.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <functional>
@@ -30,6 +31,8 @@ public:
 
     // Of the window into space, whose held map swings about the line of sight; `hint` is shown beside it.
     void setSpace(const SpaceView* space, const QString& hint);
+    // Another canvas, whose branch is the one that is spoken of once it was selected later.
+    void setBeside(CanvasView* canvas);
 
     QSpinBox* depth() const { return m_depth; }
     QComboBox* edit() const { return m_edit; }
@@ -43,8 +46,10 @@ private:
     QWidget* makeBranch();
     QWidget* makeSwing();
     void follow();
+    void followChoice(CanvasView* canvas);
     void takeFocusFrom(const QWidget* part); // that is about to be hidden, for the canvas
     void showRow(QWidget* row);
+    CanvasView& chosenIn() const { return m_chosenIn ? *m_chosenIn : *m_canvas; }
     BranchChoice& choice() const;
     void putBack(); // the branch, where it is moved; else all branches
     using Swung = std::function<document::Fractal(double)>; // by an angle, in radians
@@ -58,6 +63,9 @@ private:
 
     document::Document* m_document;
     CanvasView* m_canvas;
+    QPointer<CanvasView> m_chosenIn; // where the latest branch was selected
+    ifs::Word m_seen;                // what was selected in the window's canvas,
+    ifs::Word m_seenBeside;          // and beside it
     QStackedWidget* m_rows = nullptr;
     QWidget* m_branchRow = nullptr;
     QWidget* m_swingRow = nullptr;

@@ -50,6 +50,10 @@ void ToolOptionsBar::setSpaceView(const SpaceView* space) {
                   "keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));
 }
 
+void ToolOptionsBar::setBeside(CanvasView* canvas) {
+    m_branches->setBeside(canvas);
+}
+
 void ToolOptionsBar::setSpace(bool isSpace) {
     m_isSpace = isSpace;
     follow();

@@ -98,6 +98,7 @@ void ComparePane::create() {
     connect(other, &document::Document::changed, this, [this](const document::Change& change) {
         if (change.parts & (document::Change::System | document::Change::File)) showEntry();
     });
+    emit created(m_otherPlane);
 }
 
 void ComparePane::createHeader() {

@@ -44,6 +44,7 @@ public:
     SpaceView* space() const { return m_otherSpace; }
 
 signals:
+    void created(CanvasView* plane); // before it is shown for the first time
     void message(const QString& sentence);
     void closeRequested();
 

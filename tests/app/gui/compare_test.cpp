@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
+#include "bars/branch_bar.h"
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "compare/compare_pane.h"
@@ -15,6 +16,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -320,6 +323,12 @@ void CompareTest::branchesOfBothAreDragged() {
     QCOMPARE(choice.branch()[0], 3);
     QVERIFY(canvas()->tools().branchTool().choice().branch().empty());
     QCOMPARE(other->mapItem().count(), std::size_t(5));
+    const auto* bar = m_window->findChild<view::BranchBar*>();
+    const auto isNamed = [&](const QString& name) {
+        const QList<QLabel*> labels = bar->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text().contains(name); });
+    };
+    QVERIFY(isNamed(u"branch <b>4 6"_s));
     const document::Fractal before = *document().file().entries[1].fractal;
     const QPoint corner = other->mapItem().handle(2).toPoint();
     QTest::mousePress(other->viewport(), Qt::LeftButton, {}, corner);
@@ -329,8 +338,20 @@ void CompareTest::branchesOfBothAreDragged() {
     QVERIFY(!(*document().file().entries[1].fractal == before));
     document().undoStack()->undo();
     QVERIFY(*document().file().entries[1].fractal == before);
+    // Put Back is about the same entry.
+    bar->edit()->setCurrentIndex(2); // Only here
+    QTRY_VERIFY(other->navigation().pointNear(pixel()));
+    QTest::mouseClick(other->viewport(), Qt::LeftButton, {}, pixel());
+    QCOMPARE(choice.branch().size(), std::size_t(3));
+    QTest::mousePress(other->viewport(), Qt::LeftButton, {}, corner);
+    QTest::mouseMove(other->viewport(), corner + QPoint(9, 9));
+    QTest::mouseRelease(other->viewport(), Qt::LeftButton, {}, corner + QPoint(9, 9));
+    QCOMPARE(document::space(*document().file().entries[1].fractal)->moved.size(), std::size_t(1));
+    QVERIFY(bar->putBackButton()->isVisible());
+    bar->putBackButton()->click();
+    QVERIFY(*document().file().entries[1].fractal == before);
     QTest::keyClick(other, Qt::Key_Escape);
-    QVERIFY(choice.branch().empty());
+    QVERIFY(choice.branch().empty() && isNamed(u"no branch selected"_s));
 }
 
 QTEST_MAIN(CompareTest)
