@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 
-
 namespace animation {
 
 namespace {
