@@ -325,12 +325,14 @@ void TargetBox::follow(const document::Change& change) {
         m_states.clear();
     }
     if (!(change.parts & (Change::Current | Change::File))) return;
-    m_tracing.cancel(); // it is of another entry
+    m_tracing.cancel(); // it is of another entry,
+    m_traced = nullptr; // and so is what it found
     showState();
 }
 
 void TargetBox::setOptions(const std::function<void(document::TraceOptions&)>& change) {
     if (!state().picture) return;
+    state().sentence.clear(); // of another picture
     change(state().options);
     showState();
 }
