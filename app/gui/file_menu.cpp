@@ -141,11 +141,12 @@ void FileMenu::exportPicture() {
 }
 
 void FileMenu::printPicture() {
+    const auto say = [messages = context().messages](const QString& sentence) { messages->say(sentence); };
     if (context().stage->showsSpace())
         view::printFractal(context().document, context().stage->space()->navigation().camera(),
-                           context().window);
+                           context().window, say);
     else
-        view::printFractal(context().document, context().canvas->camera(), context().window);
+        view::printFractal(context().document, context().canvas->camera(), context().window, say);
 }
 
 void FileMenu::exportAnimation() {
