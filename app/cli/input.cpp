@@ -162,8 +162,10 @@ ToDraw firstToDraw(const Input& input) {
     const auto first = std::ranges::find_if(entries, isLoaded);
     ToDraw result{{}, reportAll(input.collection.file.problems, input.name)};
     for (auto entry = entries.begin(); entry != entries.end(); ++entry)
-        if (entry == first || first == entries.end())
+        if (entry == first || first == entries.end()) {
             result.status = std::max(result.status, reportAll(entry->problems, input.name));
+            result.reported.push_back(&*entry);
+        }
     if (first != entries.end())
         result.entries.push_back(&*first);
     else
@@ -186,17 +188,21 @@ Selection select(const Input& input, const std::vector<std::string>& names) {
     return selection;
 }
 
-ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names) {
+ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names, const ToDraw* before) {
     if (names.empty()) {
         ToDraw first = firstToDraw(input);
         if (first.entries.empty()) first.status = ExitStatus::InputProblems;
         return first;
     }
     const Found found = findAll(input, names);
-    ToDraw result{{}, reportAll(input.collection.file.problems, input.name)};
+    ToDraw result{{}, before ? before->status : reportAll(input.collection.file.problems, input.name)};
+    if (before) result.reported = before->reported;
     if (!found.complete) result.status = ExitStatus::InputProblems;
     for (const document::Entry* entry : found.entries) {
-        result.status = std::max(result.status, reportAll(entry->problems, input.name));
+        if (std::ranges::find(result.reported, entry) == result.reported.end()) {
+            result.status = std::max(result.status, reportAll(entry->problems, input.name));
+            result.reported.push_back(entry);
+        }
         if (isLoaded(*entry))
             result.entries.push_back(entry);
         else

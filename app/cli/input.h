@@ -49,12 +49,15 @@ Selection select(const Input& input, const std::vector<std::string>& names);
 ExitStatus reportAll(const document::Problems& problems, const QString& fileName);
 
 // The entries to draw: those named, else the first that could be read. What cannot be
-// drawn has been reported, as the problems of the entries and of the file have.
+// drawn has been reported, as the problems of the entries and of the file have, unless `before`, an earlier
+// answer for the same input, reported them.
 struct ToDraw {
     std::vector<const document::Entry*> entries;
-    ExitStatus status; // InputProblems after an error
+    ExitStatus status;                                 // InputProblems after an error
+    std::vector<const document::Entry*> reported = {}; // whose problems have been reported
 };
-ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names);
+ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names,
+                     const ToDraw* before = nullptr);
 
 bool isLoaded(const document::Entry& entry);
 

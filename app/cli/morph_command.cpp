@@ -52,26 +52,25 @@ std::vector<animation::Pin> pinsOf(const std::vector<std::string>& texts) {
     return pins;
 }
 
-const document::Entry* entryNamed(const Input& input, const std::string& name, ExitStatus& status) {
-    const ToDraw found = entriesToDraw(input, {name});
-    status = std::max(status, found.status);
+const document::Entry* only(const ToDraw& found, const std::string& name) {
     if (found.entries.size() > 1)
         throw UsageError{
             tr("--from and --to each name one entry, not “%1”.").arg(QString::fromStdString(name))};
     return found.entries.empty() ? nullptr : found.entries.front();
 }
 
-QString sentence(document::MorphFlaw flaw) {
+QString sentence(document::MorphFlaw flaw, const QString& name) {
     switch (flaw) {
     case document::MorphFlaw::Measure:
-        return tr("The invariant measure of one of the entries has no covariance, so their maps cannot be "
-                  "compared.");
+        return tr("The invariant measure of “%1” has no covariance, so its maps cannot be compared with "
+                  "others.")
+            .arg(name);
     case document::MorphFlaw::TooMany:
-        return tr("A morph is possible between entries of at most 256 maps each.");
+        return tr("“%1” has more than 256 maps, too many for a morph.").arg(name);
     case document::MorphFlaw::Linked:
-        return tr("The maps of one of the entries are linked, and maps with links cannot be morphed.");
+        return tr("The maps of “%1” are linked, and maps with links cannot be morphed.").arg(name);
     case document::MorphFlaw::BentCage:
-        return tr("The cage of one of the entries is flat or bends the picture; bake or reset it first.");
+        return tr("The cage of “%1” is flat or bends the picture; bake or reset it first.").arg(name);
     case document::MorphFlaw::Dimensions:
         break;
     }
@@ -92,6 +91,14 @@ bool hasMovedBranches(const document::Fractal& fractal) {
     return (plane && !plane->moved.empty()) || (space && !space->moved.empty());
 }
 
+void warnOfLosses(const document::Entry& entry, const QString& fileName) {
+    const QString name = printableLine(entry.fractal->name);
+    if (hasMovedBranches(*entry.fractal))
+        reportWarning(fileName, tr("The moved branches of “%1” are not part of the morph.").arg(name));
+    if (document::animationFacts(*entry.fractal))
+        reportWarning(fileName, tr("The animation of “%1” is not part of the morph.").arg(name));
+}
+
 // Only the morph is written, not what else a file holds.
 void checkOutput(const QString& output, const QString& input) {
     if (isStandardOutput(output)) return;
@@ -110,27 +117,24 @@ ExitStatus morph(const MorphArguments& arguments) {
     const std::vector<animation::Pin> pins = pinsOf(arguments.pins);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
-    ExitStatus status = ExitStatus::Done;
-    const document::Entry* from = entryNamed(*input, arguments.from, status);
-    const document::Entry* to = entryNamed(*input, arguments.to, status);
+    const ToDraw begin = entriesToDraw(*input, {arguments.from});
+    const document::Entry* from = only(begin, arguments.from);
+    const ToDraw end = entriesToDraw(*input, {arguments.to}, &begin);
+    const document::Entry* to = only(end, arguments.to);
     if (from == nullptr || to == nullptr) return ExitStatus::InputProblems;
     for (const animation::Pin& pin : pins)
         if (pin.from >= mapCount(*from->fractal) || pin.to >= mapCount(*to->fractal))
             throw UsageError{
                 tr("--pin %1:%2 names a map that does not exist.").arg(pin.from + 1).arg(pin.to + 1)};
-    for (const document::Entry* entry : {from, to}) {
-        const QString name = printableLine(entry->fractal->name);
-        if (hasMovedBranches(*entry->fractal))
-            reportWarning(input->name, tr("The moved branches of “%1” are not part of the morph.").arg(name));
-        if (document::animationFacts(*entry->fractal))
-            reportWarning(input->name, tr("The animation of “%1” is not part of the morph.").arg(name));
-    }
+    warnOfLosses(*from, input->name);
+    if (to != from) warnOfLosses(*to, input->name);
     const document::MorphOutcome outcome = document::morphed(*from->fractal, *to->fractal, length, pins);
     if (!outcome.fractal) {
-        reportError(input->name, sentence(outcome.flaw));
+        const document::Entry* flawed = outcome.isOfSecond ? to : from;
+        reportError(input->name, sentence(outcome.flaw, printableLine(flawed->fractal->name)));
         return ExitStatus::InputProblems;
     }
-    return std::max(status, writeOutput(fileNameOf(arguments.output), io::writeEntry(*outcome.fractal)));
+    return std::max(end.status, writeOutput(fileNameOf(arguments.output), io::writeEntry(*outcome.fractal)));
 }
 
 } // namespace

@@ -52,30 +52,34 @@ struct Sources {
     const Input& secondFile() const { return fromFile ? *fromFile : *file; }
 };
 
-const document::Entry* entryOf(const Input& input, const std::vector<std::string>& names,
-                               ExitStatus& status) {
-    const ToDraw found = entriesToDraw(input, names);
-    status = std::max(status, found.status);
+const document::Entry* only(const ToDraw& found, const std::string& name) {
     if (found.entries.size() > 1)
-        throw UsageError{tr("--entry and --from each name one entry, not “%1”.")
-                             .arg(QString::fromStdString(names.front()))};
+        throw UsageError{
+            tr("--entry and --from each name one entry, not “%1”.").arg(QString::fromStdString(name))};
     return found.entries.empty() ? nullptr : found.entries.front();
 }
 
 Sources readSources(const StealArguments& arguments) {
     Sources sources;
     sources.file = readInput(arguments.file);
-    if (arguments.fromFile && sources.file) sources.fromFile = readInput(*arguments.fromFile);
-    if (!sources.file || (arguments.fromFile && !sources.fromFile)) {
+    const bool isOneFile = !arguments.fromFile || *arguments.fromFile == arguments.file ||
+                           isSameFile(fileNameOf(*arguments.fromFile), fileNameOf(arguments.file));
+    if (!isOneFile && sources.file) sources.fromFile = readInput(*arguments.fromFile);
+    if (!sources.file || (!isOneFile && !sources.fromFile)) {
         sources.status = ExitStatus::CannotReadOrWrite;
         return sources;
     }
     const std::vector<std::string> names =
         arguments.entry ? std::vector{*arguments.entry} : std::vector<std::string>{};
-    sources.first = entryOf(*sources.file, names, sources.status);
+    const ToDraw drawn = entriesToDraw(*sources.file, names);
+    sources.status = drawn.status;
+    sources.first = only(drawn, arguments.entry.value_or(std::string()));
     if (sources.first == nullptr) return sources;
     sources.theft = theftOf(arguments, *sources.first->fractal);
-    sources.second = entryOf(sources.secondFile(), {sources.theft.partner.toStdString()}, sources.status);
+    const std::string partner = sources.theft.partner.toStdString();
+    const ToDraw painted = entriesToDraw(sources.secondFile(), {partner}, isOneFile ? &drawn : nullptr);
+    sources.status = std::max(sources.status, painted.status);
+    sources.second = only(painted, partner);
     return sources;
 }
 
@@ -126,7 +130,7 @@ std::optional<document::CoupledEntries> coupledEntries(const Sources& sources,
         document::coupled(*sources.first->fractal, *sources.second->fractal, sources.theft.order);
     if (outcome.entries) {
         warnOfMovedBranches(*sources.first, sources.file->name);
-        warnOfMovedBranches(*sources.second, sources.secondFile().name);
+        if (sources.second != sources.first) warnOfMovedBranches(*sources.second, sources.secondFile().name);
         return std::move(outcome.entries);
     }
     const auto& entry = outcome.isOfSecond ? sources.second : sources.first;

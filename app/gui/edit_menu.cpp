@@ -14,6 +14,7 @@
 #include "snapshot_commands.h"
 #include "stage.h"
 #include "widgets/icon.h"
+#include "widgets/menu_text.h"
 #include "widgets/tooltip_text.h"
 
 #include <QGuiApplication>
@@ -79,14 +80,15 @@ void EditMenu::addHistory() {
     redo->setStatusTip(tr("Redo the last edit that was undone"));
     addShared(undo);
     addShared(redo);
-    // Steps may be named after entries, which a tool tip would take for markup.
-    const auto showStep = [](QAction* action, const QString& step) {
+    // Steps may be named after entries, which a tool tip would take for markup, and which may be long.
+    const auto showStep = [this](QAction* action, const QString& name, const QString& step) {
+        action->setText((name + u' ' + view::menuText(step, fontMetrics())).trimmed());
         action->setToolTip(view::tooltipText((action->iconText() + u' ' + step).trimmed()));
     };
     connect(stack, &QUndoStack::undoTextChanged, undo,
-            [undo, showStep](const QString& step) { showStep(undo, step); });
+            [undo, showStep](const QString& step) { showStep(undo, tr("&Undo"), step); });
     connect(stack, &QUndoStack::redoTextChanged, redo,
-            [redo, showStep](const QString& step) { showStep(redo, step); });
+            [redo, showStep](const QString& step) { showStep(redo, tr("&Redo"), step); });
     addToolBarGroup({undo, redo});
 }
 

@@ -18,6 +18,7 @@
 #include "session.h"
 #include "stage.h"
 #include "widgets/menu_placeholder.h"
+#include "widgets/menu_text.h"
 #include "widgets/tooltip_text.h"
 
 #include <QClipboard>
@@ -103,8 +104,9 @@ void FileMenu::addPictures() {
 void FileMenu::fillRecent() {
     m_recent->clear();
     for (const QString& path : recent_files::list()) {
-        QAction* action = m_recent->addAction(QFileInfo(path).fileName().replace(u'&', QLatin1String("&&")),
-                                              this, [this, path] { m_commands->openRecent(path); });
+        QAction* action =
+            m_recent->addAction(view::menuText(QFileInfo(path).fileName(), m_recent->fontMetrics()), this,
+                                [this, path] { m_commands->openRecent(path); });
         action->setStatusTip(path);
         action->setToolTip(view::tooltipText(path)); // else it would be the name of the file
         action->setWhatsThis(action->toolTip());
@@ -139,11 +141,12 @@ void FileMenu::exportPicture() {
 }
 
 void FileMenu::printPicture() {
+    const auto say = [messages = context().messages](const QString& sentence) { messages->say(sentence); };
     if (context().stage->showsSpace())
         view::printFractal(context().document, context().stage->space()->navigation().camera(),
-                           context().window);
+                           context().window, say);
     else
-        view::printFractal(context().document, context().canvas->camera(), context().window);
+        view::printFractal(context().document, context().canvas->camera(), context().window, say);
 }
 
 void FileMenu::exportAnimation() {

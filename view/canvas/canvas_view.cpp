@@ -329,10 +329,8 @@ void CanvasView::focusOutEvent(QFocusEvent* event) {
 
 bool CanvasView::focusNextPrevChild(bool next) {
     PolygonTool* tool = m_tools.polygonTool();
-    if (!tool || !m_scene->handles().cage() || !m_scene->overlaysVisible())
-        return QGraphicsView::focusNextPrevChild(next);
-    tool->walk(next ? 1 : -1);
-    return true;
+    const bool canWalk = tool && m_scene->handles().cage() && m_scene->overlaysVisible();
+    return (canWalk && tool->walk(next ? 1 : -1)) || QGraphicsView::focusNextPrevChild(next);
 }
 
 void CanvasView::refreshCursor() {

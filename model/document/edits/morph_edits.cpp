@@ -3,6 +3,7 @@
 
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "ifs/dimension/moments.h"
 
 #include <algorithm>
 #include <map>
@@ -54,13 +55,14 @@ MorphOutcome morphedIn(const Fractal& from, const Fractal& to, int length,
                        std::span<const animation::Pin> pins) {
     const auto first = shownSystem(from, std::get<Shape<Dim>>(from.shape));
     const auto last = shownSystem(to, std::get<Shape<Dim>>(to.shape));
-    if (!first || !last) return {{}, MorphFlaw::BentCage};
+    const auto flawed = [](MorphFlaw flaw, bool isOfFirst) { return MorphOutcome{{}, flaw, {}, !isOfFirst}; };
+    if (!first || !last) return flawed(MorphFlaw::BentCage, !first);
     const auto begin = ifs::activeMaps(*first), end = ifs::activeMaps(*last);
-    if (begin.isLinked() || end.isLinked()) return {{}, MorphFlaw::Linked};
+    if (begin.isLinked() || end.isLinked()) return flawed(MorphFlaw::Linked, begin.isLinked());
     if (std::max(begin.maps.size(), end.maps.size()) > animation::maxMorphMaps)
-        return {{}, MorphFlaw::TooMany};
+        return flawed(MorphFlaw::TooMany, begin.maps.size() > animation::maxMorphMaps);
     const auto pairs = animation::correspondence<Dim>(begin, end, overActive<Dim>(pins, begin, end));
-    if (!pairs) return {{}, MorphFlaw::Measure};
+    if (!pairs) return flawed(MorphFlaw::Measure, !ifs::moments<Dim>(begin));
     animation::Morph<Dim> morph = animation::morph<Dim>(begin, end, *pairs, length);
     const animation::Look before = lookOf(from), after = lookOf(to);
     if (!(before == after)) morph.animation.look = {{0, before, {}}, {length, after, {}}};

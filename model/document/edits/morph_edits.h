@@ -26,6 +26,7 @@ struct MorphOutcome {
     std::optional<Fractal> fractal;
     MorphFlaw flaw = MorphFlaw::Dimensions;   // where there is none
     std::vector<animation::Shipment> pairs{}; // indices of all maps, and what share of the weight they carry
+    bool isOfSecond = false;                  // the flaw, where it is not that of the first
 };
 MorphOutcome morphed(const Fractal& from, const Fractal& to, int length,
                      std::span<const animation::Pin> pins);

@@ -18,6 +18,7 @@ private slots:
     void whatMakesNoSenseIsRefused_data();
     void whatMakesNoSenseIsRefused();
     void whatCannotBeMorphedIsSaid();
+    void warningsAreSaidOnce();
 
 private:
     QJsonArray maps(const QByteArray& input) const {
@@ -31,6 +32,7 @@ namespace {
 const QByteArray near = "near {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 8 0 .5\n}\n";
 const QByteArray far = "far {\n .5 0 0 .5 8 1 .5\n .5 0 0 .5 0 1 .5\n}\n";
 const QByteArray solid = "solid (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 .5\n .5 0 0 0 .5 0 0 0 .5 1 0 0 .5\n}\n";
+const QByteArray grows = "grows {\n 2 0 0 2 0 0 .5\n 2 0 0 2 1 0 .5\n}\n"; // no attractor
 
 } // namespace
 
@@ -38,7 +40,7 @@ void CliMorphTest::init() {
     QByteArray many = "many {\n";
     for (int i = 0; i < 257; ++i)
         many += " .1 0 0 .1 " + QByteArray::number(i) + " 0 1\n";
-    write("ends.ifs", near + far + solid + many + "}\n");
+    write("ends.ifs", near + far + solid + grows + many + "}\n");
 }
 
 void CliMorphTest::aMorphLeadsFromOneToTheOther() {
@@ -97,7 +99,11 @@ void CliMorphTest::whatCannotBeMorphedIsSaid() {
         return result.status == 1 && read("none.ifs").isEmpty() ? result.err : QByteArray("no failure");
     };
     QVERIFY2(said("--from near --to solid").contains("space"), said("--from near --to solid").constData());
-    QVERIFY2(said("--from many --to far").contains("256"), said("--from many --to far").constData());
+    QVERIFY2(said("--from many --to far").contains("“many” has more than 256 maps"),
+             said("--from many --to far").constData());
+    QVERIFY2(said("--from near --to many").contains("“many”"), said("--from near --to many").constData());
+    QVERIFY2(said("--from grows --to near").contains("“grows”"), said("--from grows --to near").constData());
+    QVERIFY2(said("--from near --to grows").contains("“grows”"), said("--from near --to grows").constData());
     QVERIFY(said("--from near --to nobody").contains("nobody"));
 }
 
@@ -118,6 +124,22 @@ void CliMorphTest::animationsStayBehind() {
     QCOMPARE(result.status, 0);
     QVERIFY2(result.err.contains("The animation of “moving” is not part of the morph."),
              result.err.constData());
+}
+
+void CliMorphTest::warningsAreSaidOnce() {
+    // Of the file (a byte order mark), of an entry, and of its moved branches.
+    write("odd.ifs", "\xef\xbb\xbf"
+                     "odd {\n; barycage: branch 1\n; barycage: by 1 0\n; barycage: by 0 1\n"
+                     "; barycage: by 2 0\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 8 0 .6\n}\n" +
+                         far);
+    for (const QByteArray to : {"far", "odd"}) {
+        const QByteArray said = run("morph odd.ifs --from odd --to " + to + " -o morph.ifs").err;
+        QByteArrayList lines = said.trimmed().split('\n');
+        QCOMPARE(lines.size(), 3);
+        QCOMPARE(lines.removeAll(lines.first()), 1);
+        QVERIFY2(said.count("The weights sum to") == 1, said.constData());
+        QVERIFY2(said.count("moved branches") == 1, said.constData());
+    }
 }
 
 QTEST_GUILESS_MAIN(CliMorphTest)

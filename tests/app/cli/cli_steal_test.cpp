@@ -38,6 +38,7 @@ private slots:
     void badPicturesAreErrors();
     void refuses_data();
     void refuses();
+    void warningsAreSaidOnce();
 };
 
 namespace {
@@ -455,6 +456,18 @@ void CliStealTest::refuses() {
     QCOMPARE(result.status, status);
     QVERIFY(result.out.isEmpty());
     QVERIFY(read("x.png").isEmpty());
+}
+
+void CliStealTest::warningsAreSaidOnce() {
+    write("odd.ifs", "\xef\xbb\xbf"
+                     "odd {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .6\n}\n"
+                     "other {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
+    for (const QByteArray from : {"other", "odd", "other --from-file odd.ifs", "odd --from-file ./odd.ifs"}) {
+        const Result result = run("steal odd.ifs --map 0,0 --from " + from);
+        QCOMPARE(result.status, 0);
+        QCOMPARE(result.err.count('\n'), 2);
+        QVERIFY2(result.err.count("The weights sum to") == 1, result.err.constData());
+    }
 }
 
 QTEST_GUILESS_MAIN(CliStealTest)

@@ -28,6 +28,7 @@ class ActionMenuTest : public SessionFixture {
 private slots:
     void commandsOfThePanelsAreFound();
     void buttonsAreFoundAsCommands();
+    void longStepsLeaveTheMenuNarrow();
     void cageCommandsAreOfferedWhereTheyDoSomething();
     void menusHaveEveryLetterOnce();
     void whatIsDisabledSaysWhy();
@@ -79,6 +80,28 @@ void ActionMenuTest::commandsOfThePanelsAreFound() {
     for (const view::NamedAction& action : view::actionsOf(*window))
         named = named || action.path == QStringLiteral("Edit › Undo");
     QVERIFY(named);
+}
+
+void ActionMenuTest::longStepsLeaveTheMenuNarrow() {
+    MainWindow* window = shown({});
+    const QAction* undo = nullptr;
+    for (const view::NamedAction& action : view::actionsOf(*window))
+        if (action.path == QStringLiteral("Edit › Undo")) undo = action.action;
+    QVERIFY(undo);
+    document::Document& document = window->document();
+    document::Fractal fractal = document.fractal();
+    fractal.name += u'2';
+    document.edit(QStringLiteral("Rename R&D"), fractal);
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Rename R&&D"));
+    fractal.name += QString(300, u'm');
+    const QString step = QStringLiteral("Rename ") + fractal.name;
+    document.edit(step, fractal);
+    QVERIFY(undo->text().startsWith(QStringLiteral("&Undo Rename ")));
+    QVERIFY2(undo->text().size() < 100, qPrintable(undo->text()));
+    QCOMPARE(undo->toolTip(), QStringLiteral("Undo ") + step); // with its keys only in the button's
+    document.undoStack()->undo();
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Rename R&&D"));
+    document.undoStack()->setClean();
 }
 
 void ActionMenuTest::buttonsAreFoundAsCommands() {

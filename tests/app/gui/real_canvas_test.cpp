@@ -97,8 +97,11 @@ void RealCanvasTest::tabWalksTheHandles() {
         hand().key("Tab");
         QTRY_COMPARE(canvas().canvas().selection().focused(), part);
     }
-    hand().key("Tab");
-    QTRY_COMPARE(canvas().canvas().selection().focused(), handles.front());
+    hand().key("Tab"); // out of the canvas
+    QTRY_VERIFY(!canvas().hasFocus());
+    QCOMPARE(canvas().canvas().selection().focused().kind, CanvasPart::Kind::None);
+    hand().key("Shift+Tab"); // and back
+    QTRY_VERIFY(canvas().hasFocus());
     hand().key("Shift+Tab");
     QTRY_COMPARE(canvas().canvas().selection().focused(), handles.back());
     hand().key("F6");

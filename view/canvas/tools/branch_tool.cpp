@@ -76,8 +76,8 @@ void BranchTool::clicked(const CanvasPart& part, const Pointer& pointer) {
 }
 
 // One branch is selected, and only a click or the keys of its depth change which: not as among the maps.
-void BranchTool::walk(int step) {
-    PolygonTool::walk(step); // NOLINT(bugprone-parent-virtual-call): MapsTool selects what it walks to
+bool BranchTool::walk(int step) {
+    return PolygonTool::walk(step); // NOLINT(bugprone-parent-virtual-call): MapsTool selects what it walks to
 }
 
 bool BranchTool::keyPress(const QKeyEvent& event) {

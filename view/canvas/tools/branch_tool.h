@@ -18,7 +18,7 @@ public:
 
     double shareToShow(const std::function<const document::Fractal&(double)>& after) override;
     void press(const Pointer& pointer) override;
-    void walk(int step) override;
+    bool walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;
     void start() override;
     void stop() override;

@@ -159,10 +159,11 @@ void MapsTool::ended() {
 }
 
 // The selection goes with the focus.
-void MapsTool::walk(int step) {
-    PolygonTool::walk(step);
+bool MapsTool::walk(int step) {
+    const bool isThere = PolygonTool::walk(step);
     const CanvasPart part = selection().focused();
     if (part.map >= 0 && !selection().isMapSelected(part.map)) selectOnly(part.map);
+    return isThere;
 }
 
 bool MapsTool::keyPress(const QKeyEvent& event) {

@@ -22,7 +22,7 @@ public:
     virtual double shareToShow(const std::function<const document::Fractal&(double)>& after);
     void dismissStop(); // takes that sentence away
 
-    void walk(int step) override;
+    bool walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;
     void start() override;
     void stop() override;

@@ -290,15 +290,17 @@ QCursor PolygonTool::cursor(const Pointer& pointer) const {
     return cursorFor(frame && frame->isLocked ? CanvasPart() : part, Holding::No);
 }
 
-void PolygonTool::walk(int step) {
-    if (!handles().cage()) return;
+bool PolygonTool::walk(int step) {
+    if (!handles().cage()) return false;
     if (m_state == State::Nudging) end();
     const std::vector<CanvasPart> parts = handles().parts();
     const auto count = std::ptrdiff_t(parts.size());
     const auto found = std::ranges::find(parts, selection().focused());
-    std::ptrdiff_t index = step > 0 ? -1 : count;
-    if (found != parts.end()) index = found - parts.begin();
-    selection().setFocused(parts[std::size_t((index + step + count) % count)]);
+    const std::ptrdiff_t from = found != parts.end() ? found - parts.begin() : step > 0 ? -1 : count;
+    const std::ptrdiff_t index = from + step;
+    const bool isThere = index >= 0 && index < count;
+    selection().setFocused(isThere ? parts[std::size_t(index)] : CanvasPart());
+    return isThere;
 }
 
 bool PolygonTool::isBareKey(const QKeyEvent& event, Qt::Key key) const {

@@ -34,8 +34,8 @@ public:
     void stop() override;
     QCursor cursor(const Pointer& pointer) const override;
 
-    // The next or the previous handle, round and round.
-    virtual void walk(int step);
+    // To the next or the previous handle; false beyond the last one, where none is in focus.
+    virtual bool walk(int step);
 
 signals:
     void dragStarted(); // a gesture has begun

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/handout_dialog.h"
 
+#include "dialogs/export/print_preview.h"
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
@@ -18,13 +19,10 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPointer>
-#include <QPrintPreviewDialog>
-#include <QPrinter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <memory>
 
 namespace view {
 
@@ -54,7 +52,8 @@ HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent
       m_perPage(new QComboBox(this)),
       m_maps(new QCheckBox(tr("&Cage and maps"), this)),
       m_formulas(new QCheckBox(tr("&Formulas"), this)),
-      m_nameLine(new QCheckBox(tr("&Line for name and date"), this)) {
+      m_nameLine(new QCheckBox(tr("&Line for name and date"), this)),
+      m_message(new QLabel(this)) {
     setWindowTitle(tr("Print a Handout"));
     setWhatsThis(
         tr("Prints entries of the file for a class: with pictures and formulas, or as blank worksheets."));
@@ -67,6 +66,9 @@ HandoutDialog::HandoutDialog(const document::Document* document, QWidget* parent
     m_preview->setToolTip(tr("Show the pages before they are printed"));
     connect(m_preview, &QPushButton::clicked, this, &HandoutDialog::showPreview);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_message->setWordWrap(true);
+    m_message->setAccessibleName(tr("Result"));
+    layout->addWidget(m_message);
     layout->addWidget(buttons);
     update();
     resize(560, 460);
@@ -227,6 +229,7 @@ QString HandoutDialog::printedName() const {
 
 void HandoutDialog::showPreview() {
     const HandoutOptions wanted = options();
+    m_message->clear();
     std::vector<HandoutItem> items;
     const QPointer<HandoutDialog> self(this); // it may be closed meanwhile
     for (const auto& fractal : chosen()) {
@@ -239,21 +242,13 @@ void HandoutDialog::showPreview() {
         }
         items.push_back(std::move(item));
     }
-    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-    printer->setDocName(printedName());
     constexpr double paperMargin = 15; // mm: printers and hole punches need some
-    printer->setPageMargins({paperMargin, paperMargin, paperMargin, paperMargin}, QPageLayout::Millimeter);
-    auto* preview = new QPrintPreviewDialog(printer.get(), this);
-    preview->setAttribute(Qt::WA_DeleteOnClose);
-    preview->setWindowTitle(windowTitle());
-    QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
-                     [items = std::move(items), wanted, printer](QPrinter* device) {
-                         QPainter painter(device);
-                         const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
-                         paintHandout(painter, QRectF(QPointF(0, 0), size), items, wanted,
-                                      [device] { device->newPage(); });
-                     });
-    preview->open();
+    const auto paint = [items = std::move(items), wanted](QPainter& painter, const QRectF& page,
+                                                          const std::function<void()>& newPage) {
+        paintHandout(painter, page, items, wanted, newPage);
+    };
+    showPrintPreview({windowTitle(), printedName(), paperMargin, paint}, this,
+                     [this](const QString& sentence) { m_message->setText(sentence); });
 }
 
 } // namespace view

@@ -12,6 +12,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QListWidget;
 class QPushButton;
 
@@ -46,6 +47,7 @@ private:
     QCheckBox* m_maps;
     QCheckBox* m_formulas;
     QCheckBox* m_nameLine;
+    QLabel* m_message; // of what was printed
     QPushButton* m_preview = nullptr;
 };
 

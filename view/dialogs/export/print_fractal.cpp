@@ -2,22 +2,19 @@
 #include "dialogs/export/print_fractal.h"
 
 #include "canvas/geometry/canvas_geometry.h"
+#include "dialogs/export/print_preview.h"
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "document/user_comments.h"
 #include "io/export_job.h"
-#include "widgets/tooltip_text.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPrintPreviewDialog>
-#include <QPrinter>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -129,20 +126,13 @@ void paintTables(QPainter& painter, const QRectF& page, double top, const std::v
     }
 }
 
-void showPreview(const document::Fractal& fractal, const QImage& picture, QWidget* parent) {
-    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-    printer->setDocName(fractal.name);
-    auto* preview = new QPrintPreviewDialog(printer.get(), parent);
-    preview->setAttribute(Qt::WA_DeleteOnClose);
-    preview->setWindowTitle(Text::tr("Print “%1”").arg(titleText(fractal.name)));
-    QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
-                     [fractal, picture, printer](QPrinter* device) {
-                         QPainter painter(device);
-                         const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
-                         paintPages(painter, QRectF(QPointF(0, 0), size), fractal, picture,
-                                    [device] { device->newPage(); });
-                     });
-    preview->open();
+void showPreview(const document::Fractal& fractal, const QImage& picture, QWidget* parent,
+                 const std::function<void(const QString&)>& said) {
+    const auto paint = [fractal, picture](QPainter& painter, const QRectF& page,
+                                          const std::function<void()>& newPage) {
+        paintPages(painter, page, fractal, picture, newPage);
+    };
+    showPrintPreview({Text::tr("Print “%1”").arg(fractal.name), fractal.name, 0, paint}, parent, said);
 }
 
 } // namespace
@@ -183,22 +173,24 @@ void paintPages(QPainter& painter, const QRectF& page, const document::Fractal& 
     paintTables(painter, page, under, tables, newPage);
 }
 
-void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent) {
+void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent,
+                  const std::function<void(const QString&)>& said) {
     // The document may change while the picture is drawn.
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
     const QImage picture = drawnForPaper(pictureFor(fractal, withoutMargins(fractal, camera)), parent);
-    if (!picture.isNull()) showPreview(fractal, picture, parent);
+    if (!picture.isNull()) showPreview(fractal, picture, parent, said);
 }
 
-void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent) {
+void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent,
+                  const std::function<void(const QString&)>& said) {
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
     const document::Fractal fractal = document->fractal();
     const QImage picture = drawnForPaper(spacePicture(fractal, camera, longSide), parent);
     if (picture.isNull()) return;
     const attractor::Rgba ground = document::backgroundInSpace(onPaper(fractal));
     const QRgb colour = qRgba(ground.red, ground.green, ground.blue, ground.alpha);
-    showPreview(fractal, withoutEmptySides(picture, qPremultiply(colour)), parent);
+    showPreview(fractal, withoutEmptySides(picture, qPremultiply(colour)), parent, said);
 }
 
 } // namespace view

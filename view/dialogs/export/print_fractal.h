@@ -15,9 +15,11 @@ class QWidget;
 
 namespace view {
 
-// Shows a print preview of the page below, and prints it from there.
-void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent);
-void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent);
+// Shows a print preview of the page below, and prints it from there: showPrintPreview().
+void printFractal(document::Document* document, const attractor::Camera& camera, QWidget* parent,
+                  const std::function<void(const QString& sentence)>& said);
+void printFractal(document::Document* document, const attractor::OrbitCamera& camera, QWidget* parent,
+                  const std::function<void(const QString& sentence)>& said);
 
 // Name, comments, picture and table of coefficients, in space also that of the cage's corners, from the top
 // of `page` down. What does not fit legibly goes on the pages after it: `newPage` begins one.

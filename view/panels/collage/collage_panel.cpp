@@ -226,7 +226,7 @@ void CollagePanel::showRefinement(const Refinement& refinement) {
     emit message(text);
 }
 
-// They are of other maps, or of another target.
+// They are of other maps, of another target or of an earlier run.
 void CollagePanel::forgetResults() {
     m_refined->hide();
     m_shades->hide();
@@ -307,6 +307,7 @@ void CollagePanel::run(Task task) {
     if (task != Task::Suggest && task != Task::FitCage)
         if (const QString obstacle = document::collageObstacle(m_document->fractal()); !obstacle.isEmpty())
             return emit message(obstacle);
+    forgetResults();
     m_progress = std::make_shared<std::atomic<double>>(task == Task::Suggest ? 0 : -1);
     m_running = Running{task, textOf(task), m_document->sharedFractal()};
     m_fit->setProgress(m_progress->load());

@@ -47,7 +47,6 @@ FitBox::FitBox(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(makeSearch());
-    layout->addWidget(makeConstraints());
     layout->addWidget(makeTasks());
     layout->addWidget(makeProgress());
     setProgress(std::nullopt);
@@ -76,12 +75,13 @@ QWidget* FitBox::makeSearch() {
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("Another seed gives another search"));
     addRow(grid, tr("Seed:"), m_seed);
+    addConstraints(grid);
     return box;
 }
 
-QWidget* FitBox::makeConstraints() {
-    auto* box = new QWidget(this);
-    QGridLayout* grid = gridOf(box);
+// In the same columns.
+void FitBox::addConstraints(QGridLayout* grid) {
+    QWidget* box = grid->parentWidget();
     const auto check = [&](const QString& text, const QString& tip) {
         auto* made = new QCheckBox(text, box);
         made->setToolTip(tip);
@@ -99,7 +99,6 @@ QWidget* FitBox::makeConstraints() {
     m_angles->setAccessibleName(tr("Angles"));
     m_angles->setToolTip(tr("The angles by which the maps may rotate"));
     addRow(grid, tr("Angles:"), m_angles);
-    return box;
 }
 
 QPushButton* FitBox::taskButton(const QString& text, const QString& tip, Task task) {

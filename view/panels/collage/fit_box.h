@@ -10,6 +10,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QGridLayout;
 class QProgressBar;
 class QPushButton;
 class QShortcut;
@@ -43,7 +44,7 @@ signals:
 
 private:
     QWidget* makeSearch();
-    QWidget* makeConstraints();
+    void addConstraints(QGridLayout* grid);
     QWidget* makeTasks();
     QWidget* makeProgress();
     QPushButton* taskButton(const QString& text, const QString& tip, Task task);

@@ -9,6 +9,7 @@
 #include "panels/collage/target_preview.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/menu_button.h"
+#include "widgets/menu_text.h"
 #include "widgets/tooltip_text.h"
 
 #include <QAction>
@@ -219,10 +220,10 @@ void TargetBox::fillEntries(QMenu* menu) {
     menu->clear();
     for (const document::Entry& entry : m_document->file().entries) {
         if (document::dimension(*entry.fractal) != 2) continue;
-        QString name = entry.fractal->name;
-        QAction* action = menu->addAction(name.replace(u'&', QStringLiteral("&&")), this,
+        const QString& name = entry.fractal->name;
+        QAction* action = menu->addAction(menuText(name, menu->fontMetrics()), this,
                                           [this, fractal = entry.fractal] { take(fractal); });
-        action->setToolTip(tooltipText(entry.fractal->name)); // else its text, which may look like markup
+        action->setToolTip(tooltipText(name)); // else its text, which may look like markup
     }
     menu->setDisabled(menu->isEmpty());
 }
@@ -324,12 +325,14 @@ void TargetBox::follow(const document::Change& change) {
         m_states.clear();
     }
     if (!(change.parts & (Change::Current | Change::File))) return;
-    m_tracing.cancel(); // it is of another entry
+    m_tracing.cancel(); // it is of another entry,
+    m_traced = nullptr; // and so is what it found
     showState();
 }
 
 void TargetBox::setOptions(const std::function<void(document::TraceOptions&)>& change) {
     if (!state().picture) return;
+    state().sentence.clear(); // of another picture
     change(state().options);
     showState();
 }

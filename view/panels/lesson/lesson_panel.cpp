@@ -202,8 +202,10 @@ void LessonPanel::follow() {
     const QString text = step ? step->text : QString();
     if (document::lessonLine(m_stepTitle->text()) != title) m_stepTitle->setText(title);
     if (document::lessonText(m_text->toPlainText()) != text) m_text->setPlainText(text);
-    for (QAction* panel : m_panels->actions())
+    for (QAction* panel : m_panels->actions()) {
+        panel->setEnabled(step);
         panel->setChecked(step && step->state.panels.contains(panel->data().toString()));
+    }
     m_fields->setEnabled(step);
     m_hint->setVisible(!step);
     const int last = int(lesson.steps.size()) - 1;

@@ -57,7 +57,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         if (index.column() == Place) return icon(error ? QStringLiteral("error") : QStringLiteral("warning"));
         return {};
     case Qt::ToolTipRole:
-        return tooltipText(problem.message);
+        return tooltipText(index.column() == EntryName ? problem.entry : problem.message);
     case Qt::AccessibleTextRole:
         if (index.column() == Place)
             return QStringLiteral("%1 %2").arg(severityName(problem.severity), location(problem)).trimmed();

@@ -37,7 +37,6 @@ ProblemsPanel::ProblemsPanel(document::Document* document, QWidget* parent)
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_list->header()->setSectionResizeMode(ProblemsModel::Place, QHeaderView::ResizeToContents);
-    m_list->header()->setSectionResizeMode(ProblemsModel::EntryName, QHeaderView::ResizeToContents);
     m_list->header()->setResizeContentsPrecision(200);
     m_summary->setWordWrap(true);
     m_summary->setAccessibleName(tr("Number of problems"));
@@ -99,6 +98,10 @@ void ProblemsPanel::showEntry(const QModelIndex& index) {
 
 void ProblemsPanel::updateCount() {
     m_list->setVisible(count() > 0);
+    constexpr int widestName = 24; // characters; a long name leaves room for the problem
+    m_list->resizeColumnToContents(ProblemsModel::EntryName);
+    m_list->setColumnWidth(ProblemsModel::EntryName, std::min(m_list->columnWidth(ProblemsModel::EntryName),
+                                                              widestName * fontMetrics().averageCharWidth()));
     const QString found = count() == 1 ? tr("1 problem was found while reading.")
                                        : tr("%n problems were found while reading.", nullptr, count());
     m_summary->setText(count() > 0

@@ -13,6 +13,8 @@
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
 #include "widgets/menu_placeholder.h"
+#include "widgets/menu_text.h"
+#include "widgets/tooltip_text.h"
 #include "widgets/wait_for.h"
 
 #include <QAction>
@@ -248,6 +250,7 @@ void TimelinePanel::createMotions() {
     connect(m_entries, &QMenu::aboutToShow, this, &TimelinePanel::listEntries);
     m_winds->setAccessibleName(tr("Wind"));
     m_entries->setAccessibleName(tr("Morph To"));
+    m_entries->setToolTipsVisible(true);
 }
 
 void TimelinePanel::addWinds() {
@@ -345,9 +348,10 @@ void TimelinePanel::listEntries() {
     for (const document::Entry& entry : m_document->file().entries) {
         if (entry.id == m_document->currentId() || document::dimension(*entry.fractal) != dimension) continue;
         if (m_entries->actions().size() == maxListed) break;
-        QString name = entry.fractal->name;
-        m_entries->addAction(name.replace(u'&', QStringLiteral("&&")), this,
-                             [this, id = entry.id] { morphTo(id); });
+        const QString& name = entry.fractal->name;
+        QAction* action = m_entries->addAction(menuText(name, m_entries->fontMetrics()), this,
+                                               [this, id = entry.id] { morphTo(id); });
+        action->setToolTip(tooltipText(name));
     }
     if (m_entries->isEmpty()) {
         addPlaceholder(*m_entries, tr("This file has no other fractal of this dimension"));

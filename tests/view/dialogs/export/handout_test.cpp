@@ -5,8 +5,12 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QPainter>
+#include <QPrintPreviewDialog>
+#include <QPrintPreviewWidget>
+#include <QPrinter>
 #include <QPushButton>
 #include <QtTest>
 
@@ -153,6 +157,36 @@ private slots:
         QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-handout.pdf"));
         dialog.setName(QStringLiteral("ferns 1.2"));
         QCOMPARE(dialog.printedName(), QStringLiteral("ferns 1.2-handout.pdf"));
+    }
+
+    // As the print dialog does it, where there is no printer.
+    void theDialogSaysWhereAHandoutIsWritten() {
+        const QTemporaryDir folder;
+        document::Document document;
+        HandoutDialog dialog(&document);
+        dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1); // worksheets, without pictures
+        dialog.show();
+        const auto said = [&dialog](const QString& path) {
+            dialog.showPreview();
+            auto* preview = dialog.findChild<QPrintPreviewDialog*>();
+            if (!preview) return QStringLiteral("no preview");
+            preview->printer()->setOutputFormat(QPrinter::PdfFormat);
+            preview->printer()->setOutputFileName(path);
+            preview->findChild<QPrintPreviewWidget*>()->print();
+            preview->accept();
+            delete preview;
+            for (const auto* label : dialog.findChildren<QLabel*>())
+                if (label->accessibleName() == QStringLiteral("Result")) return label->text();
+            return QString();
+        };
+        const QString path = folder.filePath(QStringLiteral("handout.pdf"));
+        QCOMPARE(said(path), QStringLiteral("Written to %1.").arg(path));
+        QVERIFY(QFileInfo(path).size() > 0);
+        const QString nowhere = folder.filePath(QStringLiteral("missing/handout.pdf"));
+        QTest::ignoreMessage(QtWarningMsg, "QPainter::begin(): Returned false");
+        const QString failure = said(nowhere);
+        QVERIFY2(failure.startsWith(nowhere + QStringLiteral(" could not be written")), qPrintable(failure));
+        QCOMPARE(said(QString()), QString()); // on paper
     }
 
     void formulasOfSpaceHaveThreeCoordinates() {

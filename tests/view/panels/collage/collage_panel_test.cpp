@@ -250,6 +250,49 @@ private slots:
         QVERIFY(system().maps[1].map == before.maps[1].map);
     }
 
+    // What the last run has found is not said of the next one, nor what was measured of another entry.
+    void textsOfWhatWasBeforeDisappear() {
+        traceLeaf();
+        takeRoughMaps();
+        push("Refine Maps");
+        settle();
+        const auto* refined = named<QLabel>(QStringLiteral("Result of refining"));
+        QVERIFY(refined->isVisible());
+        push("Refine Attractor");
+        QVERIFY(!refined->isVisible());
+        settle();
+        const auto first = m_document->currentId();
+        const document::Inserted added =
+            document::inserted(m_document->file(),
+                               {{document::EntryId::None,
+                                 std::make_shared<const document::Fractal>(m_document->fractal()),
+                                 nullptr,
+                                 {}}},
+                               first);
+        m_document->editFile(QStringLiteral("Add"), added.file, added.ids.front());
+        traceLeaf();
+        QVERIFY(named<QLabel>(QStringLiteral("Coverage"))->isVisible());
+        m_document->setCurrent(first); // with a target of its own, which is traced anew
+        QVERIFY(!m_panel->target()->traced());
+        QVERIFY(!named<QLabel>(QStringLiteral("Coverage"))->isVisible());
+        settle();
+        QVERIFY(named<QLabel>(QStringLiteral("Coverage"))->isVisible());
+        // A file that is no picture, until the target is changed.
+        m_panel->target()->read(write(QStringLiteral("text.png"), "maple"));
+        settle();
+        QVERIFY(sentence().startsWith(QStringLiteral("text.png: ")));
+        QTest::mouseClick(named<QCheckBox>(QStringLiteral("Invert")), Qt::LeftButton, {}, {8, 8});
+        QVERIFY2(sentence().startsWith(QStringLiteral("leaf.png, ")), qPrintable(sentence()));
+    }
+
+    void fieldsAreInOneColumn() {
+        const int left =
+            named<QComboBox>(QStringLiteral("Number of maps"))->mapTo(m_panel.get(), QPoint()).x();
+        QCOMPARE(named<QComboBox>(QStringLiteral("Angles"))->mapTo(m_panel.get(), QPoint()).x(), left);
+        QCOMPARE(named<QWidget>(QStringLiteral("Seconds to search"))->mapTo(m_panel.get(), QPoint()).x(),
+                 left);
+    }
+
     void weightsAndCageAreFitted() {
         traceLeaf();
         takeRoughMaps();

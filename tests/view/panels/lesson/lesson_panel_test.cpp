@@ -181,9 +181,11 @@ void LessonPanelTest::aLongTextIsCutInSight() {
 
 void LessonPanelTest::panelsAreChosen() {
     m_panel->setPanels({{u"maps"_s, u"Maps"_s}, {u"analysis"_s, u"R&D"_s}});
-    m_notebook->addStep({});
     const QList<QAction*> panels = m_panel->findChild<QMenu*>()->actions();
     QCOMPARE(panels.size(), 2);
+    QVERIFY(!panels[0]->isEnabled()); // of no step
+    m_notebook->addStep({});
+    QVERIFY(panels[0]->isEnabled());
     QCOMPARE(panels[1]->text(), u"R&&D"_s);
     panels[1]->trigger();
     QCOMPARE(m_notebook->lesson().steps[0].state.panels, QStringList{u"analysis"_s});

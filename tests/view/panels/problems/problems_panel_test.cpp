@@ -46,7 +46,27 @@ private slots:
     void remarksCallForNoAttention();
     void copies();
     void tipsAreNoMarkup();
+    void longNamesLeaveRoomForTheProblems();
 };
+
+void ProblemsPanelTest::longNamesLeaveRoomForTheProblems() {
+    document::FractalFile file = fileWithProblems();
+    document::Fractal named = *file.entries[1].fractal;
+    const QString name = named.name = QString(200, u'm');
+    file.entries[1].fractal = std::make_shared<const document::Fractal>(named);
+    Document document;
+    view::ProblemsPanel panel(&document);
+    panel.resize(640, 200);
+    panel.show();
+    document.setFile(file);
+    auto* list = panel.findChild<QTreeView*>();
+    QVERIFY(list->columnWidth(view::ProblemsModel::EntryName) < 300);
+    QVERIFY(list->columnViewportPosition(view::ProblemsModel::Message) < 500);
+    QCOMPARE(list->model()->index(1, view::ProblemsModel::EntryName).data(Qt::ToolTipRole).toString(), name);
+    document.setFile(fileWithProblems()); // short ones are whole
+    QVERIFY(list->columnWidth(view::ProblemsModel::EntryName) >
+            panel.fontMetrics().horizontalAdvance(u"second"_s));
+}
 
 void ProblemsPanelTest::tipsAreNoMarkup() {
     document::FractalFile file = fileWithProblems();

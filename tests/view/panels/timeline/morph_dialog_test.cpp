@@ -57,6 +57,7 @@ private slots:
     void splitMapsAreTold();
     void obstaclesAreTold();
     void theMorphIsOneStep();
+    void longNamesLeaveTheMenuNarrow();
 
 private:
     MorphLines& lines() { return *m_dialog->lines(); }
@@ -214,6 +215,24 @@ void MorphDialogTest::theMorphIsOneStep() {
     m_document->undoStack()->undo();
     QCOMPARE(m_document->file().entries.size(), 3);
     QCOMPARE(m_document->entryFractal().name, QStringLiteral("one"));
+}
+
+void MorphDialogTest::longNamesLeaveTheMenuNarrow() {
+    const QString name = QStringLiteral("a&b ") + QString(300, u'm');
+    document::FractalFile file = m_document->file();
+    file.entries.back().fractal = std::make_shared<const document::Fractal>(corners(name, 2, {1, 1, 1}));
+    m_document->setFile(file);
+    view::TimelinePanel panel(m_document.get());
+    QMenu* entries = panel.motions().back()->menu();
+    emit entries->aboutToShow();
+    const auto actions = entries->actions();
+    const auto found = std::ranges::find_if(
+        actions, [&](const QAction* action) { return action->toolTip().contains(name); });
+    QVERIFY(found != actions.end()); // all of it is in the tool tip
+    QVERIFY(entries->toolTipsVisible());
+    QVERIFY((*found)->text().startsWith(QStringLiteral("a&&b m")));
+    QVERIFY((*found)->text().contains(u'…'));
+    QVERIFY(entries->sizeHint().width() < 100 * entries->fontMetrics().averageCharWidth());
 }
 
 QTEST_MAIN(MorphDialogTest)
