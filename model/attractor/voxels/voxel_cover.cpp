@@ -13,20 +13,27 @@ namespace {
 
 using Index = VoxelGrid::Index;
 
-// The grid around the box, the box in its middle: no side of it lies on a side of voxels unless the box has
-// none to spare.
-bool placeGrid(const VoxelRequest& request, VoxelCover& cover) {
+// Of the grid around the box; nullopt when there would be too many voxels.
+std::optional<Index> gridSize(const VoxelRequest& request) {
     Index size{};
     double voxels = 1;
     for (int k = 0; k < 3; ++k) {
         const double length = (request.max[k] - request.min[k]) / request.side;
         const double count = std::floor(length) + 1 + 2.0 * (request.margin + 1);
         voxels *= std::ceil(count / (k == 0 ? 64 : 1)) * (k == 0 ? 64 : 1); // as they are stored
-        if (!(voxels <= double(VoxelGrid::maxVoxels))) return false;
+        if (!(voxels <= double(VoxelGrid::maxVoxels))) return {};
         size[std::size_t(k)] = int(count);
-        cover.origin[k] = (request.min[k] + request.max[k] - request.side * count) / 2;
     }
-    cover.grid = VoxelGrid(size);
+    return size;
+}
+
+// The box in the middle of the grid: no side of it lies on a side of voxels unless the box has none to spare.
+bool placeGrid(const VoxelRequest& request, VoxelCover& cover) {
+    const auto size = gridSize(request);
+    if (!size) return false;
+    for (int k = 0; k < 3; ++k)
+        cover.origin[k] = (request.min[k] + request.max[k] - request.side * (*size)[std::size_t(k)]) / 2;
+    cover.grid = VoxelGrid(*size);
     return true;
 }
 
@@ -178,6 +185,10 @@ private:
 };
 
 } // namespace
+
+bool fitsGrid(const VoxelRequest& request) {
+    return gridSize(request).has_value();
+}
 
 VoxelCover voxelCover(const VoxelRequest& request, const std::function<void(double)>& progress,
                       const std::stop_token& stop) {

@@ -35,6 +35,7 @@ struct VoxelCover {
     double side = 1;
     std::uint64_t words = 0; // looked at
 };
+bool fitsGrid(const VoxelRequest& request); // else there would be too many voxels; takes no time
 VoxelCover voxelCover(const VoxelRequest& request, const std::function<void(double)>& progress = {},
                       const std::stop_token& stop = {});
 

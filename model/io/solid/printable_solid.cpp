@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace io {
 
@@ -53,18 +54,6 @@ Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& place
     return box;
 }
 
-QString failureOf(VoxelCover::Outcome outcome, const QString& name) {
-    if (outcome == VoxelCover::Outcome::TooManyVoxels)
-        return Text::tr(
-                   "The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, "
-                   "which makes larger voxels.")
-            .arg(name, QString::number(attractor::VoxelGrid::maxVoxels / 1'000'000));
-    return Text::tr(
-               "The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a "
-               "lower resolution, which makes larger voxels.")
-        .arg(name);
-}
-
 // Whether neighbouring points of the lattice stay apart in the numbers of the file.
 bool keepsPointsApart(const PrintableSolid& solid) {
     for (const auto& point : solid.mesh.points)
@@ -84,16 +73,27 @@ public:
     Maker(const document::Fractal& fractal, const SolidOptions& options)
         : m_fractal(fractal), m_options(options) {}
 
+    Failure prepare() {
+        if (Failure obstacle = place()) return obstacle;
+        const double voxel = m_options.voxel > 0 ? m_options.voxel : voxelAt(m_options.resolution);
+        if (!fits(voxel)) return excess();
+        m_solid.facts.voxel = voxel;
+        m_solid.facts.dilation = std::numbers::sqrt3 * m_side * m_dilation;
+        m_solid.facts.bound = std::numbers::sqrt3 * voxel + m_solid.facts.dilation;
+        return std::nullopt;
+    }
+
     PrintableSolid make(const Progress& progress, const std::stop_token& stop) {
         m_solid.failure = prepare();
         if (m_solid.failure) return std::move(m_solid);
-        const attractor::VoxelRequest request{m_system,  m_placement, m_box.min,
-                                              m_box.max, m_side,      m_dilation};
-        VoxelCover cover = attractor::voxelCover(request, progress, stop);
+        VoxelCover cover = attractor::voxelCover(request(), progress, stop);
         m_solid.stopped = cover.outcome == VoxelCover::Outcome::Stopped;
         if (m_solid.stopped) return std::move(m_solid);
         if (cover.outcome != VoxelCover::Outcome::Done) {
-            m_solid.failure = failureOf(cover.outcome, m_fractal.name);
+            m_solid.failure =
+                Text::tr("The pieces of “%1” overlap or touch too much to find its voxels in reasonable "
+                         "time. Choose a lower resolution, which makes larger voxels.")
+                    .arg(m_fractal.name);
             return std::move(m_solid);
         }
         build(cover);
@@ -102,7 +102,11 @@ public:
     }
 
 private:
-    Failure prepare() {
+    attractor::VoxelRequest request() const {
+        return {m_system, m_placement, m_box.min, m_box.max, m_side, m_dilation};
+    }
+
+    Failure place() {
         if (Failure obstacle = obstacleToSolid(m_fractal)) return obstacle;
         const document::Shape<3>* shape = document::space(m_fractal);
         m_system = attractor::preparedSpace(shape->system, document::movedBranches(*shape));
@@ -121,17 +125,39 @@ private:
         const double scale = m_options.longest > 0 ? m_options.longest / longest : 1;
         m_placement = {scale * m_placement.linear, scale * m_placement.translation};
         m_box = {scale * m_box.min, scale * m_box.max};
-        m_solid.facts.voxel =
-            m_options.voxel > 0 ? m_options.voxel : scale * longest / std::max(1, m_options.resolution);
-        m_side = gridShare * m_solid.facts.voxel;
-        const double thicker = std::ceil((m_options.wall / m_side - 1) / 2);
-        if (!(thicker < double(SolidOptions::maxResolution)))
-            return Text::tr("The wall is too thick for voxels of this size. Choose a lower resolution, "
-                            "which makes larger voxels.");
-        m_dilation = std::max(0, int(thicker));
-        m_solid.facts.dilation = std::numbers::sqrt3 * m_side * m_dilation;
-        m_solid.facts.bound = std::numbers::sqrt3 * m_solid.facts.voxel + m_solid.facts.dilation;
+        m_longest = scale * longest;
         return std::nullopt;
+    }
+
+    double voxelAt(int resolution) const { return m_longest / std::max(1, resolution); }
+
+    bool fits(double voxel) {
+        m_side = gridShare * voxel;
+        const double thicker = std::ceil((m_options.wall / m_side - 1) / 2);
+        if (!(thicker < double(SolidOptions::maxResolution))) return false;
+        m_dilation = std::max(0, int(thicker));
+        return attractor::fitsGrid(request());
+    }
+
+    QString excess() {
+        const QString millions = QString::number(attractor::VoxelGrid::maxVoxels / 1'000'000);
+        if (m_options.voxel > 0)
+            return Text::tr("The solid of “%1” would need more than %2 million voxels. Choose larger voxels.")
+                .arg(m_fractal.name, millions);
+        int most = 0; // that fits; 0: none does
+        for (int excessive = std::max(1, m_options.resolution); excessive - most > 1;) {
+            const int middle = std::midpoint(most, excessive);
+            if (fits(voxelAt(middle)))
+                most = middle;
+            else
+                excessive = middle;
+        }
+        if (most == 0)
+            return Text::tr("The wall is too thick for a solid of this size. Choose a thinner wall.");
+        return Text::tr(
+                   "The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: "
+                   "at most %3.")
+            .arg(m_fractal.name, millions, QString::number(most));
     }
 
     void build(VoxelCover& cover) {
@@ -182,8 +208,9 @@ private:
     attractor::PreparedSpace m_system;
     ifs::AffineMap<3> m_placement; // the code's coordinates → mm
     Box m_box;
-    double m_side = 1;  // of a voxel, mm
-    int m_dilation = 0; // voxels
+    double m_longest = 0; // of the sides of the box, mm
+    double m_side = 1;    // of a voxel, mm
+    int m_dilation = 0;   // voxels
 };
 
 } // namespace
@@ -212,6 +239,10 @@ Failure obstacleToSolid(const document::Fractal& fractal) {
         return Text::tr("The cage of “%1” bends the picture, so its solid cannot be written.")
             .arg(fractal.name);
     return std::nullopt;
+}
+
+Failure obstacleToSolid(const document::Fractal& fractal, const SolidOptions& options) {
+    return Maker(fractal, options).prepare();
 }
 
 PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,

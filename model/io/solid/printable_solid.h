@@ -50,6 +50,8 @@ struct PrintableSolid {
 
 // Why there is no body of it, as far as its cage and its dimension tell; this takes no time.
 Failure obstacleToSolid(const document::Fractal& fractal);
+// The same with these options, as far as can be known before any voxel is looked at.
+Failure obstacleToSolid(const document::Fractal& fractal, const SolidOptions& options);
 
 // Its surface is closed and a manifold, or there is a failure.
 PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,

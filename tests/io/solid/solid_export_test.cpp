@@ -43,6 +43,7 @@ private slots:
     void openScadPartsLieOnTheAttractor();
     void whatHasNoSolid_data();
     void whatHasNoSolid();
+    void theHighestResolutionIsNamed();
     void hardSystemsEnd_data();
     void hardSystemsEnd();
     void stopsWithoutAFile();
@@ -446,6 +447,7 @@ void SolidExportTest::whatHasNoSolid_data() {
     io::SolidOptions thick = resolution(100);
     thick.wall = 1e9;
     QTest::newRow("too thick") << systems::menger() << thick << u"wall"_s;
+    QTest::newRow("too many voxels") << systems::menger() << resolution(1000) << u"at most 510"_s;
     systems::System3 far;
     for (int k = 0; k < 4; ++k)
         ifs::append<3>(far, systems::scaled(0.5, 5e8 + (k & 1), k >> 1, 0));
@@ -459,8 +461,28 @@ void SolidExportTest::whatHasNoSolid() {
     const QString path = m_folder.filePath(u"none.stl"_s);
     const auto outcome = io::exportSolid({fractalOf(system), options, io::MeshFormat::Stl}, path);
     QVERIFY(outcome.failure.has_value());
+    QCOMPARE(io::obstacleToSolid(fractalOf(system), options),
+             because == u"distance from the origin"_s ? io::Failure() : outcome.failure);
     QVERIFY2(outcome.failure->contains(because), qPrintable(*outcome.failure));
     QVERIFY(!QFile::exists(path));
+}
+
+// The resolution that the sentence names is the highest that fits, also with a wall.
+void SolidExportTest::theHighestResolutionIsNamed() {
+    for (const double wall : {0.0, 20.0}) {
+        io::SolidOptions options = resolution(io::SolidOptions::maxResolution);
+        options.longest = 80;
+        options.wall = wall;
+        const document::Fractal fractal = fractalOf(systems::menger());
+        const io::Failure obstacle = io::obstacleToSolid(fractal, options);
+        QVERIFY(obstacle);
+        static const QRegularExpression number(u"at most ([0-9]+)"_s);
+        options.resolution = number.match(*obstacle).captured(1).toInt();
+        QVERIFY2(options.resolution > 300, qPrintable(*obstacle));
+        QVERIFY(!io::obstacleToSolid(fractal, options));
+        ++options.resolution;
+        QCOMPARE(io::obstacleToSolid(fractal, options), obstacle);
+    }
 }
 
 void SolidExportTest::hardSystemsEnd_data() {

@@ -150,13 +150,20 @@ void SpaceExportDialog::createBody() {
     m_resolution = new WholeNumberBox(this);
     m_resolution->setRange(8, io::SolidOptions::maxResolution);
     m_resolution->setValue(128);
-    m_resolution->setWhatsThis(tr("Voxels along the longest side: more voxels make finer steps."));
+    m_resolution->setWhatsThis(
+        tr("Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million "
+           "voxels and %2 million triangles.")
+            .arg(attractor::VoxelGrid::maxVoxels / 1'000'000)
+            .arg(attractor::SurfaceMesh::maxTriangles / 1'000'000));
     m_form->addRow(tr("&Resolution:"), m_resolution);
     m_wall = millimetres(0, 1000, tr("Thinner parts are thickened to this, so that they can be printed."));
     m_form->addRow(tr("Smallest &wall:"), m_wall);
     m_fill = new QCheckBox(tr("Fill closed ca&vities"), this);
     m_fill->setWhatsThis(tr("Fills spaces that are closed off from the outside."));
     m_form->addRow(QString(), m_fill);
+    connect(m_longest, &QDoubleSpinBox::valueChanged, this, &SpaceExportDialog::check);
+    connect(m_resolution, &QSpinBox::valueChanged, this, &SpaceExportDialog::check);
+    connect(m_wall, &QDoubleSpinBox::valueChanged, this, &SpaceExportDialog::check);
 }
 
 SpaceExportDialog::Format SpaceExportDialog::format() const {
@@ -248,9 +255,9 @@ void SpaceExportDialog::showPreview() {
 
 void SpaceExportDialog::update() {
     showPreview();
+    check();
     const auto file = pictureFile();
     const bool isPicture = file.has_value();
-    enableButtons();
     using enum io::PngFormat::Depth;
     const bool hasDepths = file && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
@@ -264,15 +271,23 @@ void SpaceExportDialog::update() {
     m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
-    m_message->setText(obstacle()  ? *obstacle()
-                       : isPicture ? QString()
-                       : isBody()  ? tr("A closed surface around the attractor, for a printer.")
-                                   : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
-    if (!isPicture && !obstacle() && m_fractal.inSpace.clip)
+}
+
+void SpaceExportDialog::check() {
+    m_obstacle = obstacle();
+    enableButtons();
+    m_message->setText(m_obstacle      ? *m_obstacle
+                       : pictureFile() ? QString()
+                       : isBody()      ? tr("A closed surface around the attractor, for a printer.")
+                                  : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+    if (!pictureFile() && !m_obstacle && m_fractal.inSpace.clip)
         m_message->setText(m_message->text() + u' ' + tr("The whole solid is written, not only the slice."));
 }
 
 io::Failure SpaceExportDialog::obstacle() const {
+    if (isBody())
+        return io::obstacleToSolid(m_fractal,
+                                   io::exportOf(std::get<io::BodyRecipe>(*recipe()), m_fractal).options);
     if (!pictureFile()) return io::obstacleToSolid(m_fractal);
     if (m_fractal.inSpace.look == attractor::LookInSpace::Depth && pictureFile() != io::PictureFile::Png)
         return tr("Depths can be written only as PNG.");
@@ -284,7 +299,7 @@ bool SpaceExportDialog::canExport() const {
 }
 
 void SpaceExportDialog::enableButtons() {
-    m_start->setEnabled(!obstacle() && !m_job);
+    m_start->setEnabled(!m_obstacle && !m_job);
     m_enqueue->setEnabled(m_start->isEnabled() && format() != Format::OpenScad); // which is there at once
 }
 
@@ -305,7 +320,7 @@ QString SpaceExportDialog::chosenFile() {
 
 void SpaceExportDialog::addToQueue(const QString& path) {
     const std::optional<io::ExportRecipe> wanted = recipe();
-    if (!m_queue || !wanted || path.isEmpty() || obstacle()) return;
+    if (!m_queue || !wanted || path.isEmpty() || m_obstacle) return;
     const Enqueued added = enqueue(*m_queue, m_fractal, *wanted, path);
     m_message->setText(added.sentence);
     if (added.isAdded) emit queued();

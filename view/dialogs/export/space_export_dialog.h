@@ -63,6 +63,7 @@ private:
     io::Export toExport();
     io::Failure obstacle() const; // why nothing can be written in this format
     void update();
+    void check(); // whether it can be written, and says so
     void enableButtons();
     void showPreview();
     QString chosenFile(); // empty: none
@@ -90,6 +91,7 @@ private:
     QPushButton* m_start = nullptr;
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
+    io::Failure m_obstacle;
     QString m_summary;                    // of the body that was written
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
 };

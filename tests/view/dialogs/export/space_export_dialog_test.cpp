@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
@@ -157,6 +158,45 @@ private slots:
         QVERIFY(queued.isEmpty());
         m_dialog->setFormat(Stl); // the straight one
         QVERIFY(m_dialog->canExport());
+    }
+
+    // As the numbers change, each of those that decide it.
+    void tooManyVoxelsAreRefusedBeforeTheyHaveAName() {
+        const auto field = [this](const QString& end) -> QDoubleSpinBox* {
+            for (auto* box : m_dialog->findChildren<QDoubleSpinBox*>())
+                if (box->whatsThis().contains(end)) return box;
+            return nullptr;
+        };
+        QDoubleSpinBox* longest = field(QStringLiteral("longest side"));
+        QDoubleSpinBox* wall = field(QStringLiteral("thickened"));
+        QSpinBox* resolution = nullptr;
+        for (auto* box : m_dialog->findChildren<QSpinBox*>())
+            if (box->maximum() == io::SolidOptions::maxResolution) resolution = box;
+        QVERIFY(longest && wall && resolution);
+        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        const QString hint = m_dialog->message();
+        QVERIFY(m_dialog->canExport());
+        const auto isRefused = [&](const char* because) {
+            const bool isSaid = m_dialog->message().contains(QLatin1String(because));
+            return isSaid && !m_dialog->canExport();
+        };
+        const auto isAccepted = [&] { return m_dialog->message() == hint && m_dialog->canExport(); };
+        resolution->setValue(1000);
+        QVERIFY2(isRefused("at most 510"), qPrintable(m_dialog->message()));
+        m_dialog->setFormat(SpaceExportDialog::Format::OpenScad); // which has no voxels
+        QVERIFY(m_dialog->canExport());
+        m_dialog->setFormat(SpaceExportDialog::Format::Ply);
+        QVERIFY2(isRefused("at most 510"), qPrintable(m_dialog->message()));
+        resolution->setValue(510);
+        QVERIFY2(isAccepted(), qPrintable(m_dialog->message()));
+        wall->setValue(80);
+        QVERIFY2(isRefused("million voxels"), qPrintable(m_dialog->message()));
+        longest->setValue(100'000); // of which the wall is a small part
+        QVERIFY2(isAccepted(), qPrintable(m_dialog->message()));
+        longest->setValue(1);
+        QVERIFY2(isRefused("resolution"), qPrintable(m_dialog->message()));
+        wall->setValue(1000);
+        QVERIFY2(isRefused("thinner wall"), qPrintable(m_dialog->message()));
     }
 
     void depthsAreRefusedBeforeTheyHaveAName() {
