@@ -17,6 +17,9 @@ namespace view {
 namespace {
 
 constexpr int held = 400; // milliseconds after which a key was not just pressed
+// A keyboard repeats a key as a release and a press, which Qt only recognizes where it has read both. On a
+// busy machine it reads the press this much later at most; nobody presses a key again so soon.
+constexpr int repetition = 200;
 
 } // namespace
 
@@ -41,7 +44,8 @@ void SnapshotLook::toggle(Qt::Key key) {
     if (isOn()) return end();
     if (const QString why = obstacle(); !why.isEmpty()) return emit message(why);
     m_key = key;
-    m_held.start();
+    const bool isRepeated = m_released.isValid() && m_released.elapsed() < repetition;
+    if (!isRepeated) m_held.start();
     begin();
 }
 
@@ -109,8 +113,10 @@ bool SnapshotLook::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::KeyRelease && key->key() == m_key && !key->isAutoRepeat() &&
-        std::exchange(m_key, Qt::Key_unknown) != Qt::Key_unknown && m_held.elapsed() >= held)
-        end();
+        std::exchange(m_key, Qt::Key_unknown) != Qt::Key_unknown) {
+        m_released.start();
+        if (m_held.elapsed() >= held) end();
+    }
     return QObject::eventFilter(watched, event);
 }
 

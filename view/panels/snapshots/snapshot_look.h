@@ -56,7 +56,8 @@ private:
     quint64 m_shown = 0; // the key of the snapshot; 0: none
     bool m_hadOverlays = true;
     Qt::Key m_key = Qt::Key_unknown;
-    QElapsedTimer m_held;
+    QElapsedTimer m_held;     // since the key went down
+    QElapsedTimer m_released; // since it came up
 };
 
 } // namespace view
