@@ -2,7 +2,11 @@
 #include "view/canvas/canvas_fixture.h"
 
 #include <QAccessible>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QScopeGuard>
 
+// The canvas for screen readers and by keyboard.
 class CanvasAccessibleTest : public CanvasFixture {
     Q_OBJECT
 
@@ -44,6 +48,34 @@ private slots:
         QCOMPARE(vertex(1).y(), before.y());
         QVERIFY(steps() >= 1);
         QCOMPARE(actions->localizedActionName(QStringLiteral("moveUp")), QStringLiteral("Move up"));
+    }
+
+    void tabLeavesAfterTheLastHandle() {
+        QWidget window;
+        auto* row = new QHBoxLayout(&window);
+        auto* before = new QLineEdit(&window);
+        auto* after = new QLineEdit(&window);
+        for (QWidget* widget : std::initializer_list<QWidget*>{before, m_canvas.get(), after})
+            row->addWidget(widget);
+        const auto alone = qScopeGuard([this] { m_canvas->setParent(nullptr); });
+        QWidget::setTabOrder(before, m_canvas.get());
+        QWidget::setTabOrder(m_canvas.get(), after);
+        window.resize(800, 500);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        m_canvas->setFocus();
+        int handles = 0;
+        for (; m_canvas->hasFocus() && handles < 20; ++handles)
+            QTest::keyClick(m_canvas.get(), Qt::Key_Tab);
+        QCOMPARE(handles, int(m_canvas->canvas().handles().parts().size()) + 1);
+        QCOMPARE(window.focusWidget(), after);
+        QCOMPARE(m_canvas->canvas().selection().focused().kind, Kind::None);
+        m_canvas->setFocus(); // back: the last handle is the first that is met
+        QTest::keyClick(m_canvas.get(), Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(m_canvas->canvas().selection().focused(), m_canvas->canvas().handles().parts().back());
+        for (int i = 1; i < handles; ++i)
+            QTest::keyClick(m_canvas.get(), Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(window.focusWidget(), before);
     }
 };
 
