@@ -2913,6 +2913,17 @@
     </message>
 </context>
 <context>
+    <name>PrintPreview</name>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>%1 konnte nicht geschrieben werden. Drucken Sie in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
     <name>RasterSystem</name>
     <message>
         <source>The picture is damaged, or its text cannot be read.</source>
@@ -4696,16 +4707,8 @@
         <translation>alle Kennwerte sind die des Codes, in dem kein Ast verschoben ist</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
-    </message>
-    <message>
         <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
         <translation>Die Teile von „%1“ überlappen oder berühren sich zu stark, um die Voxel in vertretbarer Zeit zu bestimmen. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Die Wand ist zu dick für Voxel dieser Größe. Wählen Sie eine geringere Auflösung, also größere Voxel.</translation>
     </message>
     <message>
         <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
@@ -4738,6 +4741,18 @@
     <message>
         <source>frames: %1, %2 per second, %3</source>
         <translation>Bilder: %1, %2 pro Sekunde, %3</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie größere Voxel.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for a solid of this size. Choose a thinner wall.</source>
+        <translation>Die Wand ist zu dick für einen Körper dieser Größe. Wählen Sie eine dünnere Wand.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
+        <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie eine geringere Auflösung: höchstens %3.</translation>
     </message>
 </context>
 <context>
@@ -9468,6 +9483,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
         <translation>Ein Handout zeigt das Bild jedes Eintrags mit seinem Käfig, seinen Abbildungen und deren Formeln. Ein leeres Aufgabenblatt zeigt den Käfig, in der Ebene auf einem Gitter, und eine leere Tabelle, die von Hand ausgefüllt wird.</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -12426,10 +12445,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Lä&amp;ngste Seite:</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: more voxels make finer steps.</source>
-        <translation>Voxel längs der längsten Seite: feinere Stufen, und mehr davon.</translation>
-    </message>
-    <message>
         <source>&amp;Resolution:</source>
         <translation>Auf&amp;lösung:</translation>
     </message>
@@ -12532,6 +12547,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The whole solid is written, not only the slice.</source>
         <translation>Der ganze Körper wird geschrieben, nicht nur der Schnitt.</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
+        <translation>Voxel längs der längsten Seite: feinere Stufen, und mehr davon. Ein Körper hat höchstens %1 Millionen Voxel und %2 Millionen Dreiecke.</translation>
     </message>
 </context>
 <context>

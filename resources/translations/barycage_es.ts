@@ -2913,6 +2913,17 @@
     </message>
 </context>
 <context>
+    <name>PrintPreview</name>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>No se pudo escribir %1. Imprima en otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+</context>
+<context>
     <name>RasterSystem</name>
     <message>
         <source>The picture is damaged, or its text cannot be read.</source>
@@ -4696,16 +4707,8 @@
         <translation>todas las cifras son las del código, donde no hay ninguna rama desplazada</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
-    </message>
-    <message>
         <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
         <translation>Las partes de «%1» se solapan o se tocan demasiado para encontrar sus vóxeles en un tiempo razonable. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>La pared es demasiado gruesa para vóxeles de este tamaño. Elija una resolución menor, es decir, vóxeles más grandes.</translation>
     </message>
     <message>
         <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
@@ -4738,6 +4741,18 @@
     <message>
         <source>frames: %1, %2 per second, %3</source>
         <translation>fotogramas: %1, %2 por segundo, %3</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija vóxeles más grandes.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for a solid of this size. Choose a thinner wall.</source>
+        <translation>La pared es demasiado gruesa para un sólido de este tamaño. Elija una pared más fina.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
+        <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija una resolución menor: %3 como máximo.</translation>
     </message>
 </context>
 <context>
@@ -9468,6 +9483,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
         <translation>Una hoja para clase muestra la imagen de cada entrada con su jaula, sus aplicaciones y las fórmulas de estas. Una hoja de ejercicios en blanco muestra la jaula, en el plano sobre una cuadrícula, y una tabla vacía para rellenar a mano.</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -12426,10 +12445,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Lado más largo:</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: more voxels make finer steps.</source>
-        <translation>Vóxeles a lo largo del lado más largo: escalones más finos, y más de ellos.</translation>
-    </message>
-    <message>
         <source>&amp;Resolution:</source>
         <translation>Res&amp;olución:</translation>
     </message>
@@ -12532,6 +12547,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The whole solid is written, not only the slice.</source>
         <translation>Se escribe el sólido entero, no solo el corte.</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
+        <translation>Vóxeles a lo largo del lado más largo: escalones más finos, y más de ellos. Un sólido tiene como máximo %1 millones de vóxeles y %2 millones de triángulos.</translation>
     </message>
 </context>
 <context>

@@ -2913,6 +2913,17 @@
     </message>
 </context>
 <context>
+    <name>PrintPreview</name>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>%1 n’a pas pu être écrit. Imprimez dans un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+</context>
+<context>
     <name>RasterSystem</name>
     <message>
         <source>The picture is damaged, or its text cannot be read.</source>
@@ -4696,16 +4707,8 @@
         <translation>tous les chiffres sont ceux du code, où aucune branche n’est déplacée</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
-    </message>
-    <message>
         <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
         <translation>Les parties de « %1 » se recouvrent ou se touchent trop pour trouver ses voxels en un temps raisonnable. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>La paroi est trop épaisse pour des voxels de cette taille. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
     </message>
     <message>
         <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
@@ -4738,6 +4741,18 @@
     <message>
         <source>frames: %1, %2 per second, %3</source>
         <translation>images : %1, %2 par seconde, %3</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez des voxels plus grands.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for a solid of this size. Choose a thinner wall.</source>
+        <translation>La paroi est trop épaisse pour un solide de cette taille. Choisissez une paroi plus mince.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
+        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse : %3 au maximum.</translation>
     </message>
 </context>
 <context>
@@ -9468,6 +9483,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
         <translation>Une fiche montre l’image de chaque entrée avec sa cage, ses applications et leurs formules. Une feuille d’exercices vierge montre la cage, dans le plan sur une grille, et un tableau vide à remplir à la main.</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -12426,10 +12445,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Plus &amp;long côté :</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: more voxels make finer steps.</source>
-        <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses.</translation>
-    </message>
-    <message>
         <source>&amp;Resolution:</source>
         <translation>Résolutio&amp;n :</translation>
     </message>
@@ -12532,6 +12547,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The whole solid is written, not only the slice.</source>
         <translation>Le solide entier est écrit, pas seulement la coupe.</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
+        <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses. Un solide a au plus %1 millions de voxels et %2 millions de triangles.</translation>
     </message>
 </context>
 <context>

@@ -2921,6 +2921,17 @@
     </message>
 </context>
 <context>
+    <name>PrintPreview</name>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>%1 не можеше да се запише. Печатете во друга папка.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Запишано во %1.</translation>
+    </message>
+</context>
+<context>
     <name>RasterSystem</name>
     <message>
         <source>The picture is damaged, or its text cannot be read.</source>
@@ -4705,16 +4716,8 @@
         <translation>сите бројки се на кодот, каде што ниту една гранка не е поместена</translation>
     </message>
     <message>
-        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете помала резолуција, односно поголеми воксели.</translation>
-    </message>
-    <message>
         <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
         <translation>Деловите на „%1“ премногу се преклопуваат или се допираат за неговите воксели да се најдат во разумно време. Изберете помала резолуција, односно поголеми воксели.</translation>
-    </message>
-    <message>
-        <source>The wall is too thick for voxels of this size. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Ѕидот е предебел за воксели со оваа големина. Изберете помала резолуција, односно поголеми воксели.</translation>
     </message>
     <message>
         <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
@@ -4747,6 +4750,18 @@
     <message>
         <source>frames: %1, %2 per second, %3</source>
         <translation>кадри: %1, %2 во секунда, %3</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
+        <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете поголеми воксели.</translation>
+    </message>
+    <message>
+        <source>The wall is too thick for a solid of this size. Choose a thinner wall.</source>
+        <translation>Ѕидот е предебел за тело со оваа големина. Изберете потенок ѕид.</translation>
+    </message>
+    <message>
+        <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
+        <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете помала резолуција: најмногу %3.</translation>
     </message>
 </context>
 <context>
@@ -9494,6 +9509,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>A handout has the picture of each entry, with its cage, its maps and their formulas. A blank worksheet has the cage, in the plane on a grid, and an empty table, to be filled in by hand.</source>
         <translation>Листот за час ја прикажува сликата на секој запис со неговиот кафез, пресликувањата и нивните формули. Празниот лист со задачи го прикажува кафезот, во рамнината на мрежа, и празна табела што се пополнува рачно.</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Резултат</translation>
+    </message>
 </context>
 <context>
     <name>view::HistoryPanel</name>
@@ -12456,10 +12475,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Најдолга ст&amp;рана:</translation>
     </message>
     <message>
-        <source>Voxels along the longest side: more voxels make finer steps.</source>
-        <translation>Воксели по најдолгата страна: поситни скали, и повеќе од нив.</translation>
-    </message>
-    <message>
         <source>&amp;Resolution:</source>
         <translation>Резолу&amp;ција:</translation>
     </message>
@@ -12562,6 +12577,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The whole solid is written, not only the slice.</source>
         <translation>Се запишува целото тело, не само пресекот.</translation>
+    </message>
+    <message>
+        <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
+        <translation>Воксели по најдолгата страна: поситни скали, и повеќе од нив. Едно тело има најмногу %1 милиони воксели и %2 милиони триаголници.</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,9 @@ namespace view {
 namespace {
 
 constexpr int held = 400; // milliseconds after which a key was not just pressed
+// A keyboard repeats a key as a release and a press. Qt calls them repeated only where it has read both, and
+// on a busy machine the press may be read this many milliseconds later; nobody presses a key again so soon.
+constexpr int repetition = 50;
 
 } // namespace
 
@@ -28,6 +31,9 @@ SnapshotLook::SnapshotLook(document::Document* document, Snapshots* snapshots, C
         const Snapshot* marked = m_snapshots->marked();
         if (isOn() && (!marked || marked->key != m_shown)) end();
     });
+    m_released.setSingleShot(true);
+    m_released.setInterval(repetition);
+    connect(&m_released, &QTimer::timeout, this, &SnapshotLook::comeUp);
 }
 
 SnapshotLook::~SnapshotLook() = default;
@@ -38,6 +44,7 @@ const Snapshot* SnapshotLook::shown() const {
 
 void SnapshotLook::toggle(Qt::Key key) {
     if (QGuiApplication::mouseButtons() != Qt::NoButton) return; // in the middle of a drag
+    if (m_released.isActive() && key == m_key) return m_released.stop();
     if (isOn()) return end();
     if (const QString why = obstacle(); !why.isEmpty()) return emit message(why);
     m_key = key;
@@ -81,6 +88,7 @@ void SnapshotLook::show() {
 void SnapshotLook::end() {
     if (!isOn()) return;
     m_shown = 0;
+    m_released.stop();
     qApp->removeEventFilter(this);
     m_canvases.space->showInstead(nullptr);
     m_canvases.render->showInstead(nullptr);
@@ -97,6 +105,12 @@ void SnapshotLook::follow(const document::Change& change) {
         end();
 }
 
+// The key is up: this look ends if it was held down, and stays until the key is pressed again otherwise.
+void SnapshotLook::comeUp() {
+    m_key = Qt::Key_unknown;
+    if (m_wasHeld) end();
+}
+
 // Esc comes back, and so does the key that was held down. Nothing else is ours.
 bool SnapshotLook::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease)
@@ -108,9 +122,11 @@ bool SnapshotLook::eventFilter(QObject* watched, QEvent* event) {
         end();
         return true;
     }
-    if (event->type() == QEvent::KeyRelease && key->key() == m_key && !key->isAutoRepeat() &&
-        std::exchange(m_key, Qt::Key_unknown) != Qt::Key_unknown && m_held.elapsed() >= held)
-        end();
+    if (event->type() == QEvent::KeyRelease && key->key() == m_key && m_key != Qt::Key_unknown &&
+        !key->isAutoRepeat() && !m_released.isActive()) {
+        m_wasHeld = m_held.elapsed() >= held;
+        m_released.start();
+    }
     return QObject::eventFilter(watched, event);
 }
 

@@ -4,6 +4,7 @@
 #include "panels/snapshots/snapshots.h"
 
 #include <QElapsedTimer>
+#include <QTimer>
 
 #include <functional>
 
@@ -49,6 +50,7 @@ private:
     void begin();
     void show();
     void follow(const document::Change& change);
+    void comeUp();
 
     document::Document* m_document;
     Snapshots* m_snapshots;
@@ -57,6 +59,8 @@ private:
     bool m_hadOverlays = true;
     Qt::Key m_key = Qt::Key_unknown;
     QElapsedTimer m_held;
+    bool m_wasHeld = false;
+    QTimer m_released; // runs until it is sure that the key is not just being repeated
 };
 
 } // namespace view

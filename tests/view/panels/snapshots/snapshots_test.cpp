@@ -54,6 +54,7 @@ private slots:
     void whatDiscardingLosesIsNamed();
     void anUnreadableEntryHasNone();
     void aLookChangesNothing();
+    void aHeldKeyEndsItsLook();
     void anEditEndsTheLook();
     void whatCannotBeLookedAtSaysSo();
     void aSolidIsLookedAt();
@@ -308,6 +309,36 @@ void SnapshotsTest::aLookChangesNothing() {
     m_look->toggle();
     m_look->toggle();
     QVERIFY(!m_canvas->options().overlaysVisible()); // as it was
+}
+
+// The server repeats a held key as a release and a press; Qt does not tell where it reads them one by one.
+void SnapshotsTest::aHeldKeyEndsItsLook() {
+    m_snapshots->take();
+    scale(0.8);
+    const auto comesUp = [this] {
+        QKeyEvent event(QEvent::KeyRelease, Qt::Key_Q, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_canvas.get(), &event);
+    };
+    QSignalSpy changed(m_look.get(), &view::SnapshotLook::changed);
+    m_look->toggle(Qt::Key_Q);
+    QTest::qWait(450);
+    for (int i = 0; i < 3; ++i) {
+        comesUp();
+        m_look->toggle(Qt::Key_Q);
+        QVERIFY(m_look->isOn());
+    }
+    QTest::qWait(200);
+    QCOMPARE(changed.size(), 1);
+    comesUp();
+    QTRY_VERIFY(!m_look->isOn());
+    QCOMPARE(changed.size(), 2);
+
+    m_look->toggle(Qt::Key_Q); // pressed, not held: the look stays until it is pressed again
+    comesUp();
+    QTest::qWait(200);
+    QVERIFY(m_look->isOn());
+    m_look->toggle(Qt::Key_Q);
+    QVERIFY(!m_look->isOn());
 }
 
 void SnapshotsTest::anEditEndsTheLook() {
