@@ -36,6 +36,8 @@ private slots:
     void entriesComeAndGo();
     void solidsAreCompared();
     void branchesOfBothAreDragged();
+    void undoKeepsTheBranchInBoth_data();
+    void undoKeepsTheBranchInBoth();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -352,6 +354,61 @@ void CompareTest::branchesOfBothAreDragged() {
     QVERIFY(*document().file().entries[1].fractal == before);
     QTest::keyClick(other, Qt::Key_Escape);
     QVERIFY(choice.branch().empty() && isNamed(u"no branch selected"_s));
+}
+
+void CompareTest::undoKeepsTheBranchInBoth_data() {
+    QTest::addColumn<bool>("isSolid");
+    QTest::addColumn<bool>("isBeside");
+    for (const bool isSolid : {false, true})
+        for (const bool isBeside : {false, true})
+            QTest::addRow("%s, %s", isSolid ? "space" : "plane", isBeside ? "beside" : "own")
+                << isSolid << isBeside;
+}
+
+// A branch that became a map of its own by a drag is the branch again, and the map again.
+void CompareTest::undoKeepsTheBranchInBoth() {
+    QFETCH(const bool, isSolid);
+    QFETCH(const bool, isBeside);
+    const QByteArray flat = " {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n .5 0 0 .5 0 .5 1\n}\n";
+    const QByteArray solid = " (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n"
+                             " .5 0 0 0 .5 0 0 0 .5 0 .5 0 1\n .5 0 0 0 .5 0 0 0 .5 0 0 .5 1\n}\n";
+    const QByteArray system = isSolid ? solid : flat;
+    open("a" + system + "b" + system);
+    toggle();
+    QTRY_VERIFY(pane()->isVisible());
+    canvas()->setTool(view::CanvasView::Tool::Branch);
+    view::CanvasView* plane = isBeside ? pane()->plane() : canvas();
+    view::SpaceView* space = isBeside ? pane()->space() : m_window->findChild<Stage*>()->space();
+    view::BranchChoice& choice = plane->tools().branchTool().choice();
+    const ifs::Word branch{1, 2};
+    choice.choose(branch);
+    const auto drag = [&] {
+        const QPoint corner =
+            isSolid ? space->mapItem().handle(1).toPoint()
+                    : plane->canvas().positionOf({view::CanvasPart::Kind::Vertex, 1, 0}).toPoint();
+        QWidget* viewport = isSolid ? space->viewport() : plane->viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, corner);
+        QTest::mouseMove(viewport, corner + QPoint(4, 4));
+        QTest::mouseMove(viewport, corner + QPoint(9, 9));
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, corner + QPoint(9, 9));
+    };
+    if (isSolid) QTRY_COMPARE(space->mapItem().count(), std::size_t(5));
+    drag();
+    QCOMPARE(document().undoStack()->count(), 1);
+    QCOMPARE(choice.branch(), ifs::Word{0});
+    drag();
+    QCOMPARE(document().undoStack()->count(), 2);
+    for (int round = 0; round < 2; ++round) {
+        document().undoStack()->undo();
+        QCOMPARE(choice.branch(), ifs::Word{0});
+        document().undoStack()->undo();
+        QCOMPARE(choice.branch(), branch);
+        document().undoStack()->redo();
+        QCOMPARE(choice.branch(), ifs::Word{0});
+        document().undoStack()->redo();
+        QCOMPARE(choice.branch(), ifs::Word{0});
+    }
+    document().undoStack()->setClean();
 }
 
 QTEST_MAIN(CompareTest)
