@@ -55,6 +55,7 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
               [canvas = context.canvas, stage = context.stage](bool on) {
                   canvas->tools().setAllowsNoAttractor(on);
                   stage->views()->setAllowsNoAttractor(on);
+                  stage->compare()->setAllowsNoAttractor(on);
               });
     add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
          tr("Language, theme, picture quality, and what opens at startup")},
