@@ -12,6 +12,7 @@
 #include "usage_error.h"
 
 #include "document/edits/cage_edits.h"
+#include "document/edits/dimension_edits.h"
 #include "document/fractal_geometry.h"
 #include "io/exchange/point_cloud.h"
 #include "io/file/native_path.h"
@@ -150,7 +151,9 @@ bool hasActiveMap(const document::Fractal& fractal) {
 // Why the entry cannot be written in this form; the code takes up the cage where that is asked.
 std::optional<QString> obstacle(document::Entry& entry, const Input& input, const Arguments& arguments,
                                 const Plan& plan) {
+    const QString loss = plan.change.isWanted() ? document::dimensionLoss(*entry.fractal) : QString();
     if (auto reason = changeDimension(entry, plan.change)) return reason;
+    if (!loss.isEmpty()) reportWarning(input.name, loss);
     if (const auto warning = liftWarning(*entry.fractal, plan.change)) reportWarning(input.name, *warning);
     if (auto reason = changeSymmetry(entry, plan.symmetry)) return reason;
     const std::shared_ptr<const document::Fractal> before = entry.fractal;

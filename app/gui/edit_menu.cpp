@@ -55,6 +55,7 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
               [canvas = context.canvas, stage = context.stage](bool on) {
                   canvas->tools().setAllowsNoAttractor(on);
                   stage->views()->setAllowsNoAttractor(on);
+                  stage->compare()->setAllowsNoAttractor(on);
               });
     add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
          tr("Language, theme, picture quality, and what opens at startup")},
@@ -139,22 +140,38 @@ void EditMenu::addDimensions() {
              tr("&Lift to Space"),
              {},
              tr("Add a third dimension to every map; the picture stays flat until you move a map")},
-            [document] {
-                if (auto lifted = document::lifted(document->fractal()))
-                    document->edit(tr("Lift to Space"), *std::move(lifted));
+            [this, document] {
+                const QString loss = document::dimensionLoss(document->entryFractal());
+                auto lifted = document::lifted(document->fractal());
+                if (!lifted) return;
+                document->edit(tr("Lift to Space"), *std::move(lifted));
+                if (!loss.isEmpty()) context().messages->say(loss);
             });
     QAction* flatten =
         add({nullptr,
              tr("&Flatten to the Plane"),
              {},
              tr("Replace the solid by its projection along the first axis that every map keeps")},
-            [document] {
+            [this, document] {
+                const QString loss = document::dimensionLoss(document->entryFractal());
                 const auto axis = flatAxis(document->fractal());
                 auto projection = axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
-                if (projection) document->edit(tr("Flatten to the Plane"), *std::move(projection));
+                if (!projection) return;
+                document->edit(tr("Flatten to the Plane"), *std::move(projection));
+                if (!loss.isEmpty()) context().messages->say(loss);
             });
     disableWhen(lift, &document::liftObstacle);
     disableWhen(flatten, &projectionObstacle);
+    const auto warn = [document, lift, flatten] { // the tips are those of disableWhen() so far
+        const QString loss = document::dimensionLoss(document->entryFractal());
+        for (QAction* action : {lift, flatten}) {
+            if (loss.isEmpty() || !action->isEnabled()) continue;
+            action->setStatusTip(loss);
+            action->setToolTip(view::tooltipText(loss));
+        }
+    };
+    warn();
+    connect(document, &document::Document::changed, lift, warn);
 }
 
 void EditMenu::openTransform() {

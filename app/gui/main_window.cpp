@@ -435,6 +435,7 @@ void MainWindow::addRandom() {
 void MainWindow::adopt(const view::Preferences& preferences) {
     m_bridge->setQuality(preferences.quality);
     m_stage->space()->navigation().setTrackball(preferences.trackball);
+    m_stage->compare()->setTrackball(preferences.trackball);
 }
 
 void MainWindow::openEach(const QStringList& paths, MainWindow* first) {

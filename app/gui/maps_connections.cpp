@@ -15,7 +15,7 @@
 
 namespace {
 
-// Of several rows the window into space holds the map that the form shows.
+// Of several rows the window into space holds the map that the form shows; Weave swings all of them.
 void holdSelected(const view::MapsPanel& maps, Stage* stage) {
     const std::vector<ifs::MapId> selected = maps.selectedMaps();
     if (selected.empty()) return;
@@ -23,7 +23,7 @@ void holdSelected(const view::MapsPanel& maps, Stage* stage) {
     const bool isCurrent = std::ranges::find(selected, current) != selected.end();
     const auto rows = maps.model()->rowsOf({isCurrent ? current : selected.front()});
     if (rows.empty()) return;
-    stage->space()->holdMap(std::size_t(rows.front()));
+    stage->space()->holdMap(std::size_t(rows.front()), selected);
     for (view::SpaceView* other : stage->views()->others())
         other->holdMap(std::size_t(rows.front()));
 }

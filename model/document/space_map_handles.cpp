@@ -141,12 +141,9 @@ Fractal SpaceMapHandles::withCornersMoved(std::size_t index, const Corners& offs
     return fractal;
 }
 
-Fractal SpaceMapHandles::withMapSwung(std::size_t index, const ifs::Vector<3>& root,
-                                      const ifs::Vector<3>& axis, double angle) const {
-    Fractal fractal = *m_fractal;
-    if (angle == 0 || !canBeMoved()) return fractal;
-    space(fractal)->cage = m_cage;
-    ifs::AffineMap<3>& map = system3(fractal)->maps[index].map;
+std::optional<ifs::AffineMap<3>> SpaceMapHandles::swung(const ifs::AffineMap<3>& map,
+                                                        const ifs::Vector<3>& root,
+                                                        const ifs::Matrix<3>& turn) const {
     ifs::AffineMap<3> placed = m_placed;
     std::optional<ifs::AffineMap<3>> back = m_back;
     if (m_bend) {
@@ -154,11 +151,24 @@ Fractal SpaceMapHandles::withMapSwung(std::size_t index, const ifs::Vector<3>& r
         const ifs::Matrix<3> linear = ifs::derivative(*m_bend, middle);
         placed = ifs::AffineMap<3>{linear, (*m_bend)(middle)-linear * middle} * m_within;
         back = ifs::inverse(placed);
-        if (!back) return *m_fractal;
     }
+    if (!back) return std::nullopt;
     const ifs::Vector<3> pivot = placed(map(root));
+    return *back * (ifs::AffineMap<3>{turn, pivot - turn * pivot} * (placed * map));
+}
+
+Fractal SpaceMapHandles::withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<3>& root,
+                                       const ifs::Vector<3>& axis, double angle) const {
+    if (angle == 0 || !canBeMoved()) return *m_fractal;
     const ifs::Matrix<3> turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-    map = *back * (ifs::AffineMap<3>{turn, pivot - turn * pivot} * (placed * map));
+    Fractal fractal = *m_fractal;
+    for (const std::size_t index : indices) {
+        ifs::AffineMap<3>& map = system3(fractal)->maps[index].map;
+        const auto moved = swung(map, root, turn);
+        if (!moved) continue;
+        map = *moved;
+        space(fractal)->cage = m_cage;
+    }
     return fractal;
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace document {
@@ -45,15 +46,18 @@ public:
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
     // the fractal as it is. Maps must be movable. Where the cage bends, a corner that it takes nowhere stays.
     Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
-    // One map turned by an angle about the image of `root`, a point in coordinates of the code, which stays:
-    // a branch that swings. Counter-clockwise for the one to whom `axis`, of length 1, points. Otherwise as
-    // above; where the cage bends, to first order in the middle of the map.
-    Fractal withMapSwung(std::size_t index, const ifs::Vector<3>& root, const ifs::Vector<3>& axis,
-                         double angle) const;
+    // These maps, each turned by an angle about its image of `root`, a point in coordinates of the code,
+    // which stays: branches that swing. Counter-clockwise for the one to whom `axis`, of length 1, points.
+    // Otherwise as above; where the cage bends, to first order in the middle of each map.
+    Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<3>& root,
+                          const ifs::Vector<3>& axis, double angle) const;
 
 private:
     SpaceMapHandles() = default;
     ifs::AffineMap<3> mapAt(std::size_t index) const;
+    // nullopt where the cage is flat.
+    std::optional<ifs::AffineMap<3>> swung(const ifs::AffineMap<3>& map, const ifs::Vector<3>& root,
+                                           const ifs::Matrix<3>& turn) const;
     ifs::Vector<3> shown(const ifs::Vector<3>& x) const;
     // By how much x is to be moved to be displayed so far from where it is.
     ifs::Vector<3> inPiece(const ifs::Vector<3>& x, const ifs::Vector<3>& offset) const;

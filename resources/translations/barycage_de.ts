@@ -768,6 +768,10 @@
         <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>Abbildung %1 von „%2“ ändert die Richtung; die Projektion ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
     </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>Die Animation von „%1“ kann nicht in eine andere Dimension mitgenommen werden und entfällt.</translation>
+    </message>
 </context>
 <context>
     <name>Enqueue</name>

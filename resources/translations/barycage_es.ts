@@ -768,6 +768,10 @@
         <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>La aplicación %1 de «%2» desvía la dirección, así que la proyección no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
     </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>La animación de «%1» no puede llevarse a otra dimensión, por lo que se omite.</translation>
+    </message>
 </context>
 <context>
     <name>Enqueue</name>

@@ -768,6 +768,10 @@
         <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>L’application %1 de « %2 » change cette direction ; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
     </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>L’animation de « %1 » ne peut pas être transposée dans une autre dimension ; elle est omise.</translation>
+    </message>
 </context>
 <context>
     <name>Enqueue</name>

@@ -769,6 +769,10 @@
         <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
         <translation>Пресликувањето %1 од „%2“ ја менува насоката, па проекцијата не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
     </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>Анимацијата на „%1“ не може да се пренесе во друга димензија, па се изоставува.</translation>
+    </message>
 </context>
 <context>
     <name>Enqueue</name>

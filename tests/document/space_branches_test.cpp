@@ -248,7 +248,8 @@ private slots:
         const ifs::AffineMap<3> placed = ifs::displayMap(cageOf(fractal));
         QVERIFY(std::abs(placed(*root).y() - height.low) < 1e-6);
         const auto handles = SpaceMapHandles::of(held(fractal), cageOf(fractal));
-        const Fractal swung = handles->withMapSwung(2, *root, axis, 0.3);
+        const std::vector<std::size_t> second{2};
+        const Fractal swung = handles->withMapsSwung(second, *root, axis, 0.3);
         const ifs::AffineMap<3>& was = system3(fractal)->maps[2].map;
         const ifs::AffineMap<3>& is = system3(swung)->maps[2].map;
         QVERIFY((is(*root) - was(*root)).norm() < 1e-12);
@@ -258,8 +259,16 @@ private slots:
         QVERIFY(std::abs((after - before).dot(axis)) < 1e-12);
         const Vector<3> across = before - before.dot(axis) * axis;
         QVERIFY(std::abs(axis.dot(before.cross(after)) - std::sin(0.3) * across.squaredNorm()) < 1e-12);
-        QVERIFY(handles->withMapSwung(2, *root, axis, 0) == fractal);
+        QVERIFY(handles->withMapsSwung(second, *root, axis, 0) == fractal);
         QVERIFY(system3(swung)->maps[1].map == system3(fractal)->maps[1].map);
+        // Of several, each about its own root.
+        const std::vector<std::size_t> first{1}, both{1, 2};
+        const Fractal turned = handles->withMapsSwung(both, *root, axis, 0.3);
+        const auto& together = system3(turned)->maps;
+        QVERIFY(together[2].map == is);
+        const Fractal alone = handles->withMapsSwung(first, *root, axis, 0.3);
+        QVERIFY(together[1].map == system3(alone)->maps[1].map);
+        QVERIFY(together[0].map == system3(fractal)->maps[0].map);
     }
 
     void whatCannotBeMoved() {

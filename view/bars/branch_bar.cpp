@@ -64,6 +64,7 @@ void BranchBar::setSpace(const SpaceView* space, const QString& hint) {
     m_space = space;
     m_hintInSpace = hint;
     connect(space, &SpaceView::mapHeld, this, &BranchBar::endSwing);
+    connect(space, &SpaceView::mapsSelected, this, &BranchBar::endSwing);
     follow();
 }
 
@@ -254,24 +255,24 @@ BranchBar::Swung BranchBar::swungInPlane() {
 // As it is seen: about the line of sight.
 BranchBar::Swung BranchBar::swungInSpace() {
     const auto before = std::make_shared<const document::Fractal>(m_swinging.before());
-    const auto map = m_space ? m_space->heldMap() : std::nullopt;
-    if (!map) return nullptr;
+    std::vector<std::size_t> indices = m_space ? m_space->selectedMaps() : std::vector<std::size_t>();
+    if (indices.empty()) return nullptr;
+    const QString locked = document::lockObstacle(*before, indices);
+    std::erase_if(indices, [&](std::size_t index) { return document::isLocked(*before, index); });
     const attractor::Orientation turned = m_space->navigation().camera().orientation;
     const auto root = document::rootInSpace(*before, attractor::standing(m_space->navigation().upAxis()) *
                                                          ifs::Vector<3>::UnitY());
     const auto cage = document::knownSpaceCage(*before);
     const auto handles = cage ? document::SpaceMapHandles::of(before, *cage) : std::nullopt;
-    const QString locked = document::lockObstacle(*before, std::vector{*map});
-    if (!locked.isEmpty() || !root || !handles || !handles->canBeMoved()) {
+    if (indices.empty() || !root || !handles || !handles->canBeMoved()) {
         emit m_canvas->message(
-            !locked.isEmpty()
-                ? locked
-                : tr("Maps cannot swing while the cage is flat. First open or reset the cage."));
+            indices.empty() ? locked
+                            : tr("Maps cannot swing while the cage is flat. First open or reset the cage."));
         return nullptr;
     }
-    return [handles = *handles, map = *map, root = *root,
+    return [handles = *handles, indices, root = *root,
             axis = ifs::Vector<3>(turned * ifs::Vector<3>::UnitZ())](double angle) {
-        return handles.withMapSwung(map, root, axis, angle);
+        return handles.withMapsSwung(indices, root, axis, angle);
     };
 }
 

@@ -92,6 +92,8 @@ void ComparePane::create() {
     explainByTips(this);
     followTools();
     followViews();
+    setAllowsNoAttractor(m_allowsNoAttractor);
+    setTrackball(m_isTrackball);
     m_lastCurrent = m_document->currentId();
     connect(m_document, &document::Document::changed, this, &ComparePane::follow);
     connect(m_partner.get(), &document::PartnerDocument::partnerChanged, this, &ComparePane::showEntry);
@@ -171,10 +173,30 @@ void ComparePane::followViews() {
             [this] { linkPlanes(m_plane, m_otherPlane); });
     connect(&m_otherPlane->navigation(), &CanvasNavigation::cameraChanged, this,
             [this] { linkPlanes(m_otherPlane, m_plane); });
-    connect(&m_space->navigation(), &SpaceNavigation::changed, this,
-            [this] { linkSpaces(m_space, m_otherSpace); });
+    standAlike();
+    connect(&m_space->navigation(), &SpaceNavigation::changed, this, [this] {
+        standAlike();
+        linkSpaces(m_space, m_otherSpace);
+    });
     connect(&m_otherSpace->navigation(), &SpaceNavigation::changed, this,
             [this] { linkSpaces(m_otherSpace, m_space); });
+}
+
+void ComparePane::setAllowsNoAttractor(bool allows) {
+    m_allowsNoAttractor = allows;
+    if (!m_partner) return;
+    m_otherPlane->tools().setAllowsNoAttractor(allows);
+    m_otherSpace->setAllowsNoAttractor(allows);
+}
+
+void ComparePane::setTrackball(bool on) {
+    m_isTrackball = on;
+    if (m_partner) m_otherSpace->navigation().setTrackball(on);
+}
+
+void ComparePane::standAlike() {
+    const QScopedValueRollback<bool> linking(m_isLinking, true);
+    m_otherSpace->navigation().setUpAxis(m_space->navigation().upAxis());
 }
 
 bool ComparePane::canLink() const {

@@ -38,6 +38,9 @@ public:
     bool areViewsLinked() const;
     void setViewsLinked(bool linked);
     bool cancelGesture(); // false when none was under way
+    // As in the canvases of the window:
+    void setAllowsNoAttractor(bool allows);
+    void setTrackball(bool on);
 
     // nullptr before it was shown for the first time:
     CanvasView* plane() const { return m_otherPlane; }
@@ -61,6 +64,7 @@ private:
     void showEntry();
     document::EntryId likelyEntry() const;
     bool canLink() const; // both are of the same dimension
+    void standAlike();    // both in space have the same axis up
     // So that the one at `to` looks where the other does.
     void linkPlanes(CanvasView* from, CanvasView* to);
     void linkSpaces(SpaceView* from, SpaceView* to);
@@ -71,6 +75,8 @@ private:
     SpaceView* m_space;
     bool m_isCompared = false;
     bool m_isLinking = false;
+    bool m_allowsNoAttractor = false;
+    bool m_isTrackball = false;
     document::EntryId m_lastCurrent = document::EntryId::None;
 
     // Made when they are shown for the first time:

@@ -7,6 +7,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -15,6 +16,51 @@ namespace view {
 namespace {
 
 constexpr double grip = 12; // pixels around a handle that hold it
+constexpr double far = 1e5; // pixels; farther outside, painting lines takes long
+
+using attractor::OrbitCamera;
+using ifs::Vector;
+
+// As a share of the distance of the target; not positive where the point is beside the eye or behind it.
+double inFront(const OrbitCamera& camera, const Vector<3>& point) {
+    constexpr double nearest = 1e-3;
+    if (camera.projection == OrbitCamera::Projection::Orthographic) return 1;
+    return 1 + toScreen(camera, point).depth / eyeDistance(camera) - nearest;
+}
+
+// What of an edge is in front of the eye and not far outside; nullopt: nothing.
+std::optional<QLineF> seenPart(const OrbitCamera& camera, Vector<3> a, Vector<3> b) {
+    const double first = inFront(camera, a), last = inFront(camera, b);
+    if (!(first > 0) && !(last > 0)) return std::nullopt;
+    const Vector<3> edge = b - a;
+    if (!(last > 0)) b = a + first / (first - last) * edge;
+    if (!(first > 0)) a += first / (first - last) * edge;
+    const Vector<2> from = toScreen(camera, a).pixel, to = toScreen(camera, b).pixel;
+    double begin = 0, end = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double way = to[axis] - from[axis];
+        if (way == 0 && std::abs(from[axis]) > far) return std::nullopt;
+        if (way == 0) continue;
+        const auto [enter, leave] = std::minmax({(-far - from[axis]) / way, (far - from[axis]) / way});
+        begin = std::max(begin, enter);
+        end = std::min(end, leave);
+    }
+    if (!(begin <= end)) return std::nullopt;
+    const QLineF line(from.x(), from.y(), to.x(), to.y());
+    return QLineF(begin == 0 ? line.p1() : line.pointAt(begin), end == 1 ? line.p2() : line.pointAt(end));
+}
+
+// As turn() says it, of corners of which some may be behind the eye.
+double turnInSpace(const OrbitCamera& camera, const std::vector<Vector<3>>& vertices,
+                   const std::vector<int>& face) {
+    const Vector<3> eye =
+        camera.target + eyeDistance(camera) * (camera.orientation * Vector<3>::UnitZ()).eval();
+    double sum = 0;
+    const auto at = [&](std::size_t k) { return Vector<3>(vertices[std::size_t(face[k])] - eye); };
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+        sum += at(0).dot(at(k).cross(at(k + 1)));
+    return sum;
+}
 
 using Faces = SpaceCageItem::Faces;
 
@@ -51,22 +97,27 @@ Faces SpaceCageItem::facesOf(const std::vector<ifs::Vector<3>>& rest) {
 }
 
 // An edge is behind where both of its faces are turned away.
-void SpaceCageItem::layOutEdges(const Faces& faces) {
+void SpaceCageItem::layOutEdges(const attractor::OrbitCamera& camera, const Faces& faces) {
     m_edges.clear();
     m_faces.clear();
     const double inside = volume(m_vertices, faces);
     std::map<std::pair<int, int>, bool> isSeen;
     for (const std::vector<int>& face : faces) {
-        const bool isTowards = turn(m_points, face) * inside <= 0;
+        const bool isWhole = std::ranges::all_of(
+            face, [&](int corner) { return inFront(camera, m_vertices[std::size_t(corner)]) > 0; });
+        const double turned = isWhole ? turn(m_points, face) : turnInSpace(camera, m_vertices, face);
+        const bool isTowards = turned * inside <= 0;
         for (std::size_t k = 0; k < face.size(); ++k)
             isSeen[std::minmax(face[k], face[(k + 1) % face.size()])] |= isTowards;
         QPointF sum;
         for (const int corner : face)
             sum += m_points[corner];
-        m_faces.push_back({face, sum / double(face.size()), isTowards && inside != 0});
+        m_faces.push_back({face, sum / double(face.size()), isTowards && isWhole && inside != 0});
     }
     for (const auto& [edge, seen] : isSeen)
-        m_edges.push_back({{m_points[edge.first], m_points[edge.second]}, !seen});
+        if (const auto line =
+                seenPart(camera, m_vertices[std::size_t(edge.first)], m_vertices[std::size_t(edge.second)]))
+            m_edges.push_back({*line, !seen});
 }
 
 void SpaceCageItem::layOut(const attractor::OrbitCamera& camera, const std::vector<ifs::Vector<3>>& vertices,
@@ -79,15 +130,14 @@ void SpaceCageItem::layOut(const attractor::OrbitCamera& camera, const std::vect
     std::vector<ifs::Vector<2>> pixels;
     for (const ifs::Vector<3>& vertex : vertices) {
         const attractor::ScreenPoint seen = toScreen(camera, vertex);
-        // Far outside, painting lines takes long; what is behind the eye has no place at all.
-        constexpr double far = 1e5;
+        // What is behind the eye has no place at all.
         pixels.push_back(seen.pixel.allFinite() ? seen.pixel.cwiseMax(-far).cwiseMin(far)
                                                 : ifs::Vector<2>(-far, -far));
         m_points << QPointF(pixels.back().x(), pixels.back().y());
         m_depths.push_back(seen.depth);
         m_hidden.push_back(isHidden(seen));
     }
-    layOutEdges(vertices.empty() ? Faces() : faces);
+    layOutEdges(camera, vertices.empty() ? Faces() : faces);
     int corners = 0;
     for (const std::vector<int>& face : faces)
         corners = std::max(corners, *std::ranges::max_element(face) + 1);
@@ -175,7 +225,10 @@ void SpaceCageItem::paintFaces(QPainter& painter) const {
 }
 
 QRectF SpaceCageItem::boundingRect() const {
-    return m_points.boundingRect().adjusted(-6, -6, 6, 6);
+    QPolygonF all = m_points;
+    for (const Edge& edge : m_edges)
+        all << edge.line.p1() << edge.line.p2();
+    return all.boundingRect().adjusted(-6, -6, 6, 6);
 }
 
 void SpaceCageItem::paintFaceHandles(QPainter& painter) const {

@@ -59,7 +59,7 @@ private:
         QPointF middle;
         bool isTowards = false;
     };
-    void layOutEdges(const Faces& faces);
+    void layOutEdges(const attractor::OrbitCamera& camera, const Faces& faces);
     void paintFaces(QPainter& painter) const;
     void paintFaceHandles(QPainter& painter) const;
     std::vector<ifs::Vector<3>> m_vertices;

@@ -244,7 +244,7 @@ void SpaceInput::move(const QMouseEvent& event) {
     } else if (auto* panning = std::get_if<Panning>(&m_gesture)) {
         m_navigation.moveTo(attractor::panned(panning->before, toVector(m_pointer - panning->press)), true);
     } else if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
-        follow(*dragging, event);
+        dragging->gesture.isOpen() ? follow(*dragging, event) : void(cancelDrag()); // undo may have ended it
     } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
         follow(*slicing, m_pointer);
     } else if (m_definition.isActive()) {
@@ -343,6 +343,7 @@ void SpaceInput::chooseBranchAt(const QPointF& position) {
 void SpaceInput::release(const QMouseEvent& event) {
     if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         if (event.button() != Qt::LeftButton) return;
+        if (!dragging->gesture.isOpen()) return void(cancelDrag());
         dragging->gesture.commit();
         endDrag();
     } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {

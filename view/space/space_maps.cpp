@@ -61,6 +61,22 @@ std::optional<std::size_t> SpaceMaps::selected() const {
     return m_isActive && count() > 0 ? std::optional(std::min(m_selected, count() - 1)) : std::nullopt;
 }
 
+bool SpaceMaps::select(std::size_t index, std::vector<ifs::MapId> among) {
+    std::ranges::sort(among);
+    const bool isAnother = std::exchange(m_selected, index) != index;
+    return std::exchange(m_among, among) != among || isAnother;
+}
+
+std::vector<std::size_t> SpaceMaps::selection() const {
+    const auto held = selected();
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; held && i < count(); ++i)
+        if (i == *held ||
+            std::ranges::binary_search(m_among, document::system3(m_document->fractal())->maps[i].id))
+            indices.push_back(i);
+    return indices;
+}
+
 void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                        const SpaceCageItem::Hidden& isHidden) {
     m_dots.clear();

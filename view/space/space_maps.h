@@ -42,7 +42,9 @@ public:
     std::size_t count() const;
     // The map that is held; nullopt while there is none.
     std::optional<std::size_t> selected() const;
-    void select(std::size_t index) { m_selected = index; }
+    // With others that are selected elsewhere in the window; false when that is so already.
+    bool select(std::size_t index, std::vector<ifs::MapId> among = {});
+    std::vector<std::size_t> selection() const; // with the map that is held
     // Of the maps that are not held, the one that has a corner there; of several the nearest to the eye.
     std::optional<std::size_t> mapAt(const QPointF& position) const;
 
@@ -64,6 +66,7 @@ private:
     SpaceCageItem& m_held;
     std::vector<Dot> m_dots; // corners of the maps that are not held
     std::size_t m_selected = 0;
+    std::vector<ifs::MapId> m_among;
     bool m_isActive = false;
 };
 

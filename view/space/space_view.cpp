@@ -149,10 +149,10 @@ void SpaceView::setBranchChoice(BranchChoice* choice) {
     });
 }
 
-void SpaceView::holdMap(std::size_t index) {
-    if (heldMap() == index) return;
-    m_maps.select(index);
+void SpaceView::holdMap(std::size_t index, std::vector<ifs::MapId> among) {
+    if (!m_maps.select(index, std::move(among))) return;
     layOut();
+    emit mapsSelected();
 }
 
 void SpaceView::fixDirection(const attractor::Direction& direction, const QString& title) {

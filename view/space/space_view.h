@@ -33,7 +33,8 @@ public:
     void setBranchChoice(BranchChoice* choice); // which branch; without one, none can be chosen
     void setStereo(attractor::Stereo stereo);   // side by side, nothing is held on the canvas
     std::optional<std::size_t> heldMap() const { return m_maps.selected(); } // while it holds maps
-    void holdMap(std::size_t index);
+    void holdMap(std::size_t index, std::vector<ifs::MapId> among = {}); // `among`: others that are selected
+    std::vector<std::size_t> selectedMaps() const { return m_maps.selection(); } // with the held one
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
     // Always looks from there, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
@@ -53,6 +54,7 @@ signals:
     void message(const QString& sentence); // for the status bar
     void defined();                        // a tetrahedron, or given up
     void mapHeld(std::size_t index);       // by the user
+    void mapsSelected();                   // elsewhere
 
 protected:
     bool event(QEvent* event) override;

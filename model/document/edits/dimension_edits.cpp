@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/dimension_edits.h"
 
+#include "document/animated_fractal.h"
 #include "document/edits/cage_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/space_geometry.h"
@@ -91,6 +92,12 @@ std::optional<System3> displayedSystem(const Shape<3>& shape) {
 }
 
 } // namespace
+
+QString dimensionLoss(const Fractal& entry) {
+    if (!animationFacts(entry)) return {};
+    return Text::tr("The animation of “%1” cannot be taken to another dimension, so it is left out.")
+        .arg(entry.name);
+}
 
 QString liftObstacle(const Fractal& fractal) {
     const Shape<2>* shape = plane(fractal);

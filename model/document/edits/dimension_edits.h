@@ -10,6 +10,9 @@
 // From the plane to space and back, as functions from fractal to fractal.
 namespace document {
 
+// What of the entry does not go from one dimension to the other, as a sentence; empty: everything does.
+QString dimensionLoss(const Fractal& entry);
+
 // Why the entry cannot be lifted; empty when it can.
 QString liftObstacle(const Fractal& fractal);
 // Every map acts on z as well, by the factor `scale`, else √|det A|, which keeps a similarity one; the

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/tops/partner_document.h"
 
-#include "document/edits/entries_edits.h"
-
 #include <utility>
 
 namespace document {
@@ -38,13 +36,16 @@ void PartnerDocument::take() {
         emit partnerChanged();
         return;
     }
-    const Fractal& fractal = *m_host->file().entries[index].fractal;
-    if (m_shown == m_id && fractal == m_document.entryFractal()) return;
+    const std::shared_ptr<const Fractal>& fractal = m_host->file().entries[index].fractal;
+    if (m_shown == m_id && *fractal == m_document.entryFractal()) return;
+    // The very fractal, not a copy: what knows fractals of before knows them again.
+    FractalFile file = m_shown == m_id ? m_document.file() : fileOf(*fractal);
+    file.entries.front().fractal = fractal;
     m_isTaking = true;
     if (std::exchange(m_shown, m_id) == m_id)
-        m_document.editEntry(QString(), fractal);
+        m_document.editFile(QString(), std::move(file));
     else
-        m_document.setFile(fileOf(fractal));
+        m_document.setFile(std::move(file));
     m_isTaking = false;
 }
 
@@ -58,10 +59,11 @@ void PartnerDocument::clear() {
 void PartnerDocument::give() {
     const qsizetype index = indexOf(m_host->file(), m_id);
     if (m_isTaking || index < 0) return;
-    const Fractal& fractal = m_document.entryFractal();
-    if (fractal == *m_host->file().entries[index].fractal) return;
-    m_host->editFile(m_document.undoStack()->undoText(), replaced(m_host->file(), m_id, fractal),
-                     m_host->currentId());
+    const std::shared_ptr<const Fractal>& fractal = m_document.currentEntry().fractal;
+    FractalFile file = m_host->file();
+    if (*fractal == *file.entries[index].fractal) return;
+    file.entries[index].fractal = fractal;
+    m_host->editFile(m_document.undoStack()->undoText(), std::move(file), m_host->currentId());
 }
 
 } // namespace document

@@ -19,6 +19,7 @@ private slots:
     void writesPointsWithNormals();
     void liftsAndFlattens();
     void whatIsLiftedTooFarIsSaid();
+    void animationsThatStayBehindAreSaid();
     void whatIsTurnedIsNotFlattened();
     void nothingIsPrintedIntoAFile();
     void optionsThatMakeNoSenseAreRefused_data();
@@ -138,6 +139,18 @@ void CliMeshTest::whatIsLiftedTooFarIsSaid() {
     for (const char* scale : {"0", "0.999", "-0.5", "auto"})
         QVERIFY(!run(QByteArray("convert systems.ifs low.ifs --entry fern --lift=") + scale)
                      .err.contains("attractor"));
+}
+
+void CliMeshTest::animationsThatStayBehindAreSaid() {
+    const QByteArray motion = "  ; barycage: animation 96 24/1 cycle\n  ; barycage: motion sway\n"
+                              "  ; barycage: strength 7\n  ; barycage: pivot 0 0\n  ; barycage: wave 1\n"
+                              "  ; barycage: value 0.5 0 20\n";
+    write("moving.ifs", "a {\n" + motion + " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
+    const Result result = run("convert moving.ifs lifted.ifs --lift auto");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("The animation of “a” cannot be taken"), result.err.constData());
+    QVERIFY(!read("lifted.ifs").contains("animation"));
+    QCOMPARE(run("convert lifted.ifs back.ifs --flatten 0,0,1").err, QByteArray());
 }
 
 void CliMeshTest::whatIsTurnedIsNotFlattened() {

@@ -2,8 +2,10 @@
 #include "bars/branch_bar.h"
 #include "canvas/canvas_view.h"
 #include "dialogs/command_palette.h"
+#include "document/animated_fractal.h"
 #include "document/edits/cage_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/recurring_branches.h"
 #include "session_fixture.h"
 #include "welcome.h"
 
@@ -34,6 +36,8 @@ private slots:
     void whatIsDisabledSaysWhy();
     void toolsOfThePlaneAreNotOfferedInSpace();
     void aKeyThatNobodyClaimsEnds();
+    void otherDimensionsAreOneStep_data();
+    void otherDimensionsAreOneStep();
 };
 
 void ActionMenuTest::commandsOfThePanelsAreFound() {
@@ -312,6 +316,105 @@ void ActionMenuTest::aKeyThatNobodyClaimsEnds() {
     }
     QVERIFY(pressed > 50);
     window->document().undoStack()->setClean();
+}
+
+void ActionMenuTest::otherDimensionsAreOneStep_data() {
+    QTest::addColumn<document::Fractal>("fractal");
+    QTest::addColumn<QString>("obstacle"); // of lifting
+    QTest::addColumn<QString>("loss");
+    QTest::addColumn<QString>("wayBack"); // its obstacle
+    const document::Fractal plain = document::sierpinskiTriangle();
+    const auto& maps = document::system2(plain)->maps;
+    const auto row = [&](const char* name, auto change, const char* obstacle, const char* loss,
+                         const char* wayBack) {
+        document::Fractal fractal = plain;
+        change(*document::plane(fractal));
+        QTest::newRow(name) << fractal << QString::fromLatin1(obstacle) << QString::fromLatin1(loss)
+                            << QString::fromLatin1(wayBack);
+    };
+    using Plane = document::Shape<2>;
+    const ifs::AffineMap<2> aside{0.9 * ifs::Matrix<2>::Identity(), {0.5, 0.25}};
+    row(
+        "plain", [](Plane&) {}, "", "", "");
+    row(
+        "only here",
+        [&](Plane& shape) {
+            shape.moved = {{{maps[0].id, maps[1].id}, aside}};
+        },
+        "", "", "moved branches");
+    row(
+        "here and inside it",
+        [&](Plane& shape) {
+            shape.moved = {{document::recurringWord({maps[0].id}), aside}};
+        },
+        "", "", "moved branches");
+    row(
+        "animated",
+        [&](Plane& shape) {
+            shape.animation.emplace().maps = {
+                {maps[0].id, {{0, {maps[0].map, 1.0}, {}}, {48, {maps[1].map, 1.0}, {}}}}};
+        },
+        "", "animation", "");
+    row(
+        "five corners",
+        [](Plane& shape) {
+            shape.cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {1.2, 0.7}, {0.5, 1}, {-0.2, 0.7}});
+            shape.cage->current[3] = {0.6, 1.4};
+        },
+        "corners", "", "");
+    row(
+        "linked",
+        [&](Plane& shape) {
+            shape.system.links = {{maps[0].id, maps[1].id, 0}};
+        },
+        "linked", "", "");
+}
+
+// What cannot be done, or would be lost, is said before; undo restores every bit.
+void ActionMenuTest::otherDimensionsAreOneStep() {
+    QFETCH(const document::Fractal, fractal);
+    QFETCH(const QString, obstacle);
+    QFETCH(const QString, loss);
+    QFETCH(const QString, wayBack);
+    MainWindow* window = shown({});
+    document::Document& document = window->document();
+    document.setFile(document::fileOf(fractal));
+    const auto actionOf = [window](const QString& name) {
+        const QList<QAction*> all = window->findChildren<QAction*>();
+        return *std::ranges::find_if(
+            all, [&](const QAction* action) { return action->text().remove(u'&') == name; });
+    };
+    QAction* lift = actionOf(QStringLiteral("Lift to Space"));
+    QAction* flatten = actionOf(QStringLiteral("Flatten to the Plane"));
+    const auto tells = [](const QAction* action, const QString& what) {
+        return action->statusTip().contains(what) && action->toolTip().contains(what);
+    };
+    QCOMPARE(lift->isEnabled(), obstacle.isEmpty());
+    QVERIFY2(tells(lift, obstacle + loss), qPrintable(lift->statusTip()));
+    lift->trigger();
+    QCOMPARE(document.undoStack()->count(), obstacle.isEmpty() ? 1 : 0);
+    if (!obstacle.isEmpty()) return;
+    const document::Fractal solid = document.entryFractal();
+    QVERIFY(document::space(solid) && !document::animationFacts(solid));
+    QCOMPARE(document::space(solid)->moved.size(), document::plane(fractal)->moved.size());
+    QVERIFY(loss.isEmpty() || window->statusBar()->currentMessage().contains(loss));
+    QVERIFY(!lift->statusTip().contains(QStringLiteral("left out"))); // it is gone
+    QCOMPARE(flatten->isEnabled(), wayBack.isEmpty());
+    QVERIFY2(tells(flatten, wayBack), qPrintable(flatten->statusTip()));
+    flatten->trigger();
+    QCOMPARE(document.undoStack()->count(), wayBack.isEmpty() ? 2 : 1);
+    if (wayBack.isEmpty()) {
+        QVERIFY(loss.isEmpty() ? document::isSameSystem(document.entryFractal(), fractal)
+                               : document::plane(document.entryFractal()) != nullptr);
+        document.undoStack()->undo();
+        QVERIFY(document.entryFractal() == solid);
+    }
+    document.undoStack()->undo();
+    QVERIFY(document.entryFractal() == fractal);
+    QVERIFY2(tells(lift, loss), qPrintable(lift->statusTip()));
+    document.undoStack()->redo();
+    QVERIFY(document.entryFractal() == solid);
+    document.undoStack()->setClean();
 }
 
 QTEST_MAIN(ActionMenuTest)

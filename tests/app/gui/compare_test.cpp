@@ -36,6 +36,9 @@ private slots:
     void entriesComeAndGo();
     void solidsAreCompared();
     void branchesOfBothAreDragged();
+    void waysOfTheWindowHoldForBoth();
+    void undoKeepsTheBranchInBoth_data();
+    void undoKeepsTheBranchInBoth();
 
 private:
     document::Document& document() { return m_window->document(); }
@@ -352,6 +355,110 @@ void CompareTest::branchesOfBothAreDragged() {
     QVERIFY(*document().file().entries[1].fractal == before);
     QTest::keyClick(other, Qt::Key_Escape);
     QVERIFY(choice.branch().empty() && isNamed(u"no branch selected"_s));
+}
+
+// Which axis is up, and whether a drag of maps may lose the attractor, chosen before or while they are
+// compared.
+void CompareTest::waysOfTheWindowHoldForBoth() {
+    const QByteArray solid = " (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 .5 .5 .5 1\n"
+                             " .5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n}\n";
+    open("a" + solid + "b" + solid);
+    const auto choose = [this](const QString& name) {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text().remove(u'&') == name) return action->trigger();
+        QFAIL(qPrintable(name));
+    };
+    choose(u"Z Up"_s);
+    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(pane()->isVisible() && pane()->space()->isVisible());
+    view::SpaceView* own = m_window->findChild<Stage*>()->space();
+    view::SpaceView* other = pane()->space();
+    QCOMPARE(other->navigation().upAxis(), attractor::UpAxis::Z);
+    pane()->setViewsLinked(true);
+    choose(u"Z Up"_s);
+    QCOMPARE(other->navigation().upAxis(), attractor::UpAxis::Y);
+    const auto turned = own->navigation().camera().orientation.coeffs();
+    QVERIFY(other->navigation().camera().orientation.coeffs() == turned);
+    other->navigation().orbit(other->navigation().camera(), other->navigation().camera().target, 30, 10);
+    QVERIFY(own->navigation().camera().orientation.coeffs() ==
+            other->navigation().camera().orientation.coeffs());
+    // The corner of a map goes as far as it is pulled where that is allowed.
+    canvas()->setTool(view::CanvasView::Tool::Maps);
+    QTRY_COMPARE(other->mapItem().count(), std::size_t(5));
+    const auto isStopped = [&] {
+        const QPoint middle = other->mapItem().handle(4).toPoint();
+        const QPoint corner = other->mapItem().handle(0).toPoint();
+        const QPoint far = middle + 6 * (corner - middle);
+        QTest::mousePress(other->viewport(), Qt::LeftButton, Qt::AltModifier, corner);
+        QMouseEvent move(QEvent::MouseMove, far, other->viewport()->mapToGlobal(far), Qt::NoButton,
+                         Qt::LeftButton, Qt::AltModifier);
+        QCoreApplication::sendEvent(other->viewport(), &move);
+        const bool stopped = other->note().startsWith(u"Stopped"_s);
+        QTest::keyClick(other, Qt::Key_Escape);
+        QTest::mouseRelease(other->viewport(), Qt::LeftButton, {}, corner);
+        return stopped;
+    };
+    QVERIFY(isStopped());
+    choose(u"Allow Systems without an Attractor"_s);
+    QVERIFY(!isStopped());
+    choose(u"Allow Systems without an Attractor"_s);
+    QVERIFY(isStopped());
+    QCOMPARE(document().undoStack()->count(), 0);
+}
+
+void CompareTest::undoKeepsTheBranchInBoth_data() {
+    QTest::addColumn<bool>("isSolid");
+    QTest::addColumn<bool>("isBeside");
+    for (const bool isSolid : {false, true})
+        for (const bool isBeside : {false, true})
+            QTest::addRow("%s, %s", isSolid ? "space" : "plane", isBeside ? "beside" : "own")
+                << isSolid << isBeside;
+}
+
+// A branch that became a map of its own by a drag is the branch again, and the map again.
+void CompareTest::undoKeepsTheBranchInBoth() {
+    QFETCH(const bool, isSolid);
+    QFETCH(const bool, isBeside);
+    const QByteArray flat = " {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n .5 0 0 .5 0 .5 1\n}\n";
+    const QByteArray solid = " (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n"
+                             " .5 0 0 0 .5 0 0 0 .5 0 .5 0 1\n .5 0 0 0 .5 0 0 0 .5 0 0 .5 1\n}\n";
+    const QByteArray system = isSolid ? solid : flat;
+    open("a" + system + "b" + system);
+    toggle();
+    QTRY_VERIFY(pane()->isVisible());
+    canvas()->setTool(view::CanvasView::Tool::Branch);
+    view::CanvasView* plane = isBeside ? pane()->plane() : canvas();
+    view::SpaceView* space = isBeside ? pane()->space() : m_window->findChild<Stage*>()->space();
+    view::BranchChoice& choice = plane->tools().branchTool().choice();
+    const ifs::Word branch{1, 2};
+    choice.choose(branch);
+    const auto drag = [&] {
+        const QPoint corner =
+            isSolid ? space->mapItem().handle(1).toPoint()
+                    : plane->canvas().positionOf({view::CanvasPart::Kind::Vertex, 1, 0}).toPoint();
+        QWidget* viewport = isSolid ? space->viewport() : plane->viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, corner);
+        QTest::mouseMove(viewport, corner + QPoint(4, 4));
+        QTest::mouseMove(viewport, corner + QPoint(9, 9));
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, corner + QPoint(9, 9));
+    };
+    if (isSolid) QTRY_COMPARE(space->mapItem().count(), std::size_t(5));
+    drag();
+    QCOMPARE(document().undoStack()->count(), 1);
+    QCOMPARE(choice.branch(), ifs::Word{0});
+    drag();
+    QCOMPARE(document().undoStack()->count(), 2);
+    for (int round = 0; round < 2; ++round) {
+        document().undoStack()->undo();
+        QCOMPARE(choice.branch(), ifs::Word{0});
+        document().undoStack()->undo();
+        QCOMPARE(choice.branch(), branch);
+        document().undoStack()->redo();
+        QCOMPARE(choice.branch(), ifs::Word{0});
+        document().undoStack()->redo();
+        QCOMPARE(choice.branch(), ifs::Word{0});
+    }
+    document().undoStack()->setClean();
 }
 
 QTEST_MAIN(CompareTest)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
+#include "bars/branch_bar.h"
 #include "canvas/canvas_view.h"
 #include "desktop/clipboard.h"
 #include "document/document.h"
@@ -9,6 +10,7 @@
 
 #include <QAction>
 #include <QClipboard>
+#include <QSlider>
 #include <QTableView>
 #include <QTest>
 
@@ -19,6 +21,7 @@ class MapsConnectionsTest : public WindowFixture {
 private slots:
     void theCanvasHoldsTheSelectedRow();
     void theTableSelectsTheHeldMap();
+    void weaveSwingsAllSelectedRows();
     void deletedAndDuplicatedMapsStayInStep();
     void fourViewsHoldTheSame();
     void copyAndPasteAreOfMaps();
@@ -72,6 +75,33 @@ void MapsConnectionsTest::theTableSelectsTheHeldMap() {
     QCOMPARE(held(), std::size_t(2));
     QCOMPARE(rows(), Rows{2});
     QCOMPARE(panel()->table()->currentIndex().row(), 2);
+}
+
+void MapsConnectionsTest::weaveSwingsAllSelectedRows() {
+    showCube();
+    auto* swing = m_window->findChild<view::BranchBar*>()->swing();
+    const document::Fractal before = document().fractal();
+    const auto swungBy = [&](int degrees) {
+        swing->setSliderDown(true);
+        for (int way = 1; way <= degrees; ++way)
+            swing->setValue(way); // the table follows each
+        swing->setSliderDown(false);
+        Rows swung;
+        for (std::size_t i = 0; i < 8; ++i)
+            if (document::system3(document().fractal())->maps[i].map !=
+                document::system3(before)->maps[i].map)
+                swung.push_back(int(i));
+        return swung;
+    };
+    panel()->selectMaps({panel()->model()->idAt(2), panel()->model()->idAt(5)});
+    QCOMPARE(swungBy(8), (Rows{2, 5}));
+    QCOMPARE(document().undoStack()->count(), 1);
+    QCOMPARE(rows(), (Rows{2, 5}));
+    document().undoStack()->undo();
+    QVERIFY(document().fractal() == before);
+    press(stage()->space(), Qt::Key_3, Qt::AltModifier); // one alone
+    QCOMPARE(swungBy(8), Rows{2});
+    document().undoStack()->undo();
 }
 
 void MapsConnectionsTest::deletedAndDuplicatedMapsStayInStep() {

@@ -83,6 +83,44 @@ private slots:
         QVERIFY(window.document.fractal() == before);
     }
 
+    // Each about its own root, but for those that are locked.
+    void allSelectedMapsSwing() {
+        document::Fractal fractal = cubeOfEight();
+        const auto idOf = [&](std::size_t index) { return document::system3(fractal)->maps[index].id; };
+        auto label = fractal.mapLabels.of(idOf(1));
+        label.isLocked = true;
+        fractal.mapLabels.set(idOf(1), label);
+        Weaving window(fractal);
+        window.view->holdMap(6, {idOf(6), idOf(1), idOf(3)});
+        QCOMPARE(window.view->selectedMaps(), (std::vector<std::size_t>{1, 3, 6}));
+        const ifs::Vector<3> root = *document::rootInSpace(fractal, ifs::Vector<3>::UnitY());
+        window.pull(10);
+        QCOMPARE(window.bar.swing()->value(), 10);
+        window.letGo();
+        QCOMPARE(window.document.undoStack()->count(), 1);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const auto& was = document::system3(fractal)->maps[i].map;
+            QCOMPARE(window.system().maps[i].map == was, i != 3 && i != 6);
+            QVERIFY((window.system().maps[i].map(root) - was(root)).norm() < 1e-12);
+        }
+        window.document.undoStack()->undo();
+        QVERIFY(window.document.fractal() == fractal);
+        // Another selection ends the swing of the one before.
+        window.pull(5);
+        window.view->holdMap(6, {idOf(6)});
+        QCOMPARE(window.document.undoStack()->count(), 1);
+        QCOMPARE(window.bar.swing()->value(), 0);
+        window.letGo();
+        window.document.undoStack()->undo();
+        // Only locked ones: that is said.
+        QSignalSpy said(&window.canvas, &view::CanvasView::message);
+        window.view->holdMap(1);
+        window.pull(10);
+        QVERIFY(!said.isEmpty() && said.last().first().toString().contains(QStringLiteral("locked")));
+        QVERIFY(window.document.fractal() == fractal);
+        window.letGo();
+    }
+
     // As every drag does.
     void escapeBringsTheMapBack() {
         Weaving window;

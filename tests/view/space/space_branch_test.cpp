@@ -76,6 +76,7 @@ private slots:
     void escapeBringsTheBranchBack();
     void theKeyboardMovesTheBranch();
     void anotherEntryEndsTheDrag();
+    void undoEndsTheDrag();
     void whatCannotBeDoneIsSaid();
     void warningsComeBeforeTheHint();
     void fourViewsShowTheSameBranch();
@@ -382,6 +383,37 @@ void SpaceBranchTest::anotherEntryEndsTheDrag() {
     window.send(QEvent::MouseButtonRelease, corner + QPointF(20, 9), Qt::LeftButton);
     QVERIFY(window.document.fractal() == cubeOfEight());
     QVERIFY(window.choice.address().empty());
+}
+
+// Undone in the middle of the next drag, which fingers can hold while a key is pressed, the first one gives
+// back its branch, and nothing of the other stays.
+void SpaceBranchTest::undoEndsTheDrag() {
+    BranchWindow window;
+    QVERIFY(window.rests());
+    window.clickTheFace();
+    const document::Fractal before = window.document.fractal();
+    const QPointF corner = window.held().handle(2);
+    window.drag(corner, corner + QPointF(9, 9));
+    QCOMPARE(window.choice.branch(), Word{0});
+    window.choice.choose({2, 1});
+    const QPointF other = window.held().handle(2);
+    for (const bool isMovedOn : {true, false}) {
+        window.send(QEvent::MouseButtonPress, other, Qt::LeftButton);
+        window.send(QEvent::MouseMove, other + QPointF(9, 9), Qt::LeftButton);
+        QCOMPARE(window.choice.branch(), Word{0});
+        window.document.undoStack()->undo();
+        QVERIFY(window.document.fractal() == before);
+        const qsizetype said = window.said.count();
+        if (isMovedOn) window.send(QEvent::MouseMove, other + QPointF(20, 9), Qt::LeftButton);
+        window.send(QEvent::MouseButtonRelease, other + QPointF(20, 9), Qt::LeftButton);
+        QVERIFY(window.document.fractal() == before);
+        QCOMPARE(window.choice.branch(), (Word{3, 5}));
+        QVERIFY(!window.choice.before());
+        QCOMPARE(window.said.count(), said); // no map was made
+        window.document.undoStack()->redo();
+        QCOMPARE(window.choice.branch(), Word{0});
+        window.choice.choose({2, 1});
+    }
 }
 
 void SpaceBranchTest::whatCannotBeDoneIsSaid() {

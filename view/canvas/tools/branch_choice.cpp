@@ -16,6 +16,13 @@ namespace {
 constexpr std::size_t maxChosen = 200; // a hundred drags
 constexpr int notch = 120;             // of a wheel, in eighths of a degree
 
+// What was chosen in that fractal; empty: it is not known.
+ifs::Word knownIn(const auto& chosen, const std::shared_ptr<const document::Fractal>& fractal) {
+    const auto known =
+        std::ranges::find_if(chosen, [&](const auto& each) { return each.fractal.lock() == fractal; });
+    return known == chosen.end() ? ifs::Word() : known->address;
+}
+
 } // namespace
 
 BranchChoice::BranchChoice(document::Document& document) : m_document(document) {
@@ -28,11 +35,9 @@ void BranchChoice::follow(const document::Change& change) {
     if (isAnother) m_before.reset(); // a drag has ended with its entry
     if (!(isAnother || change.parts & Change::System) || m_before) return;
     if (change.parts & Change::Time && !isAnother) return; // the same maps, elsewhere
-    const auto now = m_document.sharedFractal();
-    const auto known =
-        std::ranges::find_if(m_chosen, [&](const Chosen& chosen) { return chosen.fractal.lock() == now; });
-    if (known == m_chosen.end() && m_address.empty()) return;
-    choose(known == m_chosen.end() ? ifs::Word() : known->address);
+    const ifs::Word known = knownIn(m_chosen, m_document.sharedFractal());
+    if (known.empty() && m_address.empty()) return;
+    choose(known);
     emit announced();
 }
 
@@ -95,7 +100,10 @@ void BranchChoice::showDragged(bool hasMoved) {
 }
 
 void BranchChoice::cancelDrag() {
-    if (std::exchange(m_before, nullptr)) choose(m_addressAtPress);
+    const auto before = std::exchange(m_before, nullptr);
+    if (!before) return;
+    const auto now = m_document.sharedFractal();
+    choose(*now == *before ? m_addressAtPress : knownIn(m_chosen, now)); // undo may have ended it
 }
 
 bool BranchChoice::endDrag() {
