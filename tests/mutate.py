@@ -5,7 +5,7 @@
 What docs/testing.md lists as making no difference to any result is not counted: a mutant that nobody could catch. A
 copy of the tree is built below build/mutate; the tree itself is not touched. A mutant is caught when a test fails,
 crashes or takes far too long. Only tests that link the changed file are asked, until one fails: first the test of the
-file's own name, then the others of its folder, the quick ones before the slow ones.
+file's own name, then those of its folder, then the others of the library, the quick ones before the slow ones.
 """
 import argparse
 import json
@@ -22,7 +22,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "build" / "mutate"
 BUILD = COPY / "build" / "release"  # as in the tree, so that a compiler cache serves both
-FOLDERS = {"model/ifs": ["ifs"], "model/io": ["io", "app"]}  # of the sources, of their tests
+# Of the sources, of their tests.
+FOLDERS = {"model/ifs": ["ifs"], "model/attractor": ["attractor"], "model/animation": ["animation"],
+           "model/collage": ["collage"], "model/document": ["document"], "model/io": ["io", "app"]}
 
 NEGATED = {"<": ">=", ">=": "<", ">": "<=", "<=": ">", "==": "!=", "!=": "=="}
 SIGNS = {"+": "-", "-": "+", "+=": "-=", "-=": "+="}
@@ -124,8 +126,11 @@ class Judge:
         except subprocess.TimeoutExpired:
             return False
 
-    def verdict(self, stem):
-        for test in sorted(self.tests, key=lambda test: (test.name != stem + "_test", self.seconds[test])):
+    def verdict(self, name):
+        source = Path(name)
+        near = {path.stem for path in (ROOT / "tests").rglob(f"{source.parent.name}/*_test.cpp")}
+        nearest = lambda test: (test.name != source.stem + "_test", test.name not in near, self.seconds[test])
+        for test in sorted(self.tests, key=nearest):
             if self.build([test]) != 0:
                 return "does not compile"
             if not self.passes(test, 20 + 10 * self.seconds[test]):
@@ -135,7 +140,7 @@ class Judge:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("files", nargs="*", help="sources (all of model/ifs and model/io without)")
+    parser.add_argument("files", nargs="*", help="sources (all of model/ without)")
     parser.add_argument("--sample", type=int, help="so many mutants, chosen at random")
     parser.add_argument("--minutes", type=float, default=math.inf, help="begin no mutant after that")
     parser.add_argument("--seed", type=int, default=1)
@@ -164,7 +169,7 @@ def main():
         was, shown = (version.splitlines()[line - 1].strip() for version in (text, changed))
         try:
             (COPY / name).write_text(changed)
-            verdict = "makes no difference" if (name, was, shown) in harmless else judge.verdict(Path(name).stem)
+            verdict = "makes no difference" if (name, was, shown) in harmless else judge.verdict(name)
         finally:
             (COPY / name).write_text(text)
         counts[verdict] += 1

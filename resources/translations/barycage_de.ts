@@ -6136,7 +6136,7 @@
     </message>
     <message>
         <source>&amp;Weave</source>
-        <translation>&amp;Weben</translation>
+        <translation>&amp;Wiegen</translation>
     </message>
     <message>
         <source>Angle by which the selected maps swing about their roots</source>
@@ -13470,7 +13470,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Weave</source>
-        <translation>Weben</translation>
+        <translation>Wiegen</translation>
     </message>
     <message>
         <source>Add Motion</source>

@@ -25,14 +25,17 @@ template <class Cell> void CellSums::reset(std::vector<Counters<Cell>>& all, std
     }
 }
 
-void CellSums::reset(CellKind kind, const CellWindow& window, std::size_t threads) {
+void CellSums::reset(CellKind kind, const CellWindow& window, std::size_t threads,
+                     std::span<const ColourCell> layers) {
     m_kind = kind;
     m_window = window;
+    m_layerColours.assign(layers.begin(), layers.end());
     reset(m_counts, kind == CellKind::Count ? threads : 0);
-    reset(m_colours, kind == CellKind::Colour ? threads : 0);
+    reset(m_layers, threads * layers.size());
+    reset(m_colours, kind == CellKind::Colour && layers.empty() ? threads : 0);
     m_carriedCounts = {};
     m_carriedColours.clear();
-    m_carriedColours.resize(m_colours.size());
+    m_carriedColours.resize(kind == CellKind::Colour ? threads : 0);
 }
 
 template <class Cell> void CellSums::clear(Cell* cells, int tileRow, int tileColumn) const {
@@ -90,13 +93,34 @@ void CellSums::carryOverColours(std::size_t thread) {
 }
 
 void CellSums::carryOverCounts() {
-    m_carriedCounts.resize(m_window.cells());
+    if (!m_counts.empty()) m_carriedCounts.resize(m_window.cells());
     for (std::size_t thread = 0; thread < m_counts.size(); ++thread) {
         const std::uint32_t* const cells = counts(thread);
         for (std::size_t i = 0; i < m_carriedCounts.size(); ++i)
             m_carriedCounts[i] += cells[i];
         forget(m_counts[thread]);
     }
+    for (std::size_t k = 0; k < m_layers.size(); ++k) {
+        std::vector<Sum>& carried = m_carriedColours.front();
+        carried.resize(m_window.cells());
+        const ColourCell& colour = m_layerColours[k % m_layerColours.size()];
+        const std::uint32_t* const cells = touch(m_layers[k], all());
+        for (std::size_t i = 0; i < carried.size(); ++i)
+            carried[i].add(cells[i], colour);
+        forget(m_layers[k]);
+    }
+}
+
+template <class Work> bool CellSums::forLayers(int row, Work work) const {
+    bool any = false;
+    for (std::size_t k = 0; k < m_layers.size(); ++k) {
+        const ColourCell& colour = m_layerColours[k % m_layerColours.size()];
+        any |=
+            forTouched(m_layers[k], row, [&](std::size_t first, std::size_t end, const std::uint32_t* cells) {
+                work(first, cells, end - first, colour);
+            });
+    }
+    return any;
 }
 
 CellSums::Pieces CellSums::pieces(int row) const {
@@ -141,6 +165,10 @@ bool CellSums::samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t
                                   add(first, end - first, [cells](std::size_t i) { return cells[i]; });
                               });
         if (carried()) add(0, width, [&](std::size_t i) { return m_carriedCounts[start + i]; });
+        any |= forLayers(row,
+                         [&](std::size_t first, const std::uint32_t* cells, std::size_t count, const auto&) {
+                             add(first, count, [cells](std::size_t i) { return cells[i]; });
+                         });
         for (const auto& counters : m_colours)
             any |=
                 forTouched(counters, row, [&](std::size_t first, std::size_t end, const ColourCell* cells) {
@@ -164,6 +192,11 @@ bool CellSums::sumsOfRow(int row, std::vector<Sum>& sums) const {
             sums[x] += cells[x - first];
         }
     };
+    any |= forLayers(
+        row, [&](std::size_t first, const std::uint32_t* cells, std::size_t count, const ColourCell& colour) {
+            for (std::size_t i = 0; i < count; ++i)
+                sums[first + i].add(cells[i], colour);
+        });
     for (const auto& counters : m_colours)
         any |= forTouched(counters, row, add);
     for (const auto& carried : m_carriedColours) {

@@ -20,8 +20,13 @@ enum class CellKind { Count, Colour };
 // nobody has asked for are passed over by all that read.
 class CellSums {
 public:
-    // Zero everywhere; memory of an earlier use is kept where it fits.
-    void reset(CellKind kind, const CellWindow& window, std::size_t threads);
+    // Of so many colours at most it takes no more memory to count the samples of each than to add up colours.
+    static constexpr std::size_t maxLayers = sizeof(ColourCell) / sizeof(std::uint32_t);
+
+    // Zero everywhere; memory of an earlier use is kept where it fits. CellKind::Colour: where there are but
+    // few colours, at most maxLayers, samples are counted in a layer for each.
+    void reset(CellKind kind, const CellWindow& window, std::size_t threads,
+               std::span<const ColourCell> layers = {});
 
     CellKind kind() const { return m_kind; }
     const CellWindow& window() const { return m_window; }
@@ -32,13 +37,21 @@ public:
     std::uint32_t* counts(std::size_t thread, const CellRegion& region) {
         return touch(m_counts[thread], region);
     }
+    bool layered() const { return !m_layerColours.empty(); }
+    std::uint32_t* layer(std::size_t thread, std::size_t layer) {
+        return touch(m_layers[thread * m_layerColours.size() + layer], all());
+    }
+    std::uint32_t* layer(std::size_t thread, std::size_t layer, const CellRegion& region) {
+        return touch(m_layers[thread * m_layerColours.size() + layer], region);
+    }
+    // Unless there are layers.
     ColourCell* colours(std::size_t thread) { return touch(m_colours[thread], all()); }
     ColourCell* colours(std::size_t thread, const CellRegion& region) {
         return touch(m_colours[thread], region);
     }
 
     void carryOverColours(std::size_t thread); // thread-safe for different threads
-    void carryOverCounts();                    // all threads' counters
+    void carryOverCounts();                    // all threads' counters, those of layers too
 
     // Whether the 32-bit counters are all there is.
     bool carried() const { return !m_carriedCounts.empty(); }
@@ -67,6 +80,13 @@ public:
             green += other.green;
             blue += other.blue;
             return *this;
+        }
+        // So many samples of a colour.
+        void add(std::uint32_t count, const ColourCell& colour) {
+            samples += count;
+            red += std::uint64_t{count} * colour.red;
+            green += std::uint64_t{count} * colour.green;
+            blue += std::uint64_t{count} * colour.blue;
         }
     };
     // Row `row` of the window: one value per column, sums over all threads. False where all are zero.
@@ -105,6 +125,8 @@ private:
                static_cast<std::size_t>(tileColumn);
     }
     template <class Cell> void reset(std::vector<Counters<Cell>>& all, std::size_t threads) const;
+    // work(first column, cells from there on, their number, colour) for what has been touched of a row.
+    template <class Work> bool forLayers(int row, Work work) const;
     template <class Cell> void forget(Counters<Cell>& counters) const;
     template <class Cell> Cell* touch(Counters<Cell>& counters, const CellRegion& region) const;
     template <class Cell> void clear(Cell* cells, int tileRow, int tileColumn) const;
@@ -116,6 +138,8 @@ private:
     CellWindow m_window;
     std::vector<Counters<std::uint32_t>> m_counts;
     std::vector<std::uint64_t> m_carriedCounts;
+    std::vector<ColourCell> m_layerColours;
+    std::vector<Counters<std::uint32_t>> m_layers; // of each thread those of every layer
     std::vector<Counters<ColourCell>> m_colours;
     std::vector<std::vector<Sum>> m_carriedColours;
 };

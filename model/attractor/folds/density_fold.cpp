@@ -70,6 +70,11 @@ bool DensityFold::complete(const std::stop_token& stop) {
     }
 }
 
+std::span<const ColourCell> DensityFold::layers() const {
+    const std::span<const ColourCell> colours = prepared().mapColours();
+    return colours.size() <= CellSums::maxLayers ? colours : std::span<const ColourCell>();
+}
+
 CutSettings DensityFold::cutSettings() const {
     const RenderRequest& request = prepared().request();
     const PreparedSystem& system = prepared().system();
@@ -292,6 +297,10 @@ void DensityFold::countWord(std::uint32_t k, std::size_t place, std::uint64_t co
         return;
     }
     const Word& word = shown.word;
+    if (sums().layered()) {
+        splat(shown, samples, count, window, sums().layer(thread, word.firstMap, cells));
+        return;
+    }
     const ColourCell& colour = prepared().colourOf(word.firstMap, word.addressCoordinate);
     if (splat(shown, samples, count, window, colour, sums().colours(thread, cells)))
         sums().carryOverColours(thread);
@@ -302,11 +311,16 @@ void DensityFold::plotExactly(std::uint32_t k, const SampleSet& samples, std::ui
                               std::size_t thread) {
     const Word& word = m_cut->words[k];
     const ifs::AffineMap<2>& map = m_cut->exact[k - m_cut->firstExact];
+    std::uint32_t* const layer = sums().layered() ? sums().layer(thread, word.firstMap) : nullptr;
     const ColourCell* colour =
         prepared().coloured() ? &prepared().colourOf(word.firstMap, word.addressCoordinate) : nullptr;
     for (std::uint64_t n = 0; n < count; ++n) {
         const std::size_t at = word.offset + static_cast<std::size_t>(n % SampleSet::size);
-        plot(map({samples.x[at], samples.y[at]}), colour, thread);
+        const ifs::Vector<2> x = map({samples.x[at], samples.y[at]});
+        if (layer == nullptr)
+            plot(x, colour, thread);
+        else if (const auto cell = cellOf(x))
+            ++layer[*cell];
     }
 }
 

@@ -40,6 +40,9 @@ public:
     using SumFold::sums; // what other parts have gathered may be added
     double measure() const override { return m_cut ? m_cut->probability : 1; }
 
+protected:
+    std::span<const ColourCell> layers() const override;
+
 private:
     // A run of m_order, or a part of a single word with very many samples.
     struct Job {

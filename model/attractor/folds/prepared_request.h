@@ -35,6 +35,9 @@ public:
         return m_colours.of(map, addressCoordinate);
     }
 
+    // Those of the maps that take part, where samples have the colour of their map.
+    std::span<const ColourCell> mapColours() const { return m_colours.ofMaps(); }
+
 private:
     ifs::Placement placement();
     void makeColours();

@@ -12,7 +12,8 @@ void SumFold::start(Workers& workers) {
 }
 
 void SumFold::rewind(const CellWindow& window) {
-    m_sums.reset(m_prepared.coloured() ? CellKind::Colour : CellKind::Count, window, m_workers->size());
+    m_sums.reset(m_prepared.coloured() ? CellKind::Colour : CellKind::Count, window, m_workers->size(),
+                 layers());
     m_remaining = 0;
     m_drawn = 0;
     m_sinceCarry = 0;
@@ -24,26 +25,32 @@ void SumFold::settle(std::uint64_t samples, std::uint64_t drawn) {
 }
 
 void SumFold::makeRoomFor(std::uint64_t samples) {
-    if (m_prepared.coloured() || m_sinceCarry + samples < std::uint64_t{1} << 32) return;
+    if ((m_prepared.coloured() && !m_sums.layered()) || m_sinceCarry + samples < std::uint64_t{1} << 32)
+        return;
     m_sums.carryOverCounts();
     m_sinceCarry = 0;
 }
 
-void SumFold::plot(const ifs::Vector<2>& x, const ColourCell* colour, std::size_t thread) {
+std::optional<std::size_t> SumFold::cellOf(const ifs::Vector<2>& x) const {
     const Projection& projection = m_prepared.projection();
     const ifs::Vector<2> position = projection.cell(projection.cage(x));
     const CellWindow& window = m_sums.window();
     if (!(position.x() >= 0 && position.x() < window.width && position.y() >= window.firstRow &&
           position.y() < window.endRow))
-        return;
-    const std::size_t cell = static_cast<std::size_t>(static_cast<int>(position.y()) - window.firstRow) *
-                                 static_cast<std::size_t>(window.width) +
-                             static_cast<std::size_t>(position.x());
+        return std::nullopt;
+    return static_cast<std::size_t>(static_cast<int>(position.y()) - window.firstRow) *
+               static_cast<std::size_t>(window.width) +
+           static_cast<std::size_t>(position.x());
+}
+
+void SumFold::plot(const ifs::Vector<2>& x, const ColourCell* colour, std::size_t thread) {
+    const auto cell = cellOf(x);
+    if (!cell) return;
     if (colour == nullptr) {
-        ++m_sums.counts(thread)[cell];
+        ++m_sums.counts(thread)[*cell];
         return;
     }
-    ColourCell& sum = m_sums.colours(thread)[cell];
+    ColourCell& sum = m_sums.colours(thread)[*cell];
     sum.samples += 1;
     sum.red += colour->red;
     sum.green += colour->green;

@@ -42,7 +42,11 @@ protected:
     // Before at most so many more samples are counted: no counter will wrap.
     void makeRoomFor(std::uint64_t samples);
     void counted(std::uint64_t samples) { m_sinceCarry += samples; }
-    // Counts one point of the code, with its colour where samples have one.
+    // The colours of all samples where there are few enough to count each on its own; see CellSums.
+    virtual std::span<const ColourCell> layers() const { return {}; }
+    // The cell of a point of the code, if it is in the window.
+    std::optional<std::size_t> cellOf(const ifs::Vector<2>& x) const;
+    // Counts one point of the code, with its colour where samples have one; not in layers.
     void plot(const ifs::Vector<2>& x, const ColourCell* colour, std::size_t thread);
 
     void forgetExposure() { m_exposure.reset(); }

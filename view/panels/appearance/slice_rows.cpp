@@ -62,7 +62,7 @@ void SliceRows::makeRows(QFormLayout* form, QWidget* parent) {
            "Drag the plane by the handle at its centre."));
     m_kind->addItem(tr("Whole"), int(Kind::Whole));
     m_kind->addItem(tr("Half"), int(Kind::Half));
-    m_kind->addItem(tr("Slice"), int(Kind::Slice));
+    m_kind->addItem(tr("Thin slice"), int(Kind::Slice));
     connect(m_kind, &QComboBox::activated, this,
             [this] { choose(static_cast<Kind>(m_kind->currentData().toInt())); });
     form->addRow(tr("Slice"), m_kind);
