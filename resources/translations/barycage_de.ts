@@ -12177,6 +12177,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>The direction perpendicular to the plane</source>
         <translation>Die Richtung senkrecht zur Ebene</translation>
     </message>
+    <message>
+        <source>Thin slice</source>
+        <translation>Scheibe</translation>
+    </message>
 </context>
 <context>
     <name>view::SnapshotDelegate</name>

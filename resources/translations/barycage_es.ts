@@ -12177,6 +12177,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>The direction perpendicular to the plane</source>
         <translation>La dirección perpendicular al plano</translation>
     </message>
+    <message>
+        <source>Thin slice</source>
+        <translation>Rodaja</translation>
+    </message>
 </context>
 <context>
     <name>view::SnapshotDelegate</name>

@@ -12177,6 +12177,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>The direction perpendicular to the plane</source>
         <translation>La direction perpendiculaire au plan</translation>
     </message>
+    <message>
+        <source>Thin slice</source>
+        <translation>Tranche fine</translation>
+    </message>
 </context>
 <context>
     <name>view::SnapshotDelegate</name>

@@ -12207,6 +12207,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>The direction perpendicular to the plane</source>
         <translation>Насоката нормална на рамнината</translation>
     </message>
+    <message>
+        <source>Thin slice</source>
+        <translation>Тенок слој</translation>
+    </message>
 </context>
 <context>
     <name>view::SnapshotDelegate</name>
