@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <random>
 
@@ -82,6 +83,48 @@ private slots:
             QVERIFY(row == columns);
             sums.counts(0)[0] = 99; // makes all of the memory dirty
             std::fill_n(sums.counts(1), window.cells(), 99U);
+        }
+    }
+
+    void layersAddUpToColours() {
+        const std::array<ColourCell, 3> colours{{{1, 4095, 0, 17}, {1, 3, 4095, 4095}, {1, 0, 0, 1}}};
+        std::mt19937 random(7);
+        CellSums sums;
+        for (int round = 0; round < 6; ++round) {
+            const CellWindow window{500 + int(random() % 100), 3, 60};
+            sums.reset(CellKind::Colour, window, 2, colours);
+            QVERIFY(sums.layered());
+            std::vector<CellSums::Sum> expected(window.cells());
+            for (int n = 0; n < 9; ++n) {
+                const int x = int(random() % 400);
+                const int y = window.firstRow + int(random() % 30);
+                const std::size_t layer = random() % colours.size();
+                std::uint32_t* const counts = sums.layer(random() % 2, layer, {x, x + 90, y, y + 20});
+                for (int row = y; row < y + 20; ++row)
+                    for (int column = x; column < x + 90; ++column) {
+                        const auto cell = std::size_t((row - window.firstRow) * window.width + column);
+                        counts[cell] += 1'000'000'000; // whose sums of colours need 64 bits
+                        expected[cell].samples += 1'000'000'000;
+                        expected[cell].red += 1'000'000'000ULL * colours[layer].red;
+                        expected[cell].green += 1'000'000'000ULL * colours[layer].green;
+                        expected[cell].blue += 1'000'000'000ULL * colours[layer].blue;
+                    }
+                if (n % 3 == 2) sums.carryOverCounts(); // three times at most, a counter holds
+            }
+            std::vector<CellSums::Sum> row;
+            std::vector<std::uint64_t> samples;
+            for (int y = 0; y < window.endRow - window.firstRow; ++y) {
+                sums.sumsOfRow(y, row);
+                sums.samplesOfRow(y, samples);
+                for (std::size_t x = 0; x < row.size(); ++x) {
+                    const CellSums::Sum& wanted = expected[std::size_t(y * window.width) + x];
+                    QCOMPARE(samples[x], wanted.samples);
+                    QCOMPARE(row[x].samples, wanted.samples);
+                    QCOMPARE(row[x].red, wanted.red);
+                    QCOMPARE(row[x].green, wanted.green);
+                    QCOMPARE(row[x].blue, wanted.blue);
+                }
+            }
         }
     }
 

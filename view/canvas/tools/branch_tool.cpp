@@ -119,6 +119,10 @@ PolygonTool::Shown BranchTool::preview(const std::function<DragResult(double)>& 
     return shown;
 }
 
+void BranchTool::abandoned() {
+    m_choice.cancelDrag();
+}
+
 void BranchTool::ended() {
     MapsTool::ended();
     if (m_choice.endDrag()) { // the table shows the map that it is now

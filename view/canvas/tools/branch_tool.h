@@ -29,6 +29,7 @@ protected:
     Shown preview(const std::function<DragResult(double)>& resultAt) override;
     void pressed(const CanvasPart&, Qt::KeyboardModifiers) override {}
     void clicked(const CanvasPart& part, const Pointer& pointer) override;
+    void abandoned() override;
     void ended() override;
 
 private:

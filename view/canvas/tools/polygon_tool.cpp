@@ -145,6 +145,7 @@ void PolygonTool::turnInto(PolygonDrag::Mode mode) {
 
 void PolygonTool::dragTo(const Pointer& pointer) {
     if (!m_gesture || !m_gesture->isOpen()) { // the document has moved on without us
+        settle();
         end();
         m_state = State::Cancelled;
         return;
@@ -222,17 +223,26 @@ void PolygonTool::selectClicked(std::size_t item, Qt::KeyboardModifiers modifier
 void PolygonTool::release(const Pointer& pointer) {
     if (m_state == State::Nudging) return;
     const bool click = m_state == State::Pressed;
-    if (m_state == State::Dragging && m_gesture) m_gesture->commit();
+    if (m_state == State::Dragging) settle();
     end();
     if (click) clicked(m_part, pointer);
     selection().setHovered(m_scene.partAt(pointer.position, pointer.reach));
     emit cursorChanged();
 }
 
+// Undo may have ended the gesture in the middle.
+void PolygonTool::settle() {
+    if (!m_gesture) return;
+    if (m_gesture->isOpen())
+        m_gesture->commit();
+    else
+        abandoned();
+}
+
 // Leaves nothing of a gesture behind; what has been previewed and not committed goes.
 void PolygonTool::end() {
     const CanvasScene::Batch batch(m_scene);
-    if (m_state == State::Nudging && m_gesture) m_gesture->commit();
+    if (m_state == State::Nudging) settle();
     m_gesture.reset();
     m_released.stop();
     m_state = State::Idle;

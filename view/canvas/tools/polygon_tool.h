@@ -58,7 +58,8 @@ protected:
     virtual Shown preview(const std::function<DragResult(double)>& resultAt) = 0;
     virtual void pressed(const CanvasPart&, Qt::KeyboardModifiers) {} // perhaps to be dragged
     virtual void clicked(const CanvasPart&, const Pointer&) {}        // pressed and let go where it was
-    virtual void ended() {}                                           // nothing is held any more
+    virtual void abandoned() {} // undone in the middle; ended() comes next
+    virtual void ended() {}     // nothing is held any more
 
     // What of the polygons can be selected, by numbers of the tool's own: by a rectangle drawn from the empty
     // canvas, and by clicks. nullopt: nothing can.
@@ -98,6 +99,7 @@ private:
     void hover(const CanvasPart& part);
     double show(const std::function<DragResult(double)>& resultAt);
     void describe(const DragResult& result);
+    void settle();
     void end();
     void nudge(const CanvasPart& part, const QPointF& direction, Qt::KeyboardModifiers modifiers);
     void keepNudging(quint64 stamp);

@@ -217,6 +217,30 @@ private slots:
         QVERIFY(scene().handles().branch().empty()); // another system has other branches
     }
 
+    // With the keyboard, while the pointer holds the branch.
+    void undoEndsTheDrag() {
+        const document::Fractal before = m_document->fractal();
+        click(pointOf({1, 2, 0, 2}));
+        drag(at({Kind::Vertex, 0, 0}), {9, -12});
+        for (const bool isMovedOn : {true, false}) {
+            QCOMPARE(scene().handles().branch(), (Word{0}));
+            m_canvas->tools().branchTool().choice().choose({2, 1});
+            const QPointF corner = at({Kind::Vertex, 0, 0});
+            press(corner);
+            move(corner + QPointF(9, -12));
+            m_document->undoStack()->undo();
+            QVERIFY(m_document->fractal() == before);
+            QSignalSpy said(m_canvas.get(), &CanvasView::message);
+            if (isMovedOn) move(corner + QPointF(20, -12));
+            release(corner + QPointF(20, -12));
+            QVERIFY(m_document->fractal() == before);
+            QCOMPARE(scene().handles().branch(), (Word{1, 2}));
+            QVERIFY(!m_canvas->tools().branchTool().choice().before());
+            QCOMPARE(said.size(), 0); // no map was made
+            m_document->undoStack()->redo();
+        }
+    }
+
     void escapeLetsTheBranchGo() {
         click(pointOf({1, 2, 0, 2}));
         QCOMPARE(scene().handles().branch(), (Word{1, 2}));
