@@ -168,6 +168,9 @@ QWidget* BranchBar::makeSwing() {
     layout->addWidget(m_swingHint, 1);
     connect(m_swing, &QSlider::valueChanged, this, &BranchBar::swingTo);
     connect(m_swing, &QSlider::sliderReleased, this, &BranchBar::endSwing);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(1000);
+    connect(&m_pause, &QTimer::timeout, this, &BranchBar::endSwing);
     return row;
 }
 
@@ -305,14 +308,18 @@ void BranchBar::swingTo(int degrees) {
     const QSignalBlocker quiet(m_swing);
     m_swing->setValue(degrees);
     follow();
+    if (m_swing->isSliderDown()) return;
     // A wheel over it ends here; the canvas goes on saying why it stopped.
-    if (!m_swing->isSliderDown() && !m_swing->hasFocus()) {
+    if (!m_swing->hasFocus()) {
         m_swinging.commit();
         centre();
+        return;
     }
+    m_pause.start();
 }
 
 void BranchBar::giveUpSwing() {
+    m_pause.stop();
     m_isGivenUp = m_swing->isSliderDown();
     m_swinging.cancel();
     m_canvas->tools().mapsTool().dismissStop();
@@ -320,6 +327,7 @@ void BranchBar::giveUpSwing() {
 }
 
 void BranchBar::endSwing() {
+    m_pause.stop();
     m_isGivenUp = false;
     if (m_swinging.isOpen()) m_canvas->tools().mapsTool().dismissStop();
     m_swinging.commit();
@@ -333,7 +341,13 @@ void BranchBar::centre() {
 }
 
 bool BranchBar::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_swing && event->type() == QEvent::FocusOut) endSwing();
+    // A click beside the knob moves it without holding it.
+    const bool isClicked = event->type() == QEvent::MouseButtonRelease && !m_swing->isSliderDown();
+    if (watched == m_swing && (isClicked || event->type() == QEvent::FocusOut)) endSwing();
+    // What is undone then is the swing.
+    if (watched == m_swing && event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
+        endSwing();
     // Esc would be a shortcut of the window otherwise.
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     if (watched == m_swing && isKey && m_swinging.isOpen() &&

@@ -5,6 +5,7 @@
 #include "document/edits/live_edit.h"
 
 #include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 #include <functional>
@@ -79,6 +80,7 @@ private:
     QString m_hintInSpace;
     const SpaceView* m_space = nullptr;
     document::LiveEdit m_swinging;
+    QTimer m_pause;           // after which a swing by keyboard is done with
     bool m_isGivenUp = false; // while the slider is still held
 };
 

@@ -118,6 +118,12 @@ template <typename Fits> bool hasEach(const QStringList& words, const QStringLis
 
 } // namespace
 
+// The whole name, without the menus and panels that lead to it.
+bool isCommand(const QString& path, const QString& text) {
+    const QStringList words = wordsOf(path.section(QStringLiteral(" › "), -1));
+    return words.join(u' ').compare(wordsOf(text).join(u' '), Qt::CaseInsensitive) == 0;
+}
+
 bool matchesCommand(const QString& title, const QString& text) {
     return hasEach(wordsOf(title), wordsOf(text), [](const QString& word, const QString& wanted) {
         return word.startsWith(wanted, Qt::CaseInsensitive);
@@ -202,7 +208,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
 void CommandPalette::filter(const QString& text) {
     m_model->clear();
     for (const bool enabled : {true, false})
-        for (const SearchIn in : {SearchIn::Words, SearchIn::Names})
+        for (const SearchIn in : {SearchIn::Whole, SearchIn::Words, SearchIn::Names})
             if (enabled || !text.isEmpty()) add(text, in, enabled);
     for (const bool enabled : {true, false})
         if (!text.isEmpty()) add(text, SearchIn::Descriptions, enabled);
@@ -219,15 +225,19 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
         if (action->isEnabled() != enabled) continue;
-        const SearchIn found = namesCommand(title, text)     ? SearchIn::Words
+        const SearchIn found = isCommand(title, text)        ? SearchIn::Whole
+                               : namesCommand(title, text)   ? SearchIn::Words
                                : matchesCommand(title, text) ? SearchIn::Names
                                                              : SearchIn::Descriptions;
         if (found != in) continue;
         if (in == SearchIn::Descriptions && !matchesCommand(title + u' ' + action->statusTip(), text))
             continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        QStringList shown{action->isCheckable() && action->isChecked() ? title + QStringLiteral(" ✓")
+                                                                       : title};
+        if (!keys.isEmpty()) shown << keys;
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
-                                       keys.isEmpty() ? title : title + QStringLiteral("    ") + keys);
+                                       shown.join(QStringLiteral("    ")));
         item->setData(int(i), actionRole);
         item->setToolTip(tooltipText(action->statusTip())); // perhaps the path of a file
         item->setEnabled(enabled);

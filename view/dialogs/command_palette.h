@@ -35,7 +35,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class SearchIn { Words, Names, Descriptions }; // each beside those before it
+    enum class SearchIn { Whole, Words, Names, Descriptions }; // each beside those before it
 
     void filter(const QString& text);
     void add(const QString& text, SearchIn in, bool enabled);

@@ -62,12 +62,7 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &TheftExportDialog::chooseFile);
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] {
-        if (m_work.isRunning())
-            m_stop.request_stop();
-        else
-            reject();
-    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &TheftExportDialog::reject);
     connect(m_section, &QComboBox::currentIndexChanged, this, &TheftExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &TheftExportDialog::update);
     connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::finish);
@@ -82,6 +77,14 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
 
 TheftExportDialog::~TheftExportDialog() {
     m_stop.request_stop();
+}
+
+// Esc is the button: it stops before it closes.
+void TheftExportDialog::reject() {
+    if (m_work.isRunning())
+        m_stop.request_stop();
+    else
+        QDialog::reject();
 }
 
 void TheftExportDialog::createOptions() {

@@ -91,6 +91,24 @@ private slots:
                  QStringList({QStringLiteral("Vary Colours"), QStringLiteral("Mutate")}));
     }
 
+    void theWholeNameComesFirst() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&View"));
+        menu->addAction(QStringLiteral("Stereo, &Side by Side"))->setCheckable(true);
+        QAction* wanted = menu->addAction(QStringLiteral("Side by Si&de"));
+        wanted->setCheckable(true);
+        view::CommandPalette palette(view::actionsOf(&bar));
+        auto* search = palette.findChild<QLineEdit*>();
+        const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
+        search->setText(QStringLiteral("side by side"));
+        QCOMPARE(model->rowCount(), 2);
+        QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("View › Side by Side"));
+        wanted->setChecked(true); // what is on says so
+        search->setText(QStringLiteral("side"));
+        QCOMPARE(model->index(1, 0).data().toString(), QStringLiteral("View › Side by Side ✓"));
+        QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("View › Stereo, Side by Side"));
+    }
+
     void wholeWordsComeFirst() {
         QMenuBar bar;
         QMenu* menu = bar.addMenu(QStringLiteral("&File"));

@@ -239,6 +239,7 @@ bool AnimationExportDialog::mayClose() {
     QMessageBox box(QMessageBox::Question, tr("Export is not finished"),
                     tr("The animation “%1” is still being exported.").arg(m_entry.name),
                     QMessageBox::NoButton, this);
+    m_question = &box;
     box.setInformativeText(m_format->currentIndex() == Pictures
                                ? tr("The pictures written so far are complete and will be kept.")
                                : tr("If you stop now, no file is written."));
@@ -247,11 +248,12 @@ bool AnimationExportDialog::mayClose() {
     box.setDefaultButton(goOn);
     box.setEscapeButton(goOn);
     box.exec();
-    return box.clickedButton() == stop;
+    return !m_job || box.clickedButton() == stop;
 }
 
 void AnimationExportDialog::reject() {
-    if (mayClose()) QDialog::reject();
+    const bool wasIdle = !m_job;
+    if (mayClose() && (wasIdle || m_job)) QDialog::reject(); // what has ended meanwhile shows its outcome
 }
 
 void AnimationExportDialog::setSection(Section section) {
@@ -316,6 +318,11 @@ void AnimationExportDialog::update() {
     m_start->setEnabled(!obstacle && !m_job);
 }
 
+void AnimationExportDialog::adoptEnding(const QString& path) {
+    const auto format = io::videoFormat(QFileInfo(path).suffix());
+    if (format && m_format->currentIndex() != Pictures) m_format->setCurrentIndex(int(*format));
+}
+
 void AnimationExportDialog::chooseFile() {
     const bool isPictures = m_format->currentIndex() == Pictures;
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
@@ -326,6 +333,7 @@ void AnimationExportDialog::chooseFile() {
     const QString path = chooseFileToSave(this, tr("Export Animation"), suggestedPath(exportKind, suggestion),
                                           filter, suffix(), !isPictures);
     if (path.isEmpty()) return;
+    adoptEnding(path);
     const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
     rememberExport(exportKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
@@ -369,6 +377,7 @@ void AnimationExportDialog::startWork() {
 }
 
 void AnimationExportDialog::exportTo(const QString& path) {
+    adoptEnding(path);
     startWork();
     m_job = startExport(
         chosen(), path, this, [this](double fraction) { showProgress(fraction); },
@@ -384,6 +393,7 @@ void AnimationExportDialog::showProgress(double fraction) {
 
 void AnimationExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
     m_job.reset();
+    if (m_question) m_question->reject();
     m_progress->hide();
     m_left->hide();
     m_cluster->setEnabled(true);

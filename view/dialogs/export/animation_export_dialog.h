@@ -10,6 +10,8 @@
 
 #include <QDialog>
 #include <QElapsedTimer>
+#include <QMessageBox>
+#include <QPointer>
 
 #include <memory>
 #include <optional>
@@ -56,6 +58,7 @@ private:
     void createFrames();
     QWidget* createResult();
     void createButtons();
+    void adoptEnding(const QString& path); // a video of the format that the file is named after
     io::AnimationExport chosen() const;
     document::Fractal entryInView() const;
     QString suffix() const;
@@ -93,6 +96,7 @@ private:
     ClusterQueue* m_queue = nullptr;
     AttractorWatch* m_watch;
     QElapsedTimer m_clock;                // since the work began
+    QPointer<QMessageBox> m_question;     // whether to stop; nobody need answer once the work has ended
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
 };
 

@@ -86,7 +86,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDataDialog::chooseFile);
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDataDialog::reject);
     connect(m_copy, &QPushButton::clicked, this, &ExportDataDialog::copy);
     connect(&m_previewed, &QFutureWatcherBase::finished, this, &ExportDataDialog::showPreview);
     resize(fontMetrics().averageCharWidth() * 90, fontMetrics().lineSpacing() * 26);
@@ -94,6 +94,14 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
 }
 
 ExportDataDialog::~ExportDataDialog() = default;
+
+// Esc is the button: it stops before it closes.
+void ExportDataDialog::reject() {
+    if (m_job)
+        m_job->stop();
+    else
+        QDialog::reject();
+}
 
 void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format = new QComboBox(this);

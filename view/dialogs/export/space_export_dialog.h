@@ -46,6 +46,7 @@ public:
     const ExportPreview& preview() const { return *m_preview; }
     QString message() const; // what came of it
     bool canExport() const;
+    void reject() override;
 
 signals:
     void exported(const QString& path);

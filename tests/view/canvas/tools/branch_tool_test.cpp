@@ -404,6 +404,36 @@ private slots:
         QVERIFY(m_document->fractal() == before);
     }
 
+    // By a click beside the knob, by keys, and undone at once.
+    void aSwingThatIsNotHeldIsAStepToo() {
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        const document::Fractal before = m_document->fractal();
+        m_canvas->selectMaps({system().maps[1].id});
+        QSlider* slider = m_bar->swing();
+        m_bar->resize(600, 40);
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 4, slider->height() / 2});
+        QCOMPARE(steps(), 1);
+        QCOMPARE(slider->value(), 0);
+        const document::Fractal clicked = m_document->fractal();
+        QVERIFY(!(clicked == before));
+        slider->setFocus();
+        QTRY_VERIFY(slider->hasFocus());
+        QTest::keyClick(slider, Qt::Key_Right);
+        QTest::keyClick(slider, Qt::Key_Right);
+        QVERIFY(!(m_document->fractal() == clicked));
+        QTRY_COMPARE(steps(), 2);
+        QCOMPARE(slider->value(), 0);
+        QTest::keyClick(slider, Qt::Key_Right);
+        QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+        QCoreApplication::sendEvent(slider, &undo);
+        QCOMPARE(steps(), 3);
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == clicked);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->fractal() == before);
+    }
+
     // A shear that contracts only when it comes several times: turned, it does no more.
     void weavingStopsWhereTheAttractorWouldBeLost() {
         document::Fractal sheared = m_document->fractal();

@@ -51,6 +51,8 @@ private slots:
     void editingGoesOn();
     void stoppingLeavesNothing();
     void closingAsksFirst();
+    void theQuestionEndsWithTheExport();
+    void theEndingDecidesTheFormat();
     void theTimeLeftIsSaid();
     void failuresAreSaid();
     void whatAFormatLacksIsSaid();
@@ -353,6 +355,28 @@ void AnimationExportDialogTest::closingAsksFirst() {
     QVERIFY(!m_dialog->isVisible());
     m_dialog.reset();
     QCOMPARE(files(), QStringList());
+}
+
+void AnimationExportDialogTest::theQuestionEndsWithTheExport() {
+    m_dialog->setFormat(Dialog::Gif);
+    m_dialog->show();
+    m_dialog->exportTo(path("a.gif"));
+    QTest::keyClick(m_dialog.get(), Qt::Key_Escape); // nobody answers
+    QVERIFY(m_dialog->isVisible());
+    QVERIFY2(m_dialog->message().startsWith(QStringLiteral("Written to")), qPrintable(m_dialog->message()));
+    QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
+    QVERIFY(!m_dialog->isVisible());
+    QCOMPARE(files(), QStringList{QStringLiteral("a.gif")});
+}
+
+void AnimationExportDialogTest::theEndingDecidesTheFormat() {
+    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->exportTo(path("a.gif"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().startsWith(QStringLiteral("Written to")), 120'000);
+    QFile file(path("a.gif"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.read(4), QByteArray("GIF8"));
+    QCOMPARE(named<QComboBox>(QStringLiteral("Format"))->currentIndex(), int(Dialog::Gif));
 }
 
 void AnimationExportDialogTest::theTimeLeftIsSaid() {

@@ -70,6 +70,17 @@ private slots:
         QVERIFY(!m_dialog->preview().isVisible());
     }
 
+    void escStopsBeforeItCloses() {
+        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->exportTo(path(QStringLiteral("stopped.stl")));
+        QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
+        QVERIFY(m_dialog->isVisible());
+        QTRY_COMPARE(m_dialog->message(), QStringLiteral("Export stopped; nothing was written."));
+        QVERIFY(!QFileInfo::exists(path(QStringLiteral("stopped.stl"))));
+        QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
+        QVERIFY(!m_dialog->isVisible());
+    }
+
     // The same pixels in every format that loses none; formats without transparency leave it out.
     void picturesComeInAllFormats() {
         using Format = SpaceExportDialog::Format;
