@@ -1306,10 +1306,6 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Drag the corners of the control triangle</source>
-        <translation>Die Ecken des Kontrolldreiecks ziehen</translation>
-    </message>
-    <message>
         <source>De&amp;fine Triangle</source>
         <translation>Dreieck &amp;festlegen</translation>
     </message>
@@ -2584,6 +2580,10 @@
     <message>
         <source>Replace the view “%1”</source>
         <translation>Die Ansicht „%1“ ersetzen</translation>
+    </message>
+    <message>
+        <source>Drag the corners of the cage</source>
+        <translation>Die Ecken des Käfigs ziehen</translation>
     </message>
 </context>
 <context>

@@ -1306,10 +1306,6 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Drag the corners of the control triangle</source>
-        <translation>Arrastrar los vértices del triángulo de control</translation>
-    </message>
-    <message>
         <source>De&amp;fine Triangle</source>
         <translation>&amp;Definir el triángulo</translation>
     </message>
@@ -2584,6 +2580,10 @@
     <message>
         <source>Replace the view “%1”</source>
         <translation>Reemplazar la vista «%1»</translation>
+    </message>
+    <message>
+        <source>Drag the corners of the cage</source>
+        <translation>Arrastrar los vértices de la jaula</translation>
     </message>
 </context>
 <context>

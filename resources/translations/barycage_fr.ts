@@ -1306,10 +1306,6 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Drag the corners of the control triangle</source>
-        <translation>Faire glisser les coins du triangle de contrôle</translation>
-    </message>
-    <message>
         <source>De&amp;fine Triangle</source>
         <translation>Définir un &amp;triangle</translation>
     </message>
@@ -2584,6 +2580,10 @@
     <message>
         <source>Replace the view “%1”</source>
         <translation>Remplacer la vue « %1 »</translation>
+    </message>
+    <message>
+        <source>Drag the corners of the cage</source>
+        <translation>Faire glisser les coins de la cage</translation>
     </message>
 </context>
 <context>

@@ -1314,10 +1314,6 @@
         <translation>C</translation>
     </message>
     <message>
-        <source>Drag the corners of the control triangle</source>
-        <translation>Влечи ги темињата на контролниот триаголник</translation>
-    </message>
-    <message>
         <source>De&amp;fine Triangle</source>
         <translation>&amp;Дефинирај триаголник</translation>
     </message>
@@ -2592,6 +2588,10 @@
     <message>
         <source>Replace the view “%1”</source>
         <translation>Замена на погледот „%1“</translation>
+    </message>
+    <message>
+        <source>Drag the corners of the cage</source>
+        <translation>Влечи ги темињата на кафезот</translation>
     </message>
 </context>
 <context>
