@@ -19,8 +19,7 @@ CageMenu::CageMenu(const MenuContext& context) : ActionMenu(context, tr("&Cage")
 QList<QAction*> CageMenu::addTools() {
     const std::pair<Tool, ActionSpec> specs[] = {
         {Tool::Cage,
-         {"cage", tr("&Drag the Cage"), QKeySequence(tr("C")),
-          tr("Drag the corners of the cage")}},
+         {"cage", tr("&Drag the Cage"), QKeySequence(tr("C")), tr("Drag the corners of the cage")}},
         {Tool::Maps,
          {"maps", tr("Drag t&he Maps"), QKeySequence(tr("M")),
           tr("Show each map as its image of the cage, and drag it by its corners")}},
