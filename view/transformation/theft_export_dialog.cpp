@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -62,7 +63,14 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &TheftExportDialog::chooseFile);
-    connect(buttons, &QDialogButtonBox::rejected, this, &TheftExportDialog::reject);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] {
+        if (m_work.isRunning())
+            m_stop.request_stop();
+        else
+            reject();
+    });
+    // Esc is the button: it stops before it closes. Closing the window does both at once.
+    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
     connect(m_section, &QComboBox::currentIndexChanged, this, &TheftExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &TheftExportDialog::update);
     connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::finish);
@@ -77,14 +85,6 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
 
 TheftExportDialog::~TheftExportDialog() {
     m_stop.request_stop();
-}
-
-// Esc is the button: it stops before it closes.
-void TheftExportDialog::reject() {
-    if (m_work.isRunning())
-        m_stop.request_stop();
-    else
-        QDialog::reject();
 }
 
 void TheftExportDialog::createOptions() {

@@ -40,7 +40,6 @@ public:
     QString message() const;               // what came of it
     ExportSizeEditor& sizeEditor() { return *m_size; }
     const ExportPreview& preview() const { return *m_preview; }
-    void reject() override;
 
 signals:
     void exported(const QString& path);

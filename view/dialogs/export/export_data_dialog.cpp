@@ -24,6 +24,7 @@
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -86,7 +87,9 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDataDialog::chooseFile);
-    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDataDialog::reject);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    // Esc is the button: it stops before it closes. Closing the window does both at once.
+    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
     connect(m_copy, &QPushButton::clicked, this, &ExportDataDialog::copy);
     connect(&m_previewed, &QFutureWatcherBase::finished, this, &ExportDataDialog::showPreview);
     resize(fontMetrics().averageCharWidth() * 90, fontMetrics().lineSpacing() * 26);
@@ -94,14 +97,6 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
 }
 
 ExportDataDialog::~ExportDataDialog() = default;
-
-// Esc is the button: it stops before it closes.
-void ExportDataDialog::reject() {
-    if (m_job)
-        m_job->stop();
-    else
-        QDialog::reject();
-}
 
 void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format = new QComboBox(this);

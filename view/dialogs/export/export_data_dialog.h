@@ -35,7 +35,6 @@ public:
     ~ExportDataDialog() override;
 
     void exportTo(const QString& path); // what the Export button does once a file is chosen
-    void reject() override;
 
 signals:
     void exported(const QString& path);

@@ -27,6 +27,7 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -103,7 +104,9 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
     connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
-    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    // Esc is the button: it stops before it closes. Closing the window does both at once.
+    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
     m_planTimer.setSingleShot(true);
     m_planTimer.setInterval(150);
     connect(&m_planTimer, &QTimer::timeout, this, &ExportDialog::updateSvgPlan);
@@ -119,14 +122,6 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
 }
 
 ExportDialog::~ExportDialog() = default;
-
-// Esc is the button: it stops before it closes.
-void ExportDialog::reject() {
-    if (m_job)
-        m_job->stop();
-    else
-        QDialog::reject();
-}
 
 void ExportDialog::createFormat() {
     m_format = new QComboBox(m_options);

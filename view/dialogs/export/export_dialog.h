@@ -50,7 +50,6 @@ public:
     void exportTo(const QString& path);
     void addToQueue(const QString& path);
     const ExportPreview& preview() const { return *m_preview; }
-    void reject() override;
 
 signals:
     void exported(const QString& path);

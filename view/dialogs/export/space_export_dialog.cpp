@@ -26,6 +26,7 @@
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -90,7 +91,9 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
     connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
-    connect(buttons, &QDialogButtonBox::rejected, this, &SpaceExportDialog::reject);
+    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
+    // Esc is the button: it stops before it closes. Closing the window does both at once.
+    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
     const LastExport last = lastExport(exportKind);
     m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
     m_size->choose(last.size);
@@ -103,14 +106,6 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
 }
 
 SpaceExportDialog::~SpaceExportDialog() = default;
-
-// Esc is the button: it stops before it closes.
-void SpaceExportDialog::reject() {
-    if (m_job)
-        m_job->stop();
-    else
-        QDialog::reject();
-}
 
 void SpaceExportDialog::createPicture() {
     m_section = new QComboBox(this);

@@ -46,7 +46,6 @@ public:
     const ExportPreview& preview() const { return *m_preview; }
     QString message() const; // what came of it
     bool canExport() const;
-    void reject() override;
 
 signals:
     void exported(const QString& path);

@@ -81,6 +81,14 @@ private slots:
         QVERIFY(!m_dialog->isVisible());
     }
 
+    // As where the program quits.
+    void closingStopsAtOnce() {
+        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->exportTo(path(QStringLiteral("closed.stl")));
+        m_dialog->close();
+        QVERIFY(!m_dialog->isVisible());
+    }
+
     // The same pixels in every format that loses none; formats without transparency leave it out.
     void picturesComeInAllFormats() {
         using Format = SpaceExportDialog::Format;
