@@ -93,6 +93,14 @@ inline Maps3 fern3() {
     return {map3(stem, {0, 0, 0}), map3(frond, {0, 1.6, 0}), map3(left, {0, .8, 0}), map3(right, {0, .8, 0})};
 }
 
+// In other units of length.
+template <int Dim>
+std::vector<ifs::AffineMap<Dim>> scaled(std::vector<ifs::AffineMap<Dim>> maps, double size) {
+    for (auto& map : maps)
+        map.translation *= size;
+    return maps;
+}
+
 template <int Dim>
 ifs::IteratedFunctionSystem<Dim> system(const std::vector<ifs::AffineMap<Dim>>& maps,
                                         const std::vector<double>& weights = {}) {

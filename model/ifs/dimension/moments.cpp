@@ -23,6 +23,12 @@ template <int Size> using RealMatrix = Eigen::Matrix<Real, Size, Size>;
 constexpr Real unit = std::numeric_limits<Real>::epsilon();
 constexpr Real shareUnit = 0x1p-52L; // by which a probability may be off, relatively
 
+// A double that is no less.
+double above(Real error) {
+    const double rounded = double(error) * (1 + 0x1p-50);
+    return error > 0 ? std::max(rounded, std::numeric_limits<double>::denorm_min()) : rounded;
+}
+
 // A vector of which no component is off by more than its error.
 template <int Size> struct Solution {
     RealVector<Size> value;
@@ -118,7 +124,7 @@ public:
             (Dim + 1) * unit * (image.cwiseAbs() * y.value.cwiseAbs() + centre.cwiseAbs());
         Mean<Dim> result{x.template cast<double>()};
         const RealVector<Dim> rounding = (result.point.template cast<Real>() - x).cwiseAbs();
-        result.error = double((error + rounding).norm()) * (1 + 0x1p-50);
+        result.error = above((error + rounding).norm());
         return result;
     }
 
@@ -167,7 +173,7 @@ public:
         Matrix<Dim> result = here.template cast<double>();
         result = (result + result.transpose()).eval() / 2;
         const RealMatrix<Dim> rounding = (result.template cast<Real>() - here).cwiseAbs();
-        error = double((hereError + rounding).maxCoeff()) * (1 + 0x1p-50);
+        error = above((hereError + rounding).maxCoeff());
         return result;
     }
 
@@ -253,7 +259,7 @@ template <int Dim> std::optional<Mean<Dim>> enclosedFixedPoint(const AffineMap<D
     const auto found = equations->solve(map.translation.template cast<Real>(), RealVector<Dim>::Zero());
     Mean<Dim> result{found.value.template cast<double>()};
     const RealVector<Dim> rounding = (result.point.template cast<Real>() - found.value).cwiseAbs();
-    result.error = double((found.error + rounding).norm()) * (1 + 0x1p-50);
+    result.error = above((found.error + rounding).norm());
     return result.point.allFinite() && std::isfinite(result.error) ? std::optional(result) : std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,29 @@
 namespace ifs {
 
 namespace {
+
+constexpr double contracts = 1 - 1e-9; // with room for rounding
+constexpr double maxCondition = 1e6;
+
+template <int Dim> double condition(const Matrix<Dim>& root) {
+    return root.norm() * root.inverse().norm();
+}
+
+// About by how much a figure is wider for being found in these coordinates.
+double widening(double condition, double longest) {
+    return longest < contracts ? condition / (1 - longest) : std::numeric_limits<double>::infinity();
+}
+
+template <int Dim> double widening(const Coordinates<Dim>& coordinates) {
+    return widening(condition<Dim>(coordinates.root), coordinates.longest);
+}
+
+// Maps that contract as it is are made shorter only by coordinates that do not stretch much: triangular maps
+// come as near to their diagonals as one likes, and all that is known there is stretched back.
+template <int Dim> bool isShorter(const Coordinates<Dim>& next, const Coordinates<Dim>& best) {
+    constexpr double slow = 0.99;
+    return next.longest < best.longest && (best.longest >= slow || condition<Dim>(next.root) <= maxCondition);
+}
 
 template <int Dim> std::vector<double> norms(std::span<const AffineMap<Dim>> maps) {
     std::vector<double> result;
@@ -72,7 +96,8 @@ template <int Dim> void weigh(Coordinates<Dim>& best, std::span<const AffineMap<
         const std::vector<double> lengths = norms<Dim>(seen);
         const double longest = std::ranges::max(lengths);
         if (!std::isfinite(longest)) return;
-        if (longest < best.longest) best = {root, longest};
+        const Coordinates<Dim> next{root, longest};
+        if (isShorter(next, best)) best = next;
         for (std::size_t i = 0; i < weights.size(); ++i)
             weights[i] *= std::pow(std::max(lengths[i] / longest, 1e-3), 2);
     }
@@ -83,14 +108,16 @@ template <int Dim> void weigh(Coordinates<Dim>& best, std::span<const AffineMap<
 template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     constexpr double shortEnough = 0.9, minStep = 1e-3;
     constexpr int tries = 4;
-    const auto isShorter = [&](const Matrix<Dim>& root) {
+    const auto shortens = [&](const Matrix<Dim>& root) {
         const Matrix<Dim> unroot = root.inverse();
         double longest = 0;
         for (const auto& map : maps) {
             longest = std::max(longest, spectralNorm<Dim>(root * map.linear * unroot));
             if (!(longest < best.longest)) return false;
         }
-        best = {root, longest};
+        const Coordinates<Dim> next{root, longest};
+        if (!isShorter(next, best)) return false;
+        best = next;
         return true;
     };
     std::size_t work = 0;
@@ -102,7 +129,7 @@ template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap
                 for (const double change : {step, -step}) {
                     Matrix<Dim> stretch = Matrix<Dim>::Identity();
                     stretch(row, column) += change;
-                    result = isShorter(stretch * best.root) || result;
+                    result = shortens(stretch * best.root) || result;
                     work += maps.size();
                 }
         return result;
@@ -112,9 +139,26 @@ template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap
 }
 
 // Maps that keep a flag of directions are triangular along it, and as short as the diagonals are, once the
-// directions are stretched enough against each other. Those of a sum of the maps are tried, in every order.
-template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+// directions are stretched enough against each other: no further than is worth what stretching costs.
+template <int Dim>
+void stretch(Coordinates<Dim>& best, const Matrix<Dim>& flag, std::span<const AffineMap<Dim>> maps) {
     constexpr double leastShare = 1e-4, minGain = 1e-6;
+    for (double share = 1; share > leastShare; share /= 4) {
+        Vector<Dim> lengths;
+        for (int k = 0; k < Dim; ++k)
+            lengths[k] = std::pow(share, Dim - 1 - k);
+        Matrix<Dim> root = lengths.asDiagonal() * flag;
+        root /= spectralNorm<Dim>(root);
+        const Coordinates<Dim> next{root, std::ranges::max(norms<Dim>(seenThrough<Dim>(root, maps)))};
+        const bool isBetter = next.longest < contracts ? widening<Dim>(next) < widening<Dim>(best)
+                                                       : next.longest < best.longest * (1 - minGain);
+        if (isBetter) best = next;
+    }
+}
+
+// The directions of a sum of the maps are tried as such a flag in every order, as they are and at right
+// angles.
+template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     if (maps.size() > maxWork / 50) return;
     Matrix<Dim> sum = Matrix<Dim>::Zero(); // with weights of which no two maps cancel
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -128,19 +172,9 @@ template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const Affine
         Matrix<Dim> flag;
         for (int k = 0; k < Dim; ++k)
             flag.col(k) = directions.col(order[std::size_t(k)]);
-        const Matrix<Dim> back = flag.inverse();
-        if (!back.allFinite()) return;
-        for (double share = 1; share > leastShare; share /= 4) {
-            Vector<Dim> stretch;
-            for (int k = 0; k < Dim; ++k)
-                stretch[k] = std::pow(share, Dim - 1 - k);
-            Matrix<Dim> root = stretch.asDiagonal() * back;
-            root /= spectralNorm<Dim>(root);
-            const std::vector<double> lengths = norms<Dim>(seenThrough<Dim>(root, maps));
-            const double enough = best.longest * (1 - minGain); // to stretch the directions further
-            if (std::ranges::all_of(lengths, [enough](double length) { return length < enough; }))
-                best = {root, std::ranges::max(lengths)};
-        }
+        if (const Matrix<Dim> back = flag.inverse(); back.allFinite()) stretch<Dim>(best, back, maps);
+        const Matrix<Dim> turned = Eigen::HouseholderQR<Matrix<Dim>>(flag).householderQ();
+        stretch<Dim>(best, turned.transpose(), maps);
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
@@ -184,37 +218,53 @@ std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<
 
 namespace {
 
+// The power of two that lengths are measured in, so that no product of lengths underflows.
+template <int Dim> double unitOfLength(std::span<const AffineMap<Dim>> maps) {
+    constexpr double tiny = 0x1p-200;
+    double size = 0;
+    for (const auto& map : maps)
+        size = std::max(size, map.translation.cwiseAbs().maxCoeff());
+    return size > 0 && size < tiny ? std::ldexp(1, std::ilogb(size)) : 1;
+}
+
 template <int Dim>
 std::optional<Conditioned<Dim>> seenIn(const Matrix<Dim>& root, std::span<const AffineMap<Dim>> maps) {
-    // A power of two, so that the size of the attractor stays about the same.
+    // A power of two, so that the size of the attractor stays about the same. Its orientation stays, too.
     int exponent = 0;
     std::frexp(spectralNorm<Dim>(root.inverse()), &exponent);
+    Matrix<Dim> upright = std::ldexp(1, exponent) * root;
+    if (upright.determinant() < 0) upright.row(0) = -upright.row(0).eval();
     AffineMap<Dim> mean{Matrix<Dim>::Zero(), Vector<Dim>::Zero()};
     for (const auto& map : maps) {
         mean.linear += map.linear / double(maps.size());
         mean.translation += map.translation / double(maps.size());
     }
     return seenFrom<Dim>(
-        {(std::ldexp(1, exponent) * root).inverse(), fixedPoint(mean).value_or(Vector<Dim>::Zero())}, maps);
+        {unitOfLength(maps) * upright.inverse(), fixedPoint(mean).value_or(Vector<Dim>::Zero())}, maps);
 }
 
 } // namespace
 
 template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const AffineMap<Dim>> maps) {
     const double before = std::ranges::max(norms<Dim>(maps));
-    if (!(before >= 1)) return std::nullopt;
+    if (!(before >= 1))
+        return unitOfLength(maps) < 1 ? seenIn<Dim>(Matrix<Dim>::Identity(), maps) : std::nullopt;
     Coordinates<Dim> best{Matrix<Dim>::Identity(), before};
     weigh(best, maps);
     refine(best, maps);
-    constexpr double contracts = 1 - 1e-9;
     if (!(best.longest < contracts)) descend(best, maps);
     auto result = best.longest < before ? seenIn<Dim>(best.root, maps) : std::nullopt;
-    if (result && result->longest < contracts) return result;
+    constexpr double littleStretch = 100;
+    if (result && result->longest < contracts && result->condition <= littleStretch) return result;
     // Also where rounding takes away what the best norm gains.
     Coordinates<Dim> flag{Matrix<Dim>::Identity(), before};
     alongFlag(flag, maps);
     auto other = flag.longest < before ? seenIn<Dim>(flag.root, maps) : std::nullopt;
-    return other && !(result && result->longest <= other->longest) ? other : result;
+    if (!result || !other) return result ? result : other;
+    const double width = widening(result->condition, result->longest),
+                 otherWidth = widening(other->condition, other->longest);
+    const bool isOther = width == otherWidth ? other->longest < result->longest : otherWidth < width;
+    return isOther ? other : result;
 }
 
 template std::optional<Conditioned<2>> seenFrom(const AffineMap<2>&, std::span<const AffineMap<2>>);

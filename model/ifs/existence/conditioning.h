@@ -28,7 +28,8 @@ template <int Dim> struct Conditioned {
 template <int Dim>
 std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<const AffineMap<Dim>> maps);
 
-// nullopt when every map contracts as it is, or where no norm shortens the maps.
+// An image that keeps the orientation. nullopt when every map contracts as it is and no product of lengths
+// underflows, or where no norm shortens the maps.
 template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const AffineMap<Dim>> maps);
 
 } // namespace ifs

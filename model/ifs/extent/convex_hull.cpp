@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -77,7 +78,8 @@ double areaError(const ConvexHull& hull) {
     double perimeter = 0;
     for (std::size_t k = 0; k < hull.vertices.size(); ++k)
         perimeter += (hull.vertices[(k + 1) % hull.vertices.size()] - hull.vertices[k]).norm();
-    return (perimeter + std::numbers::pi * hull.error) * hull.error * (1 + 1e-12);
+    const double error = (perimeter + std::numbers::pi * hull.error) * hull.error * (1 + 1e-12);
+    return hull.error > 0 ? std::max(error, std::numeric_limits<double>::denorm_min()) : 0;
 }
 
 } // namespace ifs

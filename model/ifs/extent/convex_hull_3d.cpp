@@ -5,6 +5,7 @@
 #include "ifs/extent/polygon.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ using Facet = std::array<int, 3>;
 
 // The error falls with their number, if the set is round: so many are used only to reach the tolerance.
 constexpr std::size_t maxPoints = 20'000, manyPoints = 2'000;
-constexpr int nodesPerFacet = 4'000;
+constexpr int nodesPerFacet = 4'000, maxNodesPerFacet = 64'000;
 
 Vector<3> outward(const Points& points, const Facet& facet) {
     const Vector<3>& a = points[std::size_t(facet[0])];
@@ -99,18 +100,65 @@ std::vector<Face> facesOf(const Points& points) {
     return faces;
 }
 
+// A point of the hull of some normals, by the weights of those that span it.
+struct Combination {
+    Points normals;
+    std::vector<double> weights;
+
+    Vector<3> point() const {
+        Vector<3> sum = Vector<3>::Zero();
+        for (std::size_t k = 0; k < normals.size(); ++k)
+            sum += weights[k] * normals[k];
+        return sum;
+    }
+    // With the weights of the point nearest to the origin in the plane that the normals span.
+    std::vector<double> nearest() const {
+        const auto others = Eigen::Index(normals.size()) - 1;
+        Eigen::Matrix3Xd edges(3, others);
+        for (Eigen::Index k = 0; k < others; ++k)
+            edges.col(k) = normals[std::size_t(k) + 1] - normals[0];
+        const Eigen::VectorXd along = edges.colPivHouseholderQr().solve(-normals[0]);
+        std::vector<double> result{1 - along.sum()};
+        result.insert(result.end(), along.begin(), along.end());
+        return result;
+    }
+    // Goes there, but no farther than to the border of the simplex, and leaves out those that the new point
+    // does without. Whether it got there.
+    bool approachNearest() {
+        const std::vector<double> aim = nearest();
+        double share = 1;
+        for (std::size_t k = 0; k < aim.size(); ++k)
+            if (aim[k] < 0) share = std::min(share, weights[k] / (weights[k] - aim[k]));
+        for (std::size_t k = aim.size(); k-- > 0;) {
+            weights[k] += share * (aim[k] - weights[k]);
+            if (weights[k] > 1e-15) continue;
+            weights.erase(weights.begin() + std::ptrdiff_t(k));
+            normals.erase(normals.begin() + std::ptrdiff_t(k));
+        }
+        return share == 1;
+    }
+};
+
 // The least cosine between the normals around a vertex and an axis in their middle: the point nearest to the
-// origin in their hull, by steps towards the normal that it serves worst (Frank and Wolfe).
+// origin in their hull (Wolfe, Finding the nearest point in a polytope, 1976). Any axis proves its cosine.
 double minCosine(const Points& normals) {
     if (normals.empty()) return 1;
     constexpr int steps = 64;
-    Vector<3> axis = meanOf(normals);
+    Combination corral{{normals.front()}, {1}};
     double best = -1;
     for (int n = 0; n < steps; ++n) {
+        const Vector<3> axis = corral.point();
+        const double length = axis.norm();
+        if (!(length > 0)) break;
         const auto worst = std::ranges::min_element(
             normals, {}, [&axis](const Vector<3>& normal) { return normal.dot(axis); });
-        best = std::max(best, worst->dot(axis) / axis.norm());
-        axis += (*worst - axis) / (n + 2);
+        const double cosine = worst->dot(axis) / length;
+        best = std::max(best, cosine);
+        if (cosine >= length * (1 - 1e-9) || corral.normals.size() > 3) break;
+        corral.normals.push_back(*worst);
+        corral.weights.push_back(0);
+        while (corral.normals.size() > 1 && !corral.approachNearest()) {}
+        if (corral.normals.empty()) break;
     }
     return best;
 }
@@ -202,11 +250,21 @@ private:
         std::ranges::sort(key);
         Farthest& known = m_asked[key];
         if (wanted < known.accuracy) {
-            const auto h = m_support(face.normal, wanted, nodesPerFacet);
+            const auto h = m_support(face.normal, wanted, nodesFor(wanted));
             const bool isFarther = std::isinf(known.height) || h.value > face.normal.dot(known.point);
             known = {std::min(known.height, h.value + h.error), isFarther ? h.point : known.point, wanted};
         }
         return known;
+    }
+
+    // More, as long as there are any to spend, where the face was asked before and its point tells nothing.
+    int nodesFor(double wanted) {
+        int nodes = nodesPerFacet;
+        for (double level = closest(); wanted < level && nodes < maxNodesPerFacet; level /= 64)
+            nodes *= 4;
+        if (nodes == nodesPerFacet || nodes > m_nodesToSpend) return nodesPerFacet;
+        m_nodesToSpend -= nodes;
+        return nodes;
     }
 
     // Whether the points of faces beyond which the attractor may reach farther than that add any.
@@ -244,9 +302,9 @@ private:
             if (m_stop.stop_requested()) return false;
             const bool isHopeless =
                 known >= manyPoints && m_hull.error * double(known) > m_tolerance * double(maxPoints);
-            if (m_hull.error <= m_tolerance || isHopeless || known >= maxPoints || m_accuracy <= m_apart)
-                return false;
+            if (m_hull.error <= m_tolerance || isHopeless || known >= maxPoints) return false;
             if (addBeyond(std::max(m_tolerance, m_hull.error / 8)) || addBeyond(m_tolerance)) return true;
+            if (m_accuracy <= m_apart) return false;
         }
     }
 
@@ -255,6 +313,7 @@ private:
     const std::stop_token& m_stop;
     double m_apart;    // points this close are one
     double m_accuracy; // to which the worst faces are known
+    int m_nodesToSpend = maxNodesPerFacet * 64;
     Refined m_hull;
     std::map<Facet, Farthest> m_asked; // by the corners
 };
@@ -391,7 +450,14 @@ std::optional<ConvexHull3> convexHull(const SupportFunction<3>& support, double 
             vertex = better->image(vertex);
         hull->volume *= determinant<3>(better->image.linear);
         hull->error = better->errorOf(hull->error);
-        return hull;
+        if (hull->error <= tolerance) return hull;
+        // The attractor may be a needle there, and none here.
+        const Refined refined = Refinement(support, tolerance, stop).hull();
+        if (stop.stop_requested()) return std::nullopt;
+        if (!(refined.error < hull->error)) return hull;
+        ConvexHull3 direct = compact(refined.points, refined.faces);
+        direct.error = refined.error;
+        return direct;
     }
     const double size = support.radius() + support.centre().norm(), flatness = 1e-12 * size;
     const double widening = support.normEquivalence() / (1 - support.contractivity());
@@ -422,7 +488,8 @@ double volumeError(const ConvexHull3& hull) {
     }
     const double e = hull.error, diameter = (high - low).norm();
     if (hull.volume == 0) surface = 2 * diameter * diameter; // of a set within a plane, both sides
-    return (surface + (2 * pi * diameter + 4 * pi / 3 * e) * e) * e * (1 + 1e-12);
+    const double error = (surface + (2 * pi * diameter + 4 * pi / 3 * e) * e) * e * (1 + 1e-12);
+    return e > 0 ? std::max(error, std::numeric_limits<double>::denorm_min()) : 0;
 }
 
 } // namespace ifs

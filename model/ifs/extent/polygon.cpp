@@ -17,7 +17,11 @@ namespace {
 // 1997).
 bool isLeft(const Vector<2>& r, const Vector<2>& p, const Vector<2>& q) {
     const double left = (q.x() - p.x()) * (r.y() - p.y()), right = (q.y() - p.y()) * (r.x() - p.x());
-    if (std::abs(left - right) > 0x1p-51 * (std::abs(left) + std::abs(right))) return left > right;
+    const double terms = std::abs(left) + std::abs(right);
+    if (std::abs(left - right) > 0x1p-51 * terms && terms > 0x1p-900) return left > right;
+    constexpr double tiny = 0x1p-400, longer = 0x1p+300; // whose products do not underflow
+    const double size = r.cwiseAbs().cwiseMax(p.cwiseAbs()).cwiseMax(q.cwiseAbs()).maxCoeff();
+    if (size > 0 && size < tiny) return isLeft(longer * r, longer * p, longer * q);
     std::array<double, 12> parts{}; // none reaches into the digits of the next
     std::size_t count = 0;
     const auto add = [&](double term) {
@@ -105,7 +109,9 @@ double distanceToSegment(const Vector<2>& x, const Vector<2>& p, const Vector<2>
     const Vector<2> chord = q - p;
     const double squared = chord.squaredNorm();
     const double t = squared > 0 ? std::clamp((x - p).dot(chord) / squared, 0.0, 1.0) : 0;
-    return (x - p - t * chord).norm();
+    const Vector<2> rest = x - p - t * chord;
+    const double distance = rest.norm();
+    return distance > 0x1p-500 ? distance : rest.stableNorm(); // squares underflow
 }
 
 double area(const Polygon& polygon) {

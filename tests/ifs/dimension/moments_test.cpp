@@ -35,6 +35,21 @@ class MomentsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Squares of lengths underflow there, lengths do not.
+    void tinyUnits() {
+        for (const int exponent : {-300, -520, -600, -900}) {
+            const auto found =
+                momentsOf<2>(canonical::scaled(sierpinskiRight(), std::ldexp(1, exponent)), equal3);
+            const Vector<2> mean = Vector<2>::Constant(std::ldexp(1. / 3, exponent));
+            QVERIFY(found.meanError < std::ldexp(1e-12, exponent));
+            QVERIFY((found.mean - mean).cwiseAbs().maxCoeff() <=
+                    found.meanError + std::ldexp(1e-16, exponent));
+            const double variance = std::ldexp(2. / 27, 2 * exponent);
+            QVERIFY(found.covarianceError > 0);
+            QVERIFY(std::abs(found.covariance(0, 0) - variance) <= found.covarianceError + 1e-15 * variance);
+        }
+    }
+
     void knownSystems() {
         const auto sierpinski = momentsOf<2>(sierpinskiRight(), equal3);
         compare(sierpinski, {1. / 3, 1. / 3}, {2. / 27, -1. / 27, 2. / 27});

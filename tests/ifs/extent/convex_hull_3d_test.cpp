@@ -67,6 +67,30 @@ private slots:
         QVERIFY(isClosed(box) && std::abs(box.volume - 1) < 1e-12 && box.error < 1e-10);
     }
 
+    // Its maps contract in coordinates of which the best found turn the solid inside out.
+    void facetsFaceOutwards() {
+        Matrix<3> first, second;
+        first << .1, .2, -.1, .3, -.4, .6, .5, .6, .6;
+        second << -.3, .6, .4, 0, -.6, .7, -.4, -.5, .1;
+        const Maps3 maps{map3(first, {2, 3, 2}), map3(second, {3, 3, 1})};
+        const auto hull = hullOf(maps, 1e-6);
+        Random random(4);
+        for (const auto& x : orbit<3>(maps, 5000, random))
+            QVERIFY(outside(hull, x) <= hull.error);
+        QVERIFY(isClosed(hull) && hull.volume > 1);
+    }
+
+    // Products of lengths underflow there, lengths do not.
+    void tinyUnits() {
+        for (const int exponent : {-150, -300, -500, -900}) {
+            const auto hull = hullOf(scaled(tetrahedron(), std::ldexp(1, exponent)), 0);
+            QCOMPARE(hull.vertices.size(), std::size_t(4));
+            QVERIFY(hull.error > 0 && hull.error < std::ldexp(1e-9, exponent));
+            const double excess = std::ldexp(1. / 6, 3 * exponent) - hull.volume;
+            QVERIFY(volumeError(hull) > 0 && std::abs(excess) <= volumeError(hull));
+        }
+    }
+
     void fernInSpace() {
         Random random(1);
         const auto hull = hullOf(fern3(), 1e-2);

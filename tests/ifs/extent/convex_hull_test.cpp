@@ -61,6 +61,17 @@ class ConvexHullTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Products of lengths underflow there, lengths do not.
+    void tinyUnits() {
+        for (const int exponent : {-300, -520, -600, -900}) {
+            const auto hull = hullOf(scaled(sierpinskiRight(), std::ldexp(1, exponent)), 0);
+            QCOMPARE(hull.vertices.size(), std::size_t(3));
+            QVERIFY(hull.error > 0 && hull.error < std::ldexp(1e-9, exponent));
+            QVERIFY(areaError(hull) > 0);
+            QVERIFY(std::abs(std::ldexp(.5, 2 * exponent) - hull.area) <= areaError(hull));
+        }
+    }
+
     void exactPolygons() {
         QVERIFY(equal(hullOf(sierpinskiRight(), 0).vertices, {{0, 0}, {1, 0}, {0, 1}}, 1e-12));
         const auto curve = hullOf(koch(), 0);

@@ -54,6 +54,18 @@ class PolygonTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void squaresOfLengthsMayUnderflow() {
+        for (const int exponent : {-300, -520, -600, -1000}) {
+            const double unit = std::ldexp(1, exponent);
+            const Polygon corners{{0, 0}, {unit, 0}, {unit, unit}, {0, unit}};
+            std::vector<Vector<2>> points = corners;
+            points.push_back(Vector<2>(unit, unit) / 2);
+            QCOMPARE(convexHull(points, 1e-14 * unit), corners);
+            QCOMPARE(distanceToConvex(corners, {3 * unit, unit / 2}), 2 * unit);
+            QCOMPARE(distanceToConvex(corners, {unit / 2, unit / 2}), 0.0);
+        }
+    }
+
     // The topmost of three points above each other is the second from the left.
     void rightmostIsNotHighest() {
         const Polygon hull = convexHull({{0, 0}, {1, 0}, {1 + 0x1p-52, 1}, {1 + 0x1p-51, 0.5}}, 1e-14);

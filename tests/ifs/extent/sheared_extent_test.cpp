@@ -4,6 +4,7 @@
 #include "ifs/extent/convex_hull_3d.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/polygon.h"
+#include "ifs/separation/piece_contacts.h"
 #include "ifs/system/barycentric.h"
 
 #include <Eigen/Geometry>
@@ -74,6 +75,23 @@ template <int Dim> std::vector<AffineMap<Dim>> sheared(Random& random, double sh
     return maps;
 }
 
+// Upper triangular maps that stretch, seen from a random side. They come as near to their diagonals as one
+// likes in coordinates that stretch more and more.
+template <int Dim> std::vector<AffineMap<Dim>> triangular(Random& random, double shear) {
+    const Matrix<Dim> turn = rotation<Dim>(random);
+    std::vector<AffineMap<Dim>> maps;
+    for (std::size_t i = 0, count = 2 + random() % 2; i < count; ++i) {
+        Matrix<Dim> linear = Matrix<Dim>::Zero();
+        for (int row = 0; row < Dim; ++row) {
+            linear(row, row) = uniform(random, -0.8, 0.8);
+            for (int column = row + 1; column < Dim; ++column)
+                linear(row, column) = uniform(random, -shear, shear);
+        }
+        maps.push_back({turn * linear * turn.transpose(), randomVector<Dim>(random, 5)});
+    }
+    return maps;
+}
+
 template <int Dim>
 QString enclosureFault(const std::vector<AffineMap<Dim>>& maps, double maxError, Random& random,
                        double checkRounding = 0) {
@@ -122,6 +140,16 @@ template <int Dim> void randomSystems(double shear) {
     }
 }
 
+template <int Dim> void triangularSystems(double shear) {
+    Random random(std::uint64_t(1000 * Dim + shear));
+    const double checkRounding = 1e-17 * std::pow(shear + 1, 2 * (Dim - 1));
+    for (int n = 0; n < 20; ++n) {
+        const auto maps = triangular<Dim>(random, shear);
+        const QString fault = enclosureFault<Dim>(maps, 1e-6, random, checkRounding);
+        QVERIFY2(fault.isEmpty(), qPrintable(QStringLiteral("system %1: %2").arg(n).arg(fault)));
+    }
+}
+
 void addShears() {
     QTest::addColumn<double>("shear");
     for (const double shear : {1.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0})
@@ -160,6 +188,25 @@ private slots:
     void inSpace() {
         QFETCH(double, shear);
         randomSystems<3>(shear);
+    }
+
+    void triangularMaps() {
+        const Maps2 maps{affineMap(.4, 1, 0, .1, 1, -2), affineMap(-.4, 2, 0, .8, 3, 0)};
+        Random random(3);
+        QCOMPARE(enclosureFault<2>(maps, 1e-9, random), QString());
+        const PieceContacts contacts = pieceContacts(supportOf2(maps));
+        QCOMPARE(contacts.separation, Separation::Strong);
+        QVERIFY(contacts.overlaps.empty());
+    }
+    void triangularInThePlane_data() { addShears(); }
+    void triangularInThePlane() {
+        QFETCH(double, shear);
+        triangularSystems<2>(shear);
+    }
+    void triangularInSpace_data() { addShears(); }
+    void triangularInSpace() {
+        QFETCH(double, shear);
+        triangularSystems<3>(shear);
     }
 
 private:
