@@ -67,10 +67,7 @@ QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows) {
     return lines;
 }
 
-QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows) {
-    const QByteArrayList whole = alignedRows(rows);
-    if (std::ranges::all_of(whole, [](const QByteArray& line) { return line.size() <= maxLine; }))
-        return whole;
+QByteArrayList rowsOnTwoLines(const std::vector<std::vector<QByteArray>>& rows) {
     std::vector<std::vector<QByteArray>> first, second;
     for (const auto& row : rows) {
         const auto middle = row.begin() + static_cast<std::ptrdiff_t>(secondLine(row.size()));
@@ -82,6 +79,12 @@ QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows) {
     for (qsizetype i = 0; i < begins.size(); ++i)
         lines << begins[i] << "  " + ends[i];
     return lines;
+}
+
+QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows) {
+    const QByteArrayList whole = alignedRows(rows);
+    const auto fits = [](const QByteArray& line) { return line.size() <= maxLine; };
+    return std::ranges::all_of(whole, fits) ? whole : rowsOnTwoLines(rows);
 }
 
 QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows) {

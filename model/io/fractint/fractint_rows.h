@@ -33,7 +33,9 @@ std::size_t secondLine(std::size_t numbers);
 
 // Rows as lines without line ends, columns aligned to the right.
 QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows);
-// The same, each row on two lines where it would be longer than maxLine.
+// The same, each row on two lines.
+QByteArrayList rowsOnTwoLines(const std::vector<std::vector<QByteArray>>& rows);
+// On two lines where one would be longer than maxLine.
 QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows);
 // As alignedRows, with single blanks.
 QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows);

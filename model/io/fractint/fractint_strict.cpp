@@ -186,24 +186,18 @@ private:
             rest -= weight;
             cells.push_back(texts(rows[i], weight));
         }
-        const QByteArrayList lines = fractint::alignedRows(cells);
         const auto fits = [](const QByteArray& line) { return line.size() <= maxLine; };
-        return std::ranges::all_of(lines, fits) ? lines : fractint::closeRows(cells);
+        for (const QByteArrayList& lines : {fractint::alignedRows(cells), fractint::closeRows(cells)})
+            if (std::ranges::all_of(lines, fits)) return lines;
+        return fractint::rowsOnTwoLines(cells);
     }
 
     static std::vector<QByteArray> texts(const Row& row, double weight) {
-        for (const int digits : {0, 9, 6}) { // as many digits as a line has room for
-            std::vector<QByteArray> cells;
-            qsizetype length = 2;
-            for (std::size_t i = 0; i <= row.coefficients.size(); ++i) {
-                const double number = i < row.coefficients.size() ? row.coefficients[i] : weight;
-                cells.push_back(digits == 0 ? fractint::numberText(number)
-                                            : QByteArray::number(number, 'g', digits));
-                length += cells.back().size() + 1;
-            }
-            if (length <= maxLine || digits == 6) return cells;
-        }
-        return {};
+        std::vector<QByteArray> cells;
+        for (const double number : row.coefficients)
+            cells.push_back(fractint::numberText(number));
+        cells.push_back(fractint::numberText(weight));
+        return cells;
     }
 
     void checkLimits(const document::Fractal& fractal, std::size_t maps) {
