@@ -4758,6 +4758,10 @@
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
         <translation>Der Körper von „%1“ bräuchte mehr als %2 Millionen Voxel. Wählen Sie eine geringere Auflösung: höchstens %3.</translation>
     </message>
+    <message>
+        <source>Transform %1 has opacity %2; its points are drawn in full.</source>
+        <translation>Transformation %1 hat die Deckkraft %2; ihre Punkte werden voll gezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

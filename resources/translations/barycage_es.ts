@@ -4758,6 +4758,10 @@
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
         <translation>El sólido de «%1» necesitaría más de %2 millones de vóxeles. Elija una resolución menor: %3 como máximo.</translation>
     </message>
+    <message>
+        <source>Transform %1 has opacity %2; its points are drawn in full.</source>
+        <translation>La transformación %1 tiene opacidad %2; sus puntos se dibujan por completo.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4758,6 +4758,10 @@
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
         <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse : %3 au maximum.</translation>
     </message>
+    <message>
+        <source>Transform %1 has opacity %2; its points are drawn in full.</source>
+        <translation>La transformation %1 a l’opacité %2&#x202f;; ses points sont dessinés pleinement.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4767,6 +4767,10 @@
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
         <translation>За телото на „%1“ би биле потребни повеќе од %2 милиони воксели. Изберете помала резолуција: најмногу %3.</translation>
     </message>
+    <message>
+        <source>Transform %1 has opacity %2; its points are drawn in full.</source>
+        <translation>Трансформацијата %1 има непроѕирност %2; нејзините точки се цртаат целосно.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -100,6 +100,7 @@ struct Xform {
     double linear = 0;   // the amount of `linear`, which leaves z out
     double linear3D = 0; // the amount of `linear3D`
     double weight = 0;
+    double opacity = 1;       // of its points
     bool standsStill = false; // in animations, as transforms do that stand for a symmetry
     QList<double> chaos;      // P_ij of its successors; 1 beyond the last
     QString refusal;          // why it is no row of an iterated function system; empty when it is one
@@ -216,8 +217,8 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
     xform.chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
     if (!ok || std::ranges::any_of(xform.chaos, [](double v) { return !(v >= 0); }))
         xform.refusal = Text::tr("its “chaos” is not a list of numbers from 0 upwards");
-    else if (const auto opacity = parseNumber(attributes.value(QLatin1String("opacity")));
-             (opacity && *opacity == 0) || attributes.value(QLatin1String("plotmode")) == u"off") // as flam3
+    xform.opacity = parseNumber(attributes.value(QLatin1String("opacity"))).value_or(1);
+    if (xform.opacity == 0 || attributes.value(QLatin1String("plotmode")) == u"off") // as flam3
         xform.refusal = Text::tr("it is active but not drawn (opacity 0)");
     if (attributes.hasAttribute(QLatin1String("weight"))) {
         const auto weight = parseNumber(attributes.value(QLatin1String("weight")));
@@ -272,6 +273,15 @@ private:
 
     void refuse(const QString& name, const QString& sentence) {
         if (++m_refused <= maxRefusals) report(Problem::Severity::Error, name, sentence);
+    }
+
+    void remark(const QString& sentence) {
+        if (m_remarks.size() < 10)
+            m_remarks << Problem{Problem::Severity::Warning,
+                                 {},
+                                 int(m_xml.lineNumber()),
+                                 int(m_xml.columnNumber()) + 1,
+                                 sentence};
     }
 
     void readFlame() {
@@ -340,13 +350,11 @@ private:
         const Xform xform = readXform(m_xml.attributes());
         if (!xform.refusal.isEmpty())
             return Text::tr("transform %1: %2").arg(xforms.size() + 1).arg(xform.refusal);
-        if (const auto remark = weightRemark(xforms.size() + 1, xform.weight);
-            remark && m_remarks.size() < 10)
-            m_remarks << Problem{Problem::Severity::Warning,
-                                 {},
-                                 int(m_xml.lineNumber()),
-                                 int(m_xml.columnNumber()) + 1,
-                                 *remark};
+        if (const auto sentence = weightRemark(xforms.size() + 1, xform.weight)) remark(*sentence);
+        if (xform.opacity != 1)
+            remark(Text::tr("Transform %1 has opacity %2; its points are drawn in full.")
+                       .arg(xforms.size() + 1)
+                       .arg(xform.opacity));
         if (xform.standsStill && !xform.isSpatial()) {
             const ifs::AffineMap<2> map = xform.inPlane();
             symmetry.addTransform(xforms.size(), m_axis == FlameAxis::Flipped ? ifs::flipped(map) : map);
@@ -435,12 +443,8 @@ private:
         if (auto* space = document::space(fractal)) space->system.symmetry = ifs::lifted(symmetry);
         colours.applyTo(fractal);
         if (colours.namesForeignPalette())
-            m_remarks << Problem{Problem::Severity::Warning,
-                                 {},
-                                 int(m_xml.lineNumber()),
-                                 int(m_xml.columnNumber()) + 1,
-                                 Text::tr("The flame names a palette of another program by its number; its "
-                                          "colours are not in the file.")};
+            remark(Text::tr("The flame names a palette of another program by its number; its colours are "
+                            "not in the file."));
         document::Entry entry;
         entry.id = static_cast<document::EntryId>(m_file.entries.size() + 1);
         for (Problem& remark : m_remarks)

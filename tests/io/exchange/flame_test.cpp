@@ -41,6 +41,7 @@ private slots:
     void flam3DrawsTheSame_data();
     void flam3DrawsTheSame();
     void weightsComeBackAsTheyWere();
+    void opacitiesAreNotKept();
     void palettesBackgroundsAndColoursAreRead_data();
     void palettesBackgroundsAndColoursAreRead();
     void coloursComeBack_data();
@@ -482,6 +483,16 @@ void FlameTest::palettesBackgroundsAndColoursAreRead() {
         QVERIFY(std::abs(colour.red - i) <= 1 && std::abs(colour.green - (255 - i)) <= 1);
         QVERIFY(std::abs(colour.blue - 128) <= 1);
     }
+}
+
+void FlameTest::opacitiesAreNotKept() {
+    const document::FractalFile file =
+        io::readFlame(flame(R"(<xform weight="1" linear="1" opacity="1" coefs=".5 0 0 .5 0 0"/>)"
+                            R"(<xform weight="1" linear="1" opacity="0.25" coefs=".5 0 0 .5 1 0"/>)"));
+    const document::Problems problems = file.entries.first().problems;
+    QCOMPARE(problems.size(), 1);
+    QCOMPARE(problems.first().message,
+             QStringLiteral("Transform 2 has opacity 0.25; its points are drawn in full."));
 }
 
 void FlameTest::coloursComeBack_data() {
