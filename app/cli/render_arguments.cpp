@@ -165,7 +165,8 @@ std::optional<double> dotsPerInch(const RenderArguments& arguments) {
     constexpr double maxDots = 100'000;
     const auto dots = io::parseNumber(QString::fromStdString(*arguments.dpi));
     if (!dots || !(*dots >= 1 && *dots <= maxDots))
-        throw UsageError{tr("--dpi must be a number from 1 to 100000.")};
+        throw UsageError{tr("--dpi “%1” is not valid: it must be a number from 1 to 100000.")
+                             .arg(QString::fromStdString(*arguments.dpi))};
     return dots;
 }
 

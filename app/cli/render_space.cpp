@@ -240,7 +240,9 @@ attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, con
 double angleOfView(const std::string& argument, const QString& fileName) {
     constexpr double wide = 150;
     const double angle = positiveArgument("--perspective", argument);
-    if (!(angle < 180)) throw UsageError{tr("--perspective must be an angle of view below 180 degrees.")};
+    if (!(angle < 180))
+        throw UsageError{tr("--perspective “%1” is not valid: it must be an angle of view below 180 degrees.")
+                             .arg(quoted(argument))};
     if (angle > wide)
         reportWarning(fileName,
                       tr("With an angle of view of %1 degrees, nearly all of the picture shows what "

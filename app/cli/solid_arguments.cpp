@@ -68,7 +68,8 @@ io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool
         constexpr double minLength = 1e-3, maxLength = 1e6;
         options.longest = positiveArgument("--longest", *arguments.longest);
         if (options.longest < minLength || options.longest > maxLength)
-            throw UsageError{tr("--longest must be from 0.001 to 1000000 mm.")};
+            throw UsageError{tr("--longest “%1” is not valid: it must be from 0.001 to 1000000 mm.")
+                                 .arg(QString::fromStdString(*arguments.longest))};
     }
     options.fillsCavities = arguments.fill;
     return options;

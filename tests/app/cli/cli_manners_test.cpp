@@ -249,7 +249,7 @@ void CliMannersTest::limitsAreSaid_data() {
     row("--margin 50", "from 0 to less than 50");
     row("--supersample 5", "from 1 to 4");
     row("--dpi 0.5", "from 1 to 100000");
-    row("--dpi 0", "from 1 to 100000");
+    row("--dpi 0", "“0” is not valid: it must be a number from 1 to 100000");
 }
 
 void CliMannersTest::limitsAreSaid() {
