@@ -57,20 +57,26 @@ void showPanel(const QMainWindow& window) {
 bool mayEnd(QWidget* window) {
     for (auto* animation : window->findChildren<view::AnimationExportDialog*>())
         if (!animation->mayClose()) return false;
-    const int count = queue()->unfinished();
     const auto others = session::windows();
     const bool isLast = std::ranges::none_of(
         others, [window](const SessionWindow* other) { return other != window && other->isVisible(); });
-    if (count == 0 || queue()->isPaused() || !isLast) return true;
-    QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"),
-                    Text::tr("%n exports are still in the queue.", nullptr, count), QMessageBox::Cancel,
+    if (queue()->unfinished() == 0 || queue()->isPaused() || !isLast) return true;
+    QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"), {}, QMessageBox::Cancel,
                     window);
-    box.setInformativeText(
-        Text::tr("They will continue the next time you start Barycage. Close it now?", nullptr, count));
+    box.setInformativeText(Text::tr("They will continue the next time you start Barycage. Close it now?",
+                                    nullptr, queue()->unfinished()));
     const QPushButton* close = box.addButton(Text::tr("&Close"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
+    const auto follow = [&box] {
+        const int left = queue()->unfinished();
+        box.setText(Text::tr("%n exports are still in the queue.", nullptr, left));
+        if (left == 0) box.accept(); // nobody need answer any more
+    };
+    QObject::connect(queue(), &view::ExportQueue::exportChanged, &box, follow);
+    QObject::connect(queue(), &view::ExportQueue::listChanged, &box, follow);
+    follow();
     box.exec();
-    return box.clickedButton() == close;
+    return queue()->unfinished() == 0 || box.clickedButton() == close;
 }
 
 } // namespace exports

@@ -15,20 +15,26 @@ namespace {
 const QString key = QStringLiteral("session/files");
 constexpr char toReopen[] = "filesToReopen"; // a property of the application
 
-QStringList shown() {
+QStringList filesOf(const QList<SessionWindow*>& windows) {
     QStringList paths;
-    for (const SessionWindow* window : windows())
-        if (window->isVisible() && !window->path().isEmpty())
-            paths << QFileInfo(window->path()).absoluteFilePath();
+    for (const SessionWindow* window : windows)
+        if (!window->path().isEmpty()) paths << QFileInfo(window->path()).absoluteFilePath();
     return paths;
 }
 
-// Stores the files they had, and returns them; nullopt when one stays open.
+QList<SessionWindow*> shown() {
+    QList<SessionWindow*> found = windows();
+    erase_if(found, [](const SessionWindow* window) { return !window->isVisible(); });
+    return found;
+}
+
+// Stores the files they had, also those that were saved on the way, and returns them; nullopt when one stays
+// open. A window is deleted once all of them have closed.
 std::optional<QStringList> closeAll() {
-    const QStringList paths = shown();
+    const QList<SessionWindow*> closing = shown();
     QApplication::closeAllWindows();
-    for (const SessionWindow* window : windows())
-        if (window->isVisible()) return std::nullopt;
+    if (!shown().isEmpty()) return std::nullopt;
+    const QStringList paths = filesOf(closing);
     view::store(key, paths);
     return paths;
 }
@@ -48,7 +54,7 @@ QStringList files() {
 
 void remember() {
     // Also while other windows are open: the program may be killed before they close.
-    view::store(key, shown());
+    view::store(key, filesOf(shown()));
 }
 
 void quit() {

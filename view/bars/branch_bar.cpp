@@ -60,7 +60,7 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
     follow();
 }
 
-void BranchBar::setSpace(const SpaceView* space, const QString& hint) {
+void BranchBar::setSpace(SpaceView* space, const QString& hint) {
     m_space = space;
     m_hintInSpace = hint;
     connect(space, &SpaceView::mapHeld, this, &BranchBar::endSwing);
@@ -200,7 +200,9 @@ void BranchBar::follow() {
     m_putBack->setVisible(canPutBack);
     const bool isSpace = document::space(m_document->fractal());
     const bool isHeld = m_space && m_space->heldMap();
-    m_swing->setEnabled(isSpace ? isHeld : !m_canvas->selectedMaps().empty());
+    const bool canSwing = isSpace ? isHeld : !m_canvas->selectedMaps().empty();
+    if (!canSwing) takeFocusFrom(m_swing);
+    m_swing->setEnabled(canSwing);
     m_swingHint->setText(isSpace ? m_hintInSpace : QString());
     m_swingHint->setToolTip(m_swingHint->text());
     m_angle->setText(tr("%1°").arg(m_swing->value()));
@@ -208,7 +210,9 @@ void BranchBar::follow() {
 
 void BranchBar::takeFocusFrom(const QWidget* part) {
     const QWidget* focused = QApplication::focusWidget();
-    if (focused && (part == focused || part->isAncestorOf(focused))) m_canvas->setFocus();
+    if (!focused || (part != focused && !part->isAncestorOf(focused))) return;
+    const bool isSeen = m_canvas->isVisible() || !m_space;
+    (isSeen ? static_cast<QWidget*>(m_canvas) : m_space)->setFocus();
 }
 
 void BranchBar::showRow(QWidget* row) {

@@ -31,7 +31,7 @@ public:
     BranchBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
     // Of the window into space, whose selected maps swing about the line of sight; `hint` is shown beside it.
-    void setSpace(const SpaceView* space, const QString& hint);
+    void setSpace(SpaceView* space, const QString& hint);
     // Another canvas, whose branch is the one that is spoken of once it was selected later.
     void setBeside(CanvasView* canvas);
 
@@ -48,7 +48,7 @@ private:
     QWidget* makeSwing();
     void follow();
     void followChoice(CanvasView* canvas);
-    void takeFocusFrom(const QWidget* part); // that is about to be hidden, for the canvas
+    void takeFocusFrom(const QWidget* part); // that is about to be hidden or disabled, for the canvas
     void showRow(QWidget* row);
     CanvasView& chosenIn() const { return m_chosenIn ? *m_chosenIn : *m_canvas; }
     BranchChoice& choice() const;
@@ -78,7 +78,7 @@ private:
     QLabel* m_angle = nullptr;
     ElidedLabel* m_swingHint = nullptr;
     QString m_hintInSpace;
-    const SpaceView* m_space = nullptr;
+    SpaceView* m_space = nullptr;
     document::LiveEdit m_swinging;
     QTimer m_pause;           // after which a swing by keyboard is done with
     bool m_isGivenUp = false; // while the slider is still held

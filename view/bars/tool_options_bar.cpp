@@ -44,7 +44,7 @@ QString ToolOptionsBar::hint() const {
     return label ? label->text() : QString();
 }
 
-void ToolOptionsBar::setSpaceView(const SpaceView* space) {
+void ToolOptionsBar::setSpaceView(SpaceView* space) {
     m_branches->setSpace(
         space, tr("Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z "
                   "keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));

@@ -18,7 +18,7 @@ class ToolOptionsBar : public QStackedWidget {
 public:
     ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
-    void setSpaceView(const SpaceView* space);
+    void setSpaceView(SpaceView* space);
     void setSpace(bool isSpace);        // the window into space is shown
     void setBeside(CanvasView* canvas); // of another entry, whose branches have the same options
     QString hint() const;               // what is said of a tool without options; empty for the others

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMainWindow>
@@ -68,38 +69,61 @@ QString pathOf(const QWidget* widget, const QWidget* panel) {
     return names.join(QStringLiteral(" › "));
 }
 
-// Made once, and each time as the button is now.
-QAction* clickOf(QAbstractButton* button) {
-    static const QString clicking = QStringLiteral("clicking");
-    auto* action = button->findChild<QAction*>(clicking, Qt::FindDirectChildrenOnly);
+// Made once, and each time as the widget is now.
+template <typename Run> QAction* actionOf(QWidget* widget, const QString& text, Run run) {
+    static const QString running = QStringLiteral("running");
+    auto* action = widget->findChild<QAction*>(running, Qt::FindDirectChildrenOnly);
     if (!action) {
-        action = new QAction(button);
-        action->setObjectName(clicking);
-        QObject::connect(action, &QAction::triggered, button, &QAbstractButton::click);
+        action = new QAction(widget);
+        action->setObjectName(running);
+        QObject::connect(action, &QAction::triggered, widget, run);
     }
-    action->setText(button->accessibleName().isEmpty() ? button->text() : button->accessibleName());
-    action->setIcon(button->icon());
-    action->setEnabled(button->isEnabled());
-    action->setStatusTip(plainText(button->toolTip()));
-    action->setWhatsThis(button->whatsThis());
+    action->setText(text);
+    action->setEnabled(widget->isEnabled());
+    action->setStatusTip(plainText(widget->toolTip()));
+    action->setWhatsThis(widget->whatsThis());
     return action;
 }
 
-// What the widgets of a panel have as actions of their own, in the menu of a button, or as buttons.
+QAction* clickOf(QAbstractButton* button) {
+    const QString name = button->accessibleName().isEmpty() ? button->text() : button->accessibleName();
+    QAction* action = actionOf(button, name, [button] { button->click(); });
+    action->setIcon(button->icon());
+    return action;
+}
+
+// Goes to the field that a label names, or to the first part of it that takes the focus.
+QAction* entryOf(const QLabel& label) {
+    QWidget* field = label.buddy();
+    return actionOf(field, label.text(), [field] {
+        QWidgetList parts{field};
+        parts << field->findChildren<QWidget*>();
+        const auto first = std::ranges::find_if(parts, [](const QWidget* part) {
+            return part->isVisible() && part->focusPolicy() & Qt::TabFocus;
+        });
+        if (first != parts.end()) (*first)->setFocus(Qt::ShortcutFocusReason);
+    });
+}
+
+// What the widgets of a panel have as actions of their own, in the menu of a button, as buttons or as fields.
 QList<NamedAction> actionsIn(QWidget* panel) {
     QList<NamedAction> found;
     for (QWidget* widget : panel->findChildren<QWidget*>()) {
         if (widget->window() != panel->window()) continue; // menus come by their buttons
         const QString path = pathOf(widget, panel);
+        const QWidget* content = contentOf(panel, widget);
+        const bool isThere = widget != content && widget->isVisibleTo(content);
         const auto* tool = qobject_cast<const QToolButton*>(widget);
         auto* button = qobject_cast<QAbstractButton*>(widget);
+        const auto* label = qobject_cast<const QLabel*>(widget);
         if (tool && tool->menu() && tool->menu()->title().isEmpty())
             collect(tool->menu()->actions(), below(path, tool->text()), found, panel);
         else if (!widget->actions().isEmpty())
             collect(widget->actions(), path, found, panel);
-        else if (button && button != contentOf(panel, button) &&
-                 button->isVisibleTo(contentOf(panel, button)))
+        else if (button && isThere)
             collect({clickOf(button)}, path, found, panel);
+        else if (label && label->buddy() && isThere)
+            collect({entryOf(*label)}, path, found, panel);
     }
     return found;
 }

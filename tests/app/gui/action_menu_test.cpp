@@ -7,16 +7,19 @@
 #include "document/fractal_geometry.h"
 #include "document/recurring_branches.h"
 #include "session_fixture.h"
+#include "space/space_view.h"
 #include "welcome.h"
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QHash>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSet>
+#include <QSlider>
 #include <QStatusBar>
 #include <QTest>
 #include <QToolBar>
@@ -30,11 +33,13 @@ class ActionMenuTest : public SessionFixture {
 private slots:
     void commandsOfThePanelsAreFound();
     void buttonsAreFoundAsCommands();
+    void fieldsAreFoundAsCommands();
     void longStepsLeaveTheMenuNarrow();
     void cageCommandsAreOfferedWhereTheyDoSomething();
     void menusHaveEveryLetterOnce();
     void whatIsDisabledSaysWhy();
     void toolsOfThePlaneAreNotOfferedInSpace();
+    void weaveLeavesItsFocusToTheCanvas();
     void aKeyThatNobodyClaimsEnds();
     void otherDimensionsAreOneStep_data();
     void otherDimensionsAreOneStep();
@@ -59,6 +64,7 @@ void ActionMenuTest::commandsOfThePanelsAreFound() {
         {"Entries › Duplicate", QKeySequence(Qt::Key_Insert)},
         {"Entries › Rename", QKeySequence(Qt::Key_F2)},
         {"Entries › Move Down", QKeySequence(QStringLiteral("Alt+Down"))},
+        {"Appearance › Brightness", {}},
         {"Collection › Favourite", QKeySequence(QStringLiteral("Ctrl+D"))},
         {"Collection › Add to This File", QKeySequence(QStringLiteral("Shift+Return"))},
         {"Edit › Undo", QKeySequence(QStringLiteral("Ctrl+Z"))},
@@ -84,6 +90,21 @@ void ActionMenuTest::commandsOfThePanelsAreFound() {
     for (const view::NamedAction& action : view::actionsOf(*window))
         named = named || action.path == QStringLiteral("Edit › Undo");
     QVERIFY(named);
+}
+
+// A field with a label is gone to.
+void ActionMenuTest::fieldsAreFoundAsCommands() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    const auto actions = view::actionsOf(*window);
+    const auto brightness =
+        std::ranges::find(actions, QStringLiteral("Appearance › Brightness"), &view::NamedAction::path);
+    QVERIFY(brightness != actions.end());
+    brightness->panel->show();
+    brightness->panel->raise();
+    brightness->action->trigger();
+    QTRY_VERIFY(brightness->panel->isAncestorOf(QApplication::focusWidget()));
 }
 
 void ActionMenuTest::longStepsLeaveTheMenuNarrow() {
@@ -295,6 +316,36 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
 
 // Copy and the like press their key for the widget with the focus. Where it has no use for the key, the
 // shortcut of the command must not run again.
+// Not to the next field, which would take the next keys for text.
+void ActionMenuTest::weaveLeavesItsFocusToTheCanvas() {
+    MainWindow* window = shown({});
+    window->openFirstPicture();
+    QVERIFY(QTest::qWaitForWindowActive(window));
+    auto* canvas = window->findChild<view::CanvasView*>();
+    document::Fractal fractal = window->document().fractal();
+    fractal.shape = document::Shape<3>{document::System3{}};
+    for (int side = 0; side < 2; ++side)
+        ifs::append<3>(document::space(fractal)->system,
+                       {0.5 * ifs::Matrix<3>::Identity(), ifs::Vector<3>(side / 2.0, 0, 0)});
+    window->document().edit(QStringLiteral("space"), fractal);
+    QTest::keyClick(window->focusWidget(), Qt::Key_M);
+    const auto views = window->findChildren<view::SpaceView*>();
+    const auto seen = std::ranges::find_if(views, [](const auto* view) { return view->isVisible(); });
+    QVERIFY(seen != views.end());
+    (*seen)->holdMap(1);
+    QSlider* weave = window->findChild<view::BranchBar*>()->swing();
+    weave->setFocus();
+    QTRY_COMPARE(QApplication::focusWidget(), weave);
+    window->document().undoStack()->undo();
+    QTRY_COMPARE(QApplication::focusWidget(), canvas);
+    const auto* plane = document::system2(window->document().fractal());
+    canvas->selectMaps({plane->maps[0].id});
+    weave->setFocus();
+    QTRY_COMPARE(QApplication::focusWidget(), weave);
+    canvas->selectMaps({});
+    QTRY_COMPARE(QApplication::focusWidget(), canvas);
+}
+
 void ActionMenuTest::aKeyThatNobodyClaimsEnds() {
     MainWindow* window = shown({});
     window->openFirstPicture();

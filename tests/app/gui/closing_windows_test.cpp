@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "bridges/export_queue.h"
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "document/fractal.h"
+#include "exports.h"
+#include "io/exports/export_recipe.h"
+#include "io/fractint/entry_writer.h"
 #include "session.h"
 #include "session_fixture.h"
 #include "space/four_views.h"
@@ -11,9 +16,14 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QListView>
+#include <QMessageBox>
 #include <QMouseEvent>
+#include <QPointer>
+#include <QTemporaryDir>
+#include <QTimer>
 #include <QUndoStack>
 
 // Windows that are closed while something is under way in them.
@@ -24,6 +34,8 @@ private slots:
     void aWindowMayGoWhileANameIsTyped();
     void aWindowMayGoInMidDrag_data();
     void aWindowMayGoInMidDrag();
+    void theQuestionGoesWithTheLastExport();
+    void whatIsSavedOnTheWayIsOpenedAgain();
 };
 
 // The field is left when the window goes, and says what it holds to a document that must still be there.
@@ -83,6 +95,60 @@ void ClosingWindowsTest::aWindowMayGoInMidDrag() {
     window->document().undoStack()->setClean();
     delete window;
     QVERIFY(windows().isEmpty());
+}
+
+// Nobody need answer it once nothing is left to do.
+void ClosingWindowsTest::theQuestionGoesWithTheLastExport() {
+    const QPointer<MainWindow> window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    const QTemporaryDir folder;
+    io::PixelRecipe recipe; // takes minutes
+    recipe.camera.width = 6000;
+    recipe.camera.height = 4000;
+    recipe.camera = attractor::fitted(recipe.camera, {0, 0}, {1, 0.9});
+    recipe.samplesPerPixel = 2000;
+    io::ExportTask task;
+    task.path = folder.filePath(QStringLiteral("long.png"));
+    task.entry = io::writeEntry(document::sierpinskiTriangle());
+    task.recipe = recipe;
+    view::ExportQueue* queue = exports::queue();
+    queue->add(task);
+    QCOMPARE(queue->unfinished(), 1);
+    int looks = 0;
+    QTimer watch;
+    connect(&watch, &QTimer::timeout, this, [&] {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!question) return;
+        if (++looks == 1) queue->cancel(queue->exports().front().id);
+        if (looks == 100) question->reject();
+    });
+    watch.start(50);
+    QVERIFY(window->close());
+    QVERIFY(looks > 0 && looks < 100);
+}
+
+void ClosingWindowsTest::whatIsSavedOnTheWayIsOpenedAgain() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("new.ifs"));
+    MainWindow* window = shown({});
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, this, [&path] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
+            files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+            QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+        } else if (auto* question = qobject_cast<QMessageBox*>(dialog)) {
+            // That of the folder, which may not be read yet, goes away again.
+            QAbstractButton* save = question->button(QMessageBox::Save);
+            save ? save->click() : question->reject();
+        }
+    });
+    answering.start(50);
+    session::restart();
+    QVERIFY(session::filesToReopen());
+    QCOMPARE(*session::filesToReopen(), QStringList{path});
 }
 
 QTEST_MAIN(ClosingWindowsTest)

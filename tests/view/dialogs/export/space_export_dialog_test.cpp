@@ -72,6 +72,7 @@ private slots:
 
     void escStopsBeforeItCloses() {
         m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
         m_dialog->exportTo(path(QStringLiteral("stopped.stl")));
         QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
         QVERIFY(m_dialog->isVisible());
