@@ -70,12 +70,12 @@ QString pathOf(const QWidget* widget, const QWidget* panel) {
 }
 
 // Made once, and each time as the widget is now.
-template <typename Run> QAction* actionOf(QWidget* widget, const QString& text, Run run) {
-    static const QString running = QStringLiteral("running");
-    auto* action = widget->findChild<QAction*>(running, Qt::FindDirectChildrenOnly);
+template <typename Run>
+QAction* actionOf(QWidget* widget, const QString& doing, const QString& text, Run run) {
+    auto* action = widget->findChild<QAction*>(doing, Qt::FindDirectChildrenOnly);
     if (!action) {
         action = new QAction(widget);
-        action->setObjectName(running);
+        action->setObjectName(doing);
         QObject::connect(action, &QAction::triggered, widget, run);
     }
     action->setText(text);
@@ -87,7 +87,7 @@ template <typename Run> QAction* actionOf(QWidget* widget, const QString& text, 
 
 QAction* clickOf(QAbstractButton* button) {
     const QString name = button->accessibleName().isEmpty() ? button->text() : button->accessibleName();
-    QAction* action = actionOf(button, name, [button] { button->click(); });
+    QAction* action = actionOf(button, QStringLiteral("clicking"), name, [button] { button->click(); });
     action->setIcon(button->icon());
     return action;
 }
@@ -95,7 +95,7 @@ QAction* clickOf(QAbstractButton* button) {
 // Goes to the field that a label names, or to the first part of it that takes the focus.
 QAction* entryOf(const QLabel& label) {
     QWidget* field = label.buddy();
-    return actionOf(field, label.text(), [field] {
+    return actionOf(field, QStringLiteral("entering"), label.text(), [field] {
         QWidgetList parts{field};
         parts << field->findChildren<QWidget*>();
         const auto first = std::ranges::find_if(parts, [](const QWidget* part) {
@@ -122,7 +122,7 @@ QList<NamedAction> actionsIn(QWidget* panel) {
             collect(widget->actions(), path, found, panel);
         else if (button && isThere)
             collect({clickOf(button)}, path, found, panel);
-        else if (label && label->buddy() && isThere)
+        else if (label && isThere && label->buddy() && !qobject_cast<QAbstractButton*>(label->buddy()))
             collect({entryOf(*label)}, path, found, panel);
     }
     return found;
