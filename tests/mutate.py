@@ -91,6 +91,7 @@ def prepare():
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     subprocess.run(["cmake", "--preset", "release", "-DBARYCAGE_GUI=OFF", "-DBARYCAGE_TESTS=ON", *launcher], cwd=COPY,
                    check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", BUILD], check=True, stdout=subprocess.DEVNULL)  # ctest lists what is there
 
 
 def tests_in(folder):
