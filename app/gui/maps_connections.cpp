@@ -25,7 +25,7 @@ void holdSelected(const view::MapsPanel& maps, Stage* stage) {
     if (rows.empty()) return;
     stage->space()->holdMap(std::size_t(rows.front()), selected);
     for (view::SpaceView* other : stage->views()->others())
-        other->holdMap(std::size_t(rows.front()));
+        other->holdMap(std::size_t(rows.front()), selected);
 }
 
 void connectSpace(view::MapsPanel* maps, Stage* stage, const document::Document& document) {
@@ -35,9 +35,13 @@ void connectSpace(view::MapsPanel* maps, Stage* stage, const document::Document&
     QObject::connect(maps, &view::MapsPanel::selectionChanged, stage, hold);
     QObject::connect(maps->table()->selectionModel(), &QItemSelectionModel::currentChanged, stage, hold);
     QObject::connect(stage->views(), &view::FourViews::fourShown, maps, hold); // the new ones, too
-    QObject::connect(stage->space(), &view::SpaceView::mapHeld, maps, [maps](std::size_t index) {
-        const std::vector held{maps->model()->idAt(int(index))};
-        if (maps->selectedMaps() != held) maps->selectMaps(held);
+    QObject::connect(stage->space(), &view::SpaceView::mapHeld, maps, [maps, stage](std::size_t index) {
+        const std::vector<ifs::MapId> selected = stage->space()->selectedIds();
+        if (maps->selectedMaps() != selected) maps->selectMaps(selected);
+        const QModelIndex current = maps->table()->currentIndex();
+        if (current.isValid() && current.row() != int(index)) // the held one is in the form
+            maps->table()->selectionModel()->setCurrentIndex(current.siblingAtRow(int(index)),
+                                                             QItemSelectionModel::NoUpdate);
     });
     hold();
 }

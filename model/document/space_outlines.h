@@ -20,6 +20,7 @@ struct SpaceOutline {
     std::vector<ifs::Vector<3>> points;
     std::vector<std::array<int, 2>> edges;
     std::optional<attractor::Rgba> colour; // as in OutlineShape
+    bool isSelected = false;               // drawn with thick lines
 };
 
 // What of the facts of an entry in space can be drawn over its picture. `code` are those of the code,

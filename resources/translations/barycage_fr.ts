@@ -13632,8 +13632,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Faites glisser un coin ou une face de la cage.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
     </message>
     <message>
-        <source>Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Cliquez sur un coin d’une application pour la sélectionner, puis faites glisser ses coins ou son milieu.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
+        <source>Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Cliquez sur un coin d’une application pour la sélectionner, puis faites glisser ses coins ou son milieu.  Maj+clic en sélectionne d’autres  ·  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
     </message>
 </context>
 <context>

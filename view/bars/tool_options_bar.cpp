@@ -46,8 +46,10 @@ QString ToolOptionsBar::hint() const {
 
 void ToolOptionsBar::setSpaceView(SpaceView* space) {
     m_branches->setSpace(
-        space, tr("Click a corner of a map to select the map, then drag its corners or its middle.  X, Y, Z "
-                  "keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));
+        space,
+        tr("Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click "
+           "selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else "
+           "to turn the view"));
 }
 
 void ToolOptionsBar::setBeside(CanvasView* canvas) {

@@ -23,9 +23,9 @@ FourViews::FourViews(document::Document* document, SolidBridge* bridge, QWidget*
 
 void FourViews::follow(SpaceView* view) {
     connect(view, &SpaceView::defined, this, &FourViews::defined);
-    connect(view, &SpaceView::mapHeld, this, [this](std::size_t index) {
+    connect(view, &SpaceView::mapHeld, this, [this, view](std::size_t index) {
         for (SpaceView* each : all())
-            each->holdMap(index);
+            each->holdMap(index, view->selectedIds());
     });
 }
 
@@ -50,7 +50,7 @@ void FourViews::makeOthers() {
         view->setOverlaysVisible(m_areOverlaysVisible);
         view->setBranchChoice(m_branch);
         view->setTarget(m_target);
-        view->holdMap(m_main->heldMap().value_or(0));
+        view->holdMap(m_main->heldMap().value_or(0), m_main->selectedIds());
         view->setAllowsNoAttractor(m_allowsNoAttractor);
         view->showOutlines(m_outlines);
         connect(view, &SpaceView::pointerMoved, m_main, &SpaceView::pointerMoved);

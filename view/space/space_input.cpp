@@ -4,8 +4,6 @@
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/edits/cage_actions.h"
-#include "document/edits/map_locks.h"
-#include "document/edits/maps_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
 #include "space/keypad_views.h"
@@ -100,7 +98,10 @@ void SpaceInput::defineAt(const QPointF& position) {
 bool SpaceInput::pressHandle(const QPointF& position, const QMouseEvent& event) {
     auto handles = held().handlesAt(position);
     if (const auto map = m_maps.mapAt(position); handles.empty() && m_maps.isActive() && map) {
-        selectMap(*map);
+        const bool adds = event.modifiers() == Qt::ShiftModifier;
+        m_maps.pick(*map, adds);
+        showSelected();
+        if (adds) return true;
         handles = held().handlesAt(position);
     }
     if (handles.empty()) return false;
@@ -110,10 +111,9 @@ bool SpaceInput::pressHandle(const QPointF& position, const QMouseEvent& event) 
     return true;
 }
 
-void SpaceInput::selectMap(std::size_t index) {
+void SpaceInput::showSelected() {
     m_focused.reset();
     m_hovered.reset();
-    m_maps.select(index);
     emit mapSelected();
 }
 
@@ -461,27 +461,12 @@ bool SpaceInput::lockBy(const QKeyEvent& event) {
     return true;
 }
 
-// Of the maps, as in the plane: Delete and Insert, and Alt with a digit selects one.
 bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
-    const auto map = m_maps.selected();
-    if (!map || !isIdle()) return false;
-    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
-    const int digit = event.key() - Qt::Key_1;
-    if (modifiers == Qt::AltModifier && digit >= 0 && digit < 9) {
-        if (std::size_t(digit) < m_maps.count()) selectMap(std::size_t(digit));
-        return true;
-    }
-    if (modifiers != Qt::NoModifier) return false;
-    if (event.key() == Qt::Key_Delete) {
-        const QString locked = document::lockObstacle(m_document->fractal(), std::vector{*map});
-        if (!locked.isEmpty()) emit message(locked);
-        if (!document::deleteMaps(*m_document, {int(*map)}).empty()) selectMap(*map); // the next one
-    } else if (event.key() == Qt::Key_Insert && !document::duplicateMaps(*m_document, {int(*map)}).empty()) {
-        selectMap(*map + 1);
-    } else {
-        return false;
-    }
-    return true;
+    if (!isIdle()) return false;
+    const SpaceMaps::KeyOutcome outcome = m_maps.keyPress(event, *m_document);
+    if (!outcome.message.isEmpty()) emit message(outcome.message);
+    if (outcome.isSelected) showSelected();
+    return outcome.isTaken;
 }
 
 void SpaceInput::nudge(const QPointF& pixels) {
@@ -518,8 +503,10 @@ bool SpaceInput::cancelDrag() {
 bool SpaceInput::focusVertex(bool next) {
     const std::size_t count = m_isEnabled ? held().count() : 0;
     const auto map = m_maps.selected();
-    if (next && map && m_focused && *m_focused + 1 == count && *map + 1 < m_maps.count())
-        selectMap(*map + 1); // and its first corner
+    if (next && map && m_focused && *m_focused + 1 == count && *map + 1 < m_maps.count()) {
+        m_maps.select(*map + 1); // and its first corner
+        showSelected();
+    }
     const std::size_t vertex = m_focused ? (next ? *m_focused + 1 : *m_focused - 1) : (next ? 0 : count - 1);
     m_focused = vertex < count ? std::optional(vertex) : std::nullopt;
     emit changed();

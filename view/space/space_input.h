@@ -114,7 +114,7 @@ private:
     void beginFaceDrag(std::size_t face, const QMouseEvent& event);
     After afterCage(); // nullptr while there is no cage, or, which is said, while it cannot move
     After afterMap();  // or branch; nullptr while it cannot be moved
-    void selectMap(std::size_t index);
+    void showSelected();
     bool mapsKeyPress(const QKeyEvent& event);
     bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
     SpaceCageItem& held() const { return holdsMap() ? m_map : m_cage; }

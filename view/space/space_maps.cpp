@@ -4,9 +4,11 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/geometry/canvas_note.h"
 #include "document/edits/map_locks.h"
+#include "document/edits/maps_edits.h"
 #include "document/shown_branch.h"
 #include "document/space_geometry.h"
 
+#include <QKeyEvent>
 #include <QLineF>
 
 #include <algorithm>
@@ -77,6 +79,55 @@ std::vector<std::size_t> SpaceMaps::selection() const {
     return indices;
 }
 
+std::vector<ifs::MapId> SpaceMaps::selectedIds() const {
+    std::vector<ifs::MapId> ids;
+    for (const std::size_t index : selection())
+        ids.push_back(document::system3(m_document->fractal())->maps[index].id);
+    return ids;
+}
+
+void SpaceMaps::selectIds(const std::vector<ifs::MapId>& ids) {
+    const auto& maps = document::system3(m_document->fractal())->maps;
+    const auto first = std::ranges::find(maps, ids.front(), &ifs::WeightedMap<3>::id);
+    select(std::size_t(first - maps.begin()), ids);
+}
+
+void SpaceMaps::pick(std::size_t index, bool adds) {
+    std::vector<ifs::MapId> ids = selectedIds();
+    const ifs::MapId id = document::system3(m_document->fractal())->maps[index].id;
+    const bool isSelected = std::erase(ids, id) > 0;
+    if (isSelected && adds) return void(select(*selected(), ids));
+    if (!isSelected && !adds) ids.clear();
+    ids.push_back(id);
+    select(index, std::move(ids));
+}
+
+SpaceMaps::KeyOutcome SpaceMaps::keyPress(const QKeyEvent& event, document::Document& document) {
+    if (!selected()) return {};
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    const int digit = event.key() - Qt::Key_1;
+    if (modifiers == Qt::AltModifier && digit >= 0 && digit < 9) {
+        const bool isThere = std::size_t(digit) < count();
+        if (isThere) select(std::size_t(digit));
+        return {true, isThere, {}};
+    }
+    if (modifiers == Qt::ControlModifier && event.key() == Qt::Key_A) {
+        std::vector<ifs::MapId> all;
+        for (const auto& map : document::system3(document.fractal())->maps)
+            all.push_back(map.id);
+        return {true, select(*selected(), std::move(all)), {}};
+    }
+    const bool deletes = event.key() == Qt::Key_Delete;
+    if (modifiers != Qt::NoModifier || (!deletes && event.key() != Qt::Key_Insert)) return {};
+    const std::vector<std::size_t> indices = selection();
+    const document::Rows rows(indices.begin(), indices.end());
+    const QString locked = deletes ? document::lockObstacle(document.fractal(), indices) : QString();
+    const auto next =
+        deletes ? document::deleteMaps(document, rows) : document::duplicateMaps(document, rows);
+    if (!next.empty()) selectIds(next);
+    return {true, !next.empty(), locked};
+}
+
 void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                        const SpaceCageItem::Hidden& isHidden) {
     m_dots.clear();
@@ -85,6 +136,7 @@ void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional
     const auto handles =
         m_isActive && cage ? SpaceMapHandles::of(m_document->sharedFractal(), *cage) : std::nullopt;
     const document::Fractal& fractal = m_document->fractal();
+    const std::vector<std::size_t> chosen = selection();
     for (std::size_t i = 0; handles && i < handles->count(); ++i) {
         const bool isHeld = i == selected();
         if (i >= maxShown && !isHeld) continue;
@@ -95,6 +147,7 @@ void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional
         }
         shapes.push_back(tetrahedron(
             corners, attractor::mapColour(fractal.appearance, document::system3(fractal)->maps[i].id, i)));
+        shapes.back().isSelected = std::ranges::binary_search(chosen, i);
         for (const ifs::Vector<3>& corner : corners) {
             const attractor::ScreenPoint seen = toScreen(camera, corner);
             if (seen.pixel.allFinite()) m_dots.push_back({toPoint(seen.pixel), seen.depth, i});

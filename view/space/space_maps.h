@@ -9,9 +9,12 @@
 
 #include <QCoreApplication>
 #include <QPointF>
+#include <QString>
 
 #include <optional>
 #include <vector>
+
+class QKeyEvent;
 
 namespace view {
 
@@ -42,9 +45,20 @@ public:
     std::size_t count() const;
     // The map that is held; nullopt while there is none.
     std::optional<std::size_t> selected() const;
-    // With others that are selected elsewhere in the window; false when that is so already.
+    // Holds a map, among others that are selected; false when that is so already.
     bool select(std::size_t index, std::vector<ifs::MapId> among = {});
     std::vector<std::size_t> selection() const; // with the map that is held
+    std::vector<ifs::MapId> selectedIds() const;
+    // A click on a map that is not held. It holds one of several selected maps without giving up the others;
+    // `adds` selects and holds one more, or gives one up.
+    void pick(std::size_t index, bool adds);
+    // Delete and Insert, Ctrl+A, and Alt with a digit, as in the plane.
+    struct KeyOutcome {
+        bool isTaken = false;
+        bool isSelected = false; // others than before
+        QString message;
+    };
+    KeyOutcome keyPress(const QKeyEvent& event, document::Document& document);
     // Of the maps that are not held, the one that has a corner there; of several the nearest to the eye.
     std::optional<std::size_t> mapAt(const QPointF& position) const;
 
@@ -55,6 +69,8 @@ public:
     std::optional<SpaceMapDrag> drag(QString& obstacle) const;
 
 private:
+    void selectIds(const std::vector<ifs::MapId>& ids); // and hold the first of them
+
     struct Dot {
         QPointF pixel;
         double depth = 0;

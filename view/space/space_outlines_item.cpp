@@ -71,10 +71,11 @@ void SpaceOutlinesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*
             path.moveTo(edge.p1());
             path.lineTo(edge.p2());
         }
+        const double width = m_style.lineWidth * (shape.isSelected ? 2 : 0.75);
         if (many)
-            painter->strokePath(path, QPen(colour, 1));
+            painter->strokePath(path, QPen(colour, shape.isSelected ? width : 1));
         else if (!path.isEmpty())
-            strokeWithHalo(*painter, path, m_style, colour, m_style.lineWidth * 0.75);
+            strokeWithHalo(*painter, path, m_style, colour, width);
         painter->setPen(QPen(m_style.rim, 1.5));
         painter->setBrush(colour);
         for (const QPointF& point : m_seen[k].points)

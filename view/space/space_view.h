@@ -35,6 +35,7 @@ public:
     std::optional<std::size_t> heldMap() const { return m_maps.selected(); } // while it holds maps
     void holdMap(std::size_t index, std::vector<ifs::MapId> among = {}); // `among`: others that are selected
     std::vector<std::size_t> selectedMaps() const { return m_maps.selection(); } // with the held one
+    std::vector<ifs::MapId> selectedIds() const { return m_maps.selectedIds(); }
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
     // Always looks from there, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
@@ -53,7 +54,7 @@ signals:
     void pointerLeft();
     void message(const QString& sentence); // for the status bar
     void defined();                        // a tetrahedron, or given up
-    void mapHeld(std::size_t index);       // by the user
+    void mapHeld(std::size_t index);       // by the user, perhaps among others
     void mapsSelected();                   // elsewhere
 
 protected:

@@ -2,17 +2,23 @@
 #include "app/gui/window_fixture.h"
 #include "bars/branch_bar.h"
 #include "canvas/canvas_view.h"
+#include "canvas/geometry/canvas_geometry.h"
 #include "desktop/clipboard.h"
 #include "document/document.h"
+#include "document/space_geometry.h"
+#include "document/space_map_handles.h"
 #include "panels/maps/maps_panel.h"
 #include "space/four_views.h"
 #include "stage.h"
 
 #include <QAction>
 #include <QClipboard>
+#include <QLineF>
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
+
+#include <algorithm>
 
 // The table of maps and the window into space have one selection.
 class MapsConnectionsTest : public WindowFixture {
@@ -23,6 +29,7 @@ private slots:
     void theTableSelectsTheHeldMap();
     void weaveSwingsAllSelectedRows();
     void deletedAndDuplicatedMapsStayInStep();
+    void clicksSelectMoreMaps();
     void fourViewsHoldTheSame();
     void copyAndPasteAreOfMaps();
 
@@ -116,6 +123,63 @@ void MapsConnectionsTest::deletedAndDuplicatedMapsStayInStep() {
     QCOMPARE(panel()->model()->rowCount(), 8);
     QCOMPARE(held(), std::size_t(6));
     QCOMPARE(rows(), Rows{6});
+}
+
+// With Shift; the selected maps are deleted and duplicated together, as in the plane.
+void MapsConnectionsTest::clicksSelectMoreMaps() {
+    showCube();
+    view::SpaceView* space = stage()->space();
+    QTRY_COMPARE(space->mapItem().count(), std::size_t(5)); // laid out
+    const auto click = [&](std::size_t map, Qt::KeyboardModifiers modifiers) {
+        const auto cage = *document::knownSpaceCage(document().fractal());
+        const auto handles = *document::SpaceMapHandles::of(document().sharedFractal(), cage);
+        // The corner that no other map has nearby.
+        const auto at = [&](std::size_t k, std::size_t corner) {
+            return view::toPoint(
+                attractor::toScreen(space->navigation().camera(), handles.corners(k)[corner]).pixel);
+        };
+        std::size_t best = 0;
+        double farthest = -1;
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            double nearest = 1e9;
+            for (std::size_t k = 0; k < handles.count(); ++k)
+                for (std::size_t other = 0; k != map && other < 4; ++other)
+                    nearest = std::min(nearest, QLineF(at(k, other), at(map, corner)).length());
+            if (nearest > farthest) best = corner;
+            farthest = std::max(farthest, nearest);
+        }
+        QVERIFY(farthest > 14);
+        QTest::mouseClick(space->viewport(), Qt::LeftButton, modifiers, at(map, best).toPoint());
+    };
+    const auto steps = [this] { return document().undoStack()->count(); };
+    panel()->table()->selectRow(2);
+    const auto count = [this] { return panel()->model()->rowCount(); };
+    click(7, Qt::NoModifier);
+    QCOMPARE(rows(), Rows{7});
+    click(3, Qt::ShiftModifier);
+    QCOMPARE(rows(), (Rows{3, 7}));
+    QCOMPARE(held(), std::size_t(3));
+    QCOMPARE(panel()->table()->currentIndex().row(), 3);
+    click(5, Qt::ShiftModifier);
+    QCOMPARE(rows(), (Rows{3, 5, 7}));
+    click(7, Qt::ShiftModifier); // and not any more
+    QCOMPARE(rows(), (Rows{3, 5}));
+    click(3, Qt::NoModifier); // holds another of them
+    QCOMPARE(held(), std::size_t(3));
+    QCOMPARE(rows(), (Rows{3, 5}));
+    const int before = steps();
+    press(space, Qt::Key_Insert);
+    QCOMPARE(count(), 10);
+    QCOMPARE(steps(), before + 1);
+    QCOMPARE(rows().size(), std::size_t(2));
+    press(space, Qt::Key_Delete); // the copies
+    QCOMPARE(count(), 8);
+    QCOMPARE(steps(), before + 2);
+    click(1, Qt::NoModifier);
+    QCOMPARE(rows(), Rows{1});
+    press(space, Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(rows().size(), std::size_t(8));
+    QCOMPARE(held(), std::size_t(1));
 }
 
 void MapsConnectionsTest::fourViewsHoldTheSame() {
