@@ -52,6 +52,7 @@ void RenderBridge::setQuality(std::uint64_t samples) {
     if (samples == m_quality) return;
     m_quality = samples;
     request(Haste::Now);
+    emit qualityChanged(samples);
 }
 
 void RenderBridge::showDensity() {

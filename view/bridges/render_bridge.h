@@ -55,6 +55,7 @@ public:
     std::uint64_t requested() const { return m_requested; }   // the newest revision
 
 signals:
+    void qualityChanged(std::uint64_t samples);
     void frameChanged();
     void wanted(bool live);
 

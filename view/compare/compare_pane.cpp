@@ -72,6 +72,7 @@ void ComparePane::create() {
     document::Document* other = &m_partner->document();
     m_otherRender = new RenderBridge(other, this);
     m_otherRender->setQuality(m_render->quality());
+    connect(m_render, &RenderBridge::qualityChanged, m_otherRender, &RenderBridge::setQuality);
     m_otherSolid = new SolidBridge(other, this);
     new ExtentFinder(other, m_otherSolid); // without the extent, there are no handles
     m_views = new QStackedWidget(this);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "space/slice_item.h"
 
+#include "space/seen_line.h"
+
 #include <QLineF>
 #include <QPainter>
 #include <QPainterPath>
-
-#include <algorithm>
-#include <cmath>
 
 namespace view {
 
@@ -14,15 +13,6 @@ namespace {
 
 constexpr double grip = 12; // pixels around the handle that hold it
 constexpr double arrowLength = 34;
-constexpr double maxCoordinate = 1e6;
-
-QPointF pixelOf(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point) {
-    const ifs::Vector<2> pixel = toScreen(camera, point).pixel;
-    const auto within = [](double x) {
-        return std::isfinite(x) ? std::clamp(x, -maxCoordinate, maxCoordinate) : -maxCoordinate;
-    };
-    return {within(pixel.x()), within(pixel.y())};
-}
 
 } // namespace
 
@@ -30,14 +20,16 @@ void SliceItem::layOut(const attractor::OrbitCamera& camera, const std::optional
     prepareGeometryChange();
     m_plane = plane;
     m_bounds = {0, 0, double(camera.size.width), double(camera.size.height)};
-    m_corners.clear();
+    m_border.clear();
     if (!plane) return update();
-    for (const ifs::Vector<3>& corner : plane->corners)
-        m_corners << pixelOf(camera, corner);
-    m_handle = pixelOf(camera, plane->centre);
+    const std::size_t count = plane->corners.size();
+    for (std::size_t k = 0; k < count; ++k)
+        if (const auto edge = seenLine(camera, plane->corners[k], plane->corners[(k + 1) % count]))
+            m_border.push_back(*edge);
+    m_handle = seenPoint(camera, plane->centre);
     // As long as it is seen: an arrow towards the eye is short.
     const double unit = arrowLength / pixelsPerUnit(camera);
-    m_arrow = pixelOf(camera, plane->centre + unit * plane->normal) - m_handle;
+    m_arrow = seenPoint(camera, plane->centre + unit * plane->normal) - m_handle;
     update();
 }
 
@@ -56,8 +48,10 @@ void SliceItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     painter->setRenderHint(QPainter::Antialiasing);
     const QColor colour = m_isHovered || m_isPressed ? m_style.accent : m_style.line;
     QPainterPath border;
-    border.addPolygon(m_corners);
-    border.closeSubpath();
+    for (const QLineF& edge : m_border) {
+        if (border.currentPosition() != edge.p1() || border.elementCount() == 0) border.moveTo(edge.p1());
+        border.lineTo(edge.p2());
+    }
     strokeWithHalo(*painter, border, m_style, colour, m_style.lineWidth / 2, Qt::DashLine);
     QPainterPath arrow;
     for (const QPointF& tip : {m_handle + m_arrow, m_handle - m_arrow}) {

@@ -4,7 +4,8 @@
 #include "canvas/items/overlay_item.h"
 #include "space/slice_plane.h"
 
-#include <QPolygonF>
+#include <QLineF>
+#include <QPointF>
 
 #include <optional>
 
@@ -26,7 +27,7 @@ public:
 
 private:
     std::optional<SlicePlane> m_plane;
-    QPolygonF m_corners;
+    std::vector<QLineF> m_border; // what of it is in front of the eye
     QPointF m_handle;
     QPointF m_arrow; // from the handle along the normal, in pixels
     QRectF m_bounds;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_cage_item.h"
 
+#include "canvas/geometry/canvas_geometry.h"
 #include "ifs/cage/cage_surface.h"
+#include "space/seen_line.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -16,39 +18,9 @@ namespace view {
 namespace {
 
 constexpr double grip = 12; // pixels around a handle that hold it
-constexpr double far = 1e5; // pixels; farther outside, painting lines takes long
 
 using attractor::OrbitCamera;
 using ifs::Vector;
-
-// As a share of the distance of the target; not positive where the point is beside the eye or behind it.
-double inFront(const OrbitCamera& camera, const Vector<3>& point) {
-    constexpr double nearest = 1e-3;
-    if (camera.projection == OrbitCamera::Projection::Orthographic) return 1;
-    return 1 + toScreen(camera, point).depth / eyeDistance(camera) - nearest;
-}
-
-// What of an edge is in front of the eye and not far outside; nullopt: nothing.
-std::optional<QLineF> seenPart(const OrbitCamera& camera, Vector<3> a, Vector<3> b) {
-    const double first = inFront(camera, a), last = inFront(camera, b);
-    if (!(first > 0) && !(last > 0)) return std::nullopt;
-    const Vector<3> edge = b - a;
-    if (!(last > 0)) b = a + first / (first - last) * edge;
-    if (!(first > 0)) a += first / (first - last) * edge;
-    const Vector<2> from = toScreen(camera, a).pixel, to = toScreen(camera, b).pixel;
-    double begin = 0, end = 1;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double way = to[axis] - from[axis];
-        if (way == 0 && std::abs(from[axis]) > far) return std::nullopt;
-        if (way == 0) continue;
-        const auto [enter, leave] = std::minmax({(-far - from[axis]) / way, (far - from[axis]) / way});
-        begin = std::max(begin, enter);
-        end = std::min(end, leave);
-    }
-    if (!(begin <= end)) return std::nullopt;
-    const QLineF line(from.x(), from.y(), to.x(), to.y());
-    return QLineF(begin == 0 ? line.p1() : line.pointAt(begin), end == 1 ? line.p2() : line.pointAt(end));
-}
 
 // As turn() says it, of corners of which some may be behind the eye.
 double turnInSpace(const OrbitCamera& camera, const std::vector<Vector<3>>& vertices,
@@ -116,7 +88,7 @@ void SpaceCageItem::layOutEdges(const attractor::OrbitCamera& camera, const Face
     }
     for (const auto& [edge, seen] : isSeen)
         if (const auto line =
-                seenPart(camera, m_vertices[std::size_t(edge.first)], m_vertices[std::size_t(edge.second)]))
+                seenLine(camera, m_vertices[std::size_t(edge.first)], m_vertices[std::size_t(edge.second)]))
             m_edges.push_back({*line, !seen});
 }
 
@@ -130,10 +102,8 @@ void SpaceCageItem::layOut(const attractor::OrbitCamera& camera, const std::vect
     std::vector<ifs::Vector<2>> pixels;
     for (const ifs::Vector<3>& vertex : vertices) {
         const attractor::ScreenPoint seen = toScreen(camera, vertex);
-        // What is behind the eye has no place at all.
-        pixels.push_back(seen.pixel.allFinite() ? seen.pixel.cwiseMax(-far).cwiseMin(far)
-                                                : ifs::Vector<2>(-far, -far));
-        m_points << QPointF(pixels.back().x(), pixels.back().y());
+        m_points << seenPoint(camera, vertex);
+        pixels.push_back(toVector(m_points.back()));
         m_depths.push_back(seen.depth);
         m_hidden.push_back(isHidden(seen));
     }

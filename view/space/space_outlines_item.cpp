@@ -2,27 +2,13 @@
 #include "space/space_outlines_item.h"
 
 #include "canvas/items/analysis_item.h"
+#include "space/seen_line.h"
 
 #include <QPainter>
 
 #include <algorithm>
-#include <utility>
 
 namespace view {
-
-namespace {
-
-constexpr double maxCoordinate = 1e6; // the painter's coordinates overflow
-
-// What lies behind the eye is not seen.
-bool isSeen(const attractor::OrbitCamera& camera, const attractor::ScreenPoint& point) {
-    constexpr double nearest = 1e-3; // of the eye's distance
-    return point.pixel.allFinite() &&
-           (camera.projection == attractor::OrbitCamera::Projection::Orthographic ||
-            point.depth > (nearest - 1) * eyeDistance(camera));
-}
-
-} // namespace
 
 void SpaceOutlinesItem::setShapes(std::vector<document::SpaceOutline> shapes) {
     m_shapes = std::move(shapes);
@@ -36,18 +22,12 @@ void SpaceOutlinesItem::layOut(const attractor::OrbitCamera& camera) {
     m_bounds = {0, 0, double(camera.size.width), double(camera.size.height)};
     for (const document::SpaceOutline& shape : m_shapes) {
         Seen& seen = m_seen.emplace_back();
-        std::vector<std::pair<QPointF, bool>> pixels;
-        for (const ifs::Vector<3>& point : shape.points) {
-            const attractor::ScreenPoint at = toScreen(camera, point);
-            const auto within = [](double x) { return std::clamp(x, -maxCoordinate, maxCoordinate); };
-            pixels.emplace_back(QPointF(within(at.pixel.x()), within(at.pixel.y())), isSeen(camera, at));
-        }
+        const auto point = [&](int corner) { return shape.points[std::size_t(corner)]; };
         for (const auto& [a, b] : shape.edges)
-            if (pixels[std::size_t(a)].second && pixels[std::size_t(b)].second)
-                seen.edges.emplace_back(pixels[std::size_t(a)].first, pixels[std::size_t(b)].first);
-        if (shape.edges.empty())
-            for (const auto& [pixel, isThere] : pixels)
-                if (isThere) seen.points.push_back(pixel);
+            if (const auto edge = seenLine(camera, point(a), point(b))) seen.edges.push_back(*edge);
+        if (!shape.edges.empty()) continue;
+        for (const ifs::Vector<3>& alone : shape.points)
+            if (inFront(camera, alone) > 0) seen.points.push_back(seenPoint(camera, alone));
     }
     update();
 }

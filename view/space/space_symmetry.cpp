@@ -3,6 +3,7 @@
 
 #include "document/edits/symmetry_edits.h"
 #include "ifs/cage/control_cage.h"
+#include "space/seen_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double reach = 110; // half of a line, pixels in the plane of the target
 const QPointF aside(30, -30); // from the centre to its handle
-constexpr double maxCoordinate = 1e6;
 
 // nullopt: there is no symmetry, or the cage bends.
 std::optional<ifs::AffineMap<3>> placementOf(const document::Fractal& fractal) {
@@ -54,14 +54,6 @@ std::vector<ifs::Vector<3>> linesOf(const ifs::Symmetry<3>& symmetry) {
     return lines;
 }
 
-QPointF pixelOf(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point) {
-    const ifs::Vector<2> pixel = toScreen(camera, point).pixel;
-    const auto within = [](double x) {
-        return std::isfinite(x) ? std::clamp(x, -maxCoordinate, maxCoordinate) : -maxCoordinate;
-    };
-    return {within(pixel.x()), within(pixel.y())};
-}
-
 } // namespace
 
 std::optional<ifs::Vector<3>> displayedCentre(const document::Fractal& fractal) {
@@ -77,13 +69,13 @@ std::optional<SymmetryMarks> symmetryLayout(const document::Fractal& fractal,
     const ifs::Symmetry<3>& symmetry = document::space(fractal)->system.symmetry;
     const ifs::Vector<3> centre = (*placement)(symmetry.centre);
     SymmetryMarks marks;
-    marks.centre = pixelOf(camera, centre);
+    marks.centre = seenPoint(camera, centre);
     marks.knob = marks.centre + aside;
     for (const ifs::Vector<3>& line : linesOf(symmetry)) {
         const ifs::Vector<3> along = placement->linear * line;
         if (!(along.norm() > 0)) continue; // the cage is flat
         const ifs::Vector<3> half = along.normalized() * (reach / pixelsPerUnit(camera));
-        marks.mirrors.emplace_back(pixelOf(camera, centre - half), pixelOf(camera, centre + half));
+        if (const auto seen = seenLine(camera, centre - half, centre + half)) marks.mirrors.push_back(*seen);
     }
     return marks;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
 #include "bars/branch_bar.h"
+#include "bridges/render_bridge.h"
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "compare/compare_pane.h"
@@ -382,6 +383,14 @@ void CompareTest::waysOfTheWindowHoldForBoth() {
     other->navigation().orbit(other->navigation().camera(), other->navigation().camera().target, 30, 10);
     QVERIFY(own->navigation().camera().orientation.coeffs() ==
             other->navigation().camera().orientation.coeffs());
+    for (const std::uint64_t quality : {50'000'000U, 800'000'000U}) {
+        view::Preferences preferences;
+        preferences.quality = quality;
+        m_window->adopt(preferences);
+        for (const auto* render : m_window->findChildren<view::RenderBridge*>())
+            QCOMPARE(render->quality(), quality);
+        QCOMPARE(pane()->findChildren<view::RenderBridge*>().size(), 1);
+    }
     // The corner of a map goes as far as it is pulled where that is allowed.
     canvas()->setTool(view::CanvasView::Tool::Maps);
     QTRY_COMPARE(other->mapItem().count(), std::size_t(5));

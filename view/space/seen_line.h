@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/orbit_camera.h"
+
+#include <QLineF>
+#include <QPointF>
+
+#include <optional>
+
+namespace view {
+
+// As a share of the distance of the target; not positive where the point is beside the eye or behind it.
+double inFront(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point);
+
+// Where a point is seen, in the pixels of the camera; far outside the view where it is behind the eye.
+QPointF seenPoint(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point);
+
+// What of a line is in front of the eye and not far outside the view; nullopt: nothing.
+std::optional<QLineF> seenLine(const attractor::OrbitCamera& camera, ifs::Vector<3> a, ifs::Vector<3> b);
+
+} // namespace view
