@@ -165,7 +165,7 @@ template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const Affine
         sum += maps[i].linear / double(i + 1);
     const Eigen::EigenSolver<Matrix<Dim>> solver(sum);
     if (solver.info() != Eigen::Success) return;
-    const Matrix<Dim> directions = solver.pseudoEigenvectors();
+    const Matrix<Dim>& directions = solver.pseudoEigenvectors();
     std::array<int, Dim> order{};
     std::iota(order.begin(), order.end(), 0);
     do {
