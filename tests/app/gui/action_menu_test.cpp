@@ -314,8 +314,6 @@ void ActionMenuTest::toolsOfThePlaneAreNotOfferedInSpace() {
     window->document().undoStack()->setClean();
 }
 
-// Copy and the like press their key for the widget with the focus. Where it has no use for the key, the
-// shortcut of the command must not run again.
 // Not to the next field, which would take the next keys for text.
 void ActionMenuTest::weaveLeavesItsFocusToTheCanvas() {
     MainWindow* window = shown({});
@@ -346,6 +344,8 @@ void ActionMenuTest::weaveLeavesItsFocusToTheCanvas() {
     QTRY_COMPARE(QApplication::focusWidget(), canvas);
 }
 
+// Copy and the like press their key for the widget with the focus. Where it has no use for the key, the
+// shortcut of the command must not run again.
 void ActionMenuTest::aKeyThatNobodyClaimsEnds() {
     MainWindow* window = shown({});
     window->openFirstPicture();

@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "space/slice_item.h"
+#include "space/space_cage_item.h"
 #include "space/space_outlines_item.h"
 
 #include <QImage>
@@ -65,6 +66,33 @@ private slots:
         attractor::OrbitCamera flat = camera;
         flat.projection = attractor::OrbitCamera::Projection::Orthographic;
         QCOMPARE(view::seenLine(flat, left, behind)->p2(), view::toPoint(toScreen(flat, behind).pixel));
+    }
+
+    // Inside the cage, edges go on past the border of the view towards vertices behind the eye.
+    void edgesOfTheCageAreSeen() {
+        attractor::OrbitCamera camera = perspective();
+        const std::vector<Vector<3>> vertices{left, right, {0, 0.5, 0}, behind};
+        QVERIFY(eyeDistance(camera) < 5 && !toScreen(camera, behind).pixel.allFinite());
+        view::SpaceCageItem item;
+        item.setHandlesVisible(false);
+        const auto faces = view::SpaceCageItem::facesOf(vertices);
+        item.layOut(camera, vertices, faces, [](const auto&) { return false; });
+        const Painted painted(item);
+        for (const Vector<3>& vertex : {left, right}) {
+            const QPointF end = view::toPoint(toScreen(camera, vertex).pixel);
+            for (const double way : {0.1, 0.2, 0.3, 0.4}) {
+                const Vector<3> point = vertex + way * (behind - vertex);
+                QVERIFY(painted.isNear(view::toPoint(toScreen(camera, point).pixel)));
+            }
+            QVERIFY(!painted.isNear(end - QPointF(50, 50))); // towards nowhere in particular
+            QVERIFY(item.boundingRect().contains(end));
+        }
+        QVERIFY(item.boundingRect().intersects(QRectF(0, 490, 600, 10)));
+        // Far outside, an edge keeps its direction.
+        camera.projection = attractor::OrbitCamera::Projection::Orthographic;
+        item.layOut(camera, {{0, 0, 0}, {4e3, 1e3, 0}, {-1, 0, 0}, {0, 0, 1}}, faces,
+                    [](const auto&) { return false; });
+        QVERIFY(Painted(item).isNear(view::toPoint(toScreen(camera, {0.8, 0.2, 0}).pixel)));
     }
 
     void theBorderOfASliceIsSeen() {

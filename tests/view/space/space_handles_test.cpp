@@ -7,7 +7,6 @@
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
-#include <QPainter>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -32,7 +31,6 @@ private slots:
     void aCornerOfABoxBendsTheSolid();
     void aFaceTakesItsCornersAlong();
     void theCentreOfASymmetryIsDragged();
-    void edgesEndAtTheEye();
 };
 
 // The simplex is not asked for in this thread: the cage comes with the finder, and the view then fits it.
@@ -345,49 +343,6 @@ void SpaceHandlesTest::theCentreOfASymmetryIsDragged() {
     document::system3(plain)->symmetry = {};
     window.document.edit(QStringLiteral("None"), plain);
     QVERIFY(!window.view->symmetryItem().knob());
-}
-
-// Inside the cage, edges go on past the border of the view towards vertices behind the eye.
-void SpaceHandlesTest::edgesEndAtTheEye() {
-    attractor::OrbitCamera camera;
-    camera.projection = attractor::OrbitCamera::Projection::Perspective;
-    camera.height = 2;
-    camera.size = {600, 500};
-    const std::vector<ifs::Vector<3>> vertices{{-0.5, -0.3, 0}, {0.5, -0.3, 0}, {0, 0.5, 0}, {0, 0.1, 5}};
-    QVERIFY(eyeDistance(camera) < 5 && !toScreen(camera, vertices[3]).pixel.allFinite());
-    view::SpaceCageItem item;
-    item.setHandlesVisible(false);
-    item.layOut(camera, vertices, view::SpaceCageItem::facesOf(vertices), [](const auto&) { return false; });
-    QImage image(600, 500, QImage::Format_ARGB32_Premultiplied);
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    item.paint(&painter, nullptr, nullptr);
-    painter.end();
-    const auto isPaintedNear = [&](const QPointF& at) {
-        for (int y = -6; y <= 6; ++y)
-            for (int x = -6; x <= 6; ++x)
-                if (qAlpha(image.pixel(at.toPoint() + QPoint(x, y))) > 0) return true;
-        return false;
-    };
-    for (std::size_t vertex = 0; vertex < 2; ++vertex) {
-        const QPointF end = view::toPoint(toScreen(camera, vertices[vertex]).pixel);
-        for (const double way : {0.1, 0.2, 0.3, 0.4}) {
-            const ifs::Vector<3> point = vertices[vertex] + way * (vertices[3] - vertices[vertex]);
-            QVERIFY(isPaintedNear(view::toPoint(toScreen(camera, point).pixel)));
-        }
-        QVERIFY(!isPaintedNear(end - QPointF(50, 50))); // towards nowhere in particular
-        QVERIFY(item.boundingRect().contains(end));
-    }
-    QVERIFY(item.boundingRect().intersects(QRectF(0, 490, 600, 10)));
-    // Far outside, an edge keeps its direction.
-    camera.projection = attractor::OrbitCamera::Projection::Orthographic;
-    item.layOut(camera, {{0, 0, 0}, {4e3, 1e3, 0}, {-1, 0, 0}, {0, 0, 1}},
-                view::SpaceCageItem::facesOf(vertices), [](const auto&) { return false; });
-    image.fill(Qt::transparent);
-    painter.begin(&image);
-    item.paint(&painter, nullptr, nullptr);
-    painter.end();
-    QVERIFY(isPaintedNear(view::toPoint(toScreen(camera, {0.8, 0.2, 0}).pixel)));
 }
 
 QTEST_MAIN(SpaceHandlesTest)
