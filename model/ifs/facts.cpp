@@ -96,7 +96,7 @@ template <int Dim> void findExtents(Facts<Dim>& facts, Budget& budget) {
 template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolerance, Budget& budget) {
     if (!facts.box && !tolerance) return budget.leaveOut({LongFact::Hull});
     budget.spend(LongFact::Hull, [&](const std::stop_token& stop) {
-        const double wanted = tolerance ? *tolerance : 1e-6 * (facts.box->max - facts.box->min).norm();
+        const double wanted = tolerance ? *tolerance : usualHullTolerance(*facts.box);
         facts.hull = convexHull(*facts.support, wanted, stop);
         return facts.hull.has_value();
     });
@@ -130,8 +130,7 @@ void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Bud
     });
     if (!extent) return;
     budget.spend(LongFact::Hull, [&](const std::stop_token& stop) {
-        const double diagonal = (facts.box->max - facts.box->min).norm();
-        facts.hull = convexHull(*extent, hullTolerance.value_or(1e-6 * diagonal), stop);
+        facts.hull = convexHull(*extent, hullTolerance.value_or(usualHullTolerance(*facts.box)), stop);
         if (facts.hull) facts.extremePoints.assign(facts.hull->vertices.size(), std::nullopt);
         return facts.hull.has_value();
     });

@@ -76,7 +76,11 @@ template <int Dim> struct Facts {
     bool isLate(LongFact fact) const { return std::ranges::find(late, fact) != late.end(); }
 };
 
-// `hullTolerance` in the system's own units; nullopt: 1e-6 of the diagonal of the bounding box.
+template <int Dim> double usualHullTolerance(const BoundingBox<Dim>& box) {
+    return 1e-6 * (box.max - box.min).stableNorm();
+}
+
+// `hullTolerance` in the system's own units; nullopt: the usual one.
 template <int Dim>
 Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance = {},
                    const FactLimits& limits = {});

@@ -142,7 +142,7 @@ template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap
 // directions are stretched enough against each other: no further than is worth what stretching costs.
 template <int Dim>
 void stretch(Coordinates<Dim>& best, const Matrix<Dim>& flag, std::span<const AffineMap<Dim>> maps) {
-    constexpr double leastShare = 1e-4, minGain = 1e-6;
+    constexpr double leastShare = 1e-9, minGain = 1e-6;
     for (double share = 1; share > leastShare; share /= 4) {
         Vector<Dim> lengths;
         for (int k = 0; k < Dim; ++k)

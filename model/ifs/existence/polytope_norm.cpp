@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ifs {
@@ -82,11 +83,11 @@ private:
 } // namespace
 
 template <int Dim>
-std::optional<PolytopeNorm> polytopeNorm(std::span<const AffineMap<Dim>> maps, double contractivity,
-                                         double rounding, std::size_t maxWork) {
+std::optional<PolytopeNorm<Dim>> polytopeNorm(std::span<const AffineMap<Dim>> maps, double contractivity,
+                                              double rounding, std::size_t maxWork) {
     if (!(contractivity > 0 && contractivity < 1)) return std::nullopt;
     Polytope<Dim> polytope;
-    PolytopeNorm result;
+    PolytopeNorm<Dim> result;
     double slowest = 0, reach = 1;
     for (std::size_t done = 0; done < polytope.vertices.size(); ++done)
         for (std::size_t i = 0; i < maps.size(); ++i) {
@@ -112,12 +113,14 @@ std::optional<PolytopeNorm> polytopeNorm(std::span<const AffineMap<Dim>> maps, d
     // An image is off by no more than that, of which the ball inside makes a share of the norm.
     const double error = rounding + 4 * Dim * roundingUnit * longest;
     result.contractivity = contractivity * slowest * (1 + 1e-15) + error * result.equivalence;
-    return result.contractivity < 1 ? std::optional(result) : std::nullopt;
+    if (!(result.contractivity < 1)) return std::nullopt;
+    result.vertices = std::move(polytope.vertices);
+    return result;
 }
 
-template std::optional<PolytopeNorm> polytopeNorm<2>(std::span<const AffineMap<2>>, double, double,
-                                                     std::size_t);
-template std::optional<PolytopeNorm> polytopeNorm<3>(std::span<const AffineMap<3>>, double, double,
-                                                     std::size_t);
+template std::optional<PolytopeNorm<2>> polytopeNorm<2>(std::span<const AffineMap<2>>, double, double,
+                                                        std::size_t);
+template std::optional<PolytopeNorm<3>> polytopeNorm<3>(std::span<const AffineMap<3>>, double, double,
+                                                        std::size_t);
 
 } // namespace ifs

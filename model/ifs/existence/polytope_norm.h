@@ -5,14 +5,16 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace ifs {
 
 // A norm whose unit ball is a polytope that every map takes into `contractivity` times itself.
-struct PolytopeNorm {
-    double contractivity = 0; // below 1, rounding included
-    double equivalence = 1;   // C with |x| ≤ ‖x‖ ≤ C|x| after scaling
-    int slowest = 0;          // the map that contracts least
+template <int Dim> struct PolytopeNorm {
+    double contractivity = 0;          // below 1, rounding included
+    double equivalence = 1;            // C with |x| ≤ ‖x‖ ≤ C|x| after scaling
+    int slowest = 0;                   // the map that contracts least
+    std::vector<Vector<Dim>> vertices; // of the ball, before scaling; their opposites are others
 };
 
 // The hull of a cross-polytope's images, images of images and so on under the maps divided by
@@ -21,7 +23,7 @@ struct PolytopeNorm {
 // docs/mathematics.md, "Polytope norm".
 // `maxWork`: products of two vectors, a nanosecond or two each.
 template <int Dim>
-std::optional<PolytopeNorm> polytopeNorm(std::span<const AffineMap<Dim>> maps, double contractivity,
-                                         double rounding = 0, std::size_t maxWork = 4'000'000);
+std::optional<PolytopeNorm<Dim>> polytopeNorm(std::span<const AffineMap<Dim>> maps, double contractivity,
+                                              double rounding = 0, std::size_t maxWork = 4'000'000);
 
 } // namespace ifs

@@ -2,6 +2,7 @@
 #include "ifs/extent/direction_fan.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace ifs {
 
@@ -18,6 +19,52 @@ template <int Dim> DirectionFan<Dim>::DirectionFan(int depth) {
             cone[k] = std::uint32_t(2 * k + (orthant >> (Dim - 1 - k) & 1));
         divide(orthants + orthant, cone);
     }
+}
+
+namespace {
+
+double cross(const Vector<2>& a, const Vector<2>& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// Counter-clockwise from e_1 on.
+bool comesFirst(const Vector<2>& a, const Vector<2>& b) {
+    const auto isBelow = [](const Vector<2>& v) { return v.y() < 0 || (v.y() == 0 && v.x() < 0); };
+    return isBelow(a) != isBelow(b) ? isBelow(b) : cross(a, b) > 0;
+}
+
+} // namespace
+
+template <int Dim> DirectionFan<Dim>::DirectionFan(const std::vector<Vector<Dim>>& directions) {
+    for (int k = 0; k < Dim; ++k)
+        for (const double sign : {1.0, -1.0})
+            m_directions.push_back(sign * Vector<Dim>::Unit(k));
+    for (const Vector<Dim>& direction : directions)
+        index(direction.normalized());
+    for (std::uint32_t k = 0; k < m_directions.size(); ++k)
+        m_around.push_back(k);
+    if constexpr (Dim == 2)
+        std::ranges::sort(m_around, comesFirst, [this](std::uint32_t k) { return m_directions[k]; });
+}
+
+// v = p_g g + p_h h with the directions g and h beside it. However near to each other they are, what rounding
+// leaves of v is no more than a few ulps of |v|: p_g is chosen last, and a negative share means that v is
+// parallel to the other.
+template <int Dim> auto DirectionFan<Dim>::between(const Vector<Dim>& v) const -> Combination {
+    Combination result;
+    if constexpr (Dim == 2) {
+        const auto after = std::ranges::upper_bound(m_around, v, comesFirst,
+                                                    [this](std::uint32_t k) { return m_directions[k]; });
+        result.index = {after == m_around.begin() ? m_around.back() : *std::prev(after),
+                        after == m_around.end() ? m_around.front() : *after};
+        const Vector<2>& g = m_directions[result.index[0]];
+        const Vector<2>& h = m_directions[result.index[1]];
+        const double ofH = cross(g, v) / cross(g, h), ofG = g.dot(v - ofH * h);
+        result.factor = {ofG, ofH};
+        if (!(ofH >= 0)) result.factor = {std::max(0.0, g.dot(v)), 0};
+        if (!(ofG >= 0)) result.factor = {0, std::max(0.0, h.dot(v))};
+    }
+    return result;
 }
 
 template <int Dim> void DirectionFan<Dim>::divide(std::size_t cell, const Cone& cone) {

@@ -17,6 +17,8 @@ namespace ifs {
 template <int Dim> class DirectionFan {
 public:
     explicit DirectionFan(int depth);
+    // In the plane: e_1, −e_1, e_2, −e_2 and these vectors, of any length but 0, without those that coincide.
+    explicit DirectionFan(const std::vector<Vector<Dim>>& directions);
 
     // Unit vectors; the first 2·Dim are e_1, −e_1, e_2, −e_2, …
     const std::vector<Vector<Dim>>& directions() const { return m_directions; }
@@ -27,6 +29,8 @@ public:
         Vector<Dim> factor;
     };
     Combination combination(const Vector<Dim>& v) const {
+        if constexpr (Dim == 2)
+            if (!m_around.empty()) return between(v);
         std::size_t cell = 1;
         Vector<Dim> p;
         for (int k = 0; k < Dim; ++k) {
@@ -74,6 +78,10 @@ private:
     std::vector<Split> m_splits;
     std::vector<Cone> m_cones;
     std::vector<Vector<Dim>> m_directions;
+
+    Combination between(const Vector<Dim>& v) const;
+    std::vector<std::uint32_t>
+        m_around; // the given directions counter-clockwise; empty where cones are halved
 };
 
 } // namespace ifs

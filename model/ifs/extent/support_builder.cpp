@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/extent/support_builder.h"
 
+#include "ifs/existence/polytope_norm.h"
 #include "ifs/extent/polygon.h"
 
 #include <Eigen/LU>
@@ -100,6 +101,7 @@ public:
           m_ellipsoid(enclosingEllipsoid(maps, norm)),
           m_radius(spectralNorm<Dim>(m_ellipsoid.shape)),
           m_anchor(solveFixedPoint<Dim>(maps.front())),
+          m_contractivity(norm.contractivity),
           m_mergeLimit((1 - norm.contractivity) / norm.equivalence) {
         for (const auto& map : maps)
             m_longest = std::max(m_longest, spectralNorm<Dim>(map.linear));
@@ -122,7 +124,7 @@ public:
         while ((std::size_t(4) << depth) * known.indices.size() > maxSweepWork)
             --depth;
         if (depth <= maxDepth) return nullptr;
-        const auto result = std::make_shared<Container>(depth);
+        const auto result = std::make_shared<Container>(DirectionFan<Dim>(depth));
         describe(*result, known.indices);
         startInside(*result, known);
         centreOn(*result, known.centre);
@@ -184,7 +186,7 @@ private:
         int depth = maxDepth;
         while (depth > 0 && (std::size_t(4) << depth) * indices.size() > maxTableWork)
             --depth;
-        auto result = std::make_shared<Container>(std::min(depth + finer, maxDepth));
+        auto result = std::make_shared<Container>(DirectionFan<Dim>(std::min(depth + finer, maxDepth)));
         describe(*result, std::move(indices));
         return result;
     }
@@ -202,6 +204,50 @@ private:
         if (!container.solve()) container.shrink();
         centreOn(container, centre + container.recentre());
         container.findPoints();
+        if (Dim == 2 && container.isLoose()) fitDirections(container);
+    }
+
+    // Over the directions in which a norm of the transposed maps is largest, where the sum of the shares of
+    // A_iᵀg is below 1: so bounds do not grow however slowly the maps contract. Along the directions that
+    // a cycle of maps leaves as they are, nothing is lost at all; they show when the container is solved.
+    void fitDirections(Container& container) const {
+        constexpr int rounds = 12;
+        constexpr std::size_t maxDirections = 400;
+        std::vector<Vector<Dim>> directions = dualVertices(container.indices);
+        if (directions.empty()) return;
+        const DirectionFan<Dim> usual(maxDepth);
+        directions.insert(directions.end(), usual.directions().begin(), usual.directions().end());
+        std::size_t known = 0;
+        for (int round = 0; round < rounds; ++round) {
+            Container fitted{DirectionFan<Dim>(directions)};
+            const std::size_t count = fitted.fan.directions().size();
+            if (count == known || count > maxDirections) break;
+            known = count;
+            describe(fitted, container.indices);
+            startInside(fitted, container);
+            centreOn(fitted, container.centre);
+            if (!fitted.solve()) break;
+            centreOn(fitted, fitted.centre + fitted.recentre());
+            fitted.findPoints();
+            container = std::move(fitted);
+            const std::vector<Vector<Dim>> found = container.cycleDirections();
+            directions.insert(directions.end(), found.begin(), found.end());
+        }
+    }
+
+    std::vector<Vector<Dim>> dualVertices(const std::vector<std::size_t>& indices) const {
+        std::vector<AffineMap<Dim>> transposed;
+        for (const std::size_t i : indices)
+            transposed.push_back({m_maps[i].linear.transpose(), Vector<Dim>::Zero()});
+        std::vector<Vector<Dim>> result;
+        for (const double contractivity : {m_contractivity, (1 + m_contractivity) / 2}) {
+            const auto norm = polytopeNorm<Dim>(transposed, contractivity);
+            if (!norm) continue;
+            for (const Vector<Dim>& vertex : norm->vertices)
+                result.insert(result.end(), {vertex, -vertex});
+            break;
+        }
+        return result;
     }
 
     void centreOn(Container& container, const Vector<Dim>& centre) const {
@@ -216,6 +262,7 @@ private:
     Ellipsoid<Dim> m_ellipsoid; // about the attractor
     double m_radius;            // of a ball about the ellipsoid
     Vector<Dim> m_anchor;
+    double m_contractivity;
     double m_mergeLimit;
     double m_longest = 1;
 };

@@ -186,6 +186,68 @@ template <int Dim> void SupportContainer<Dim>::findPoints() {
     }
 }
 
+template <int Dim> bool SupportContainer<Dim>::isLoose() const {
+    constexpr double bearable = 1.5;
+    for (int k = 0; k < Dim; ++k) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vector<Dim>& point : points) {
+            low = std::min(low, point[k]);
+            high = std::max(high, point[k]);
+        }
+        if (heights[2 * std::size_t(k)] + heights[2 * std::size_t(k) + 1] >
+            bearable * (high - low) + rounding())
+            return true;
+    }
+    return false;
+}
+
+namespace {
+
+// A real eigenvector of the eigenvalue of largest modulus; 0 where there is none.
+Vector<2> leadingDirection(const Matrix<2>& matrix) {
+    const double half = matrix.trace() / 2, square = half * half - matrix.determinant();
+    if (!(square >= 0)) return Vector<2>::Zero();
+    const double value = half < 0 ? half - std::sqrt(square) : half + std::sqrt(square);
+    const Matrix<2> rest = matrix - value * Matrix<2>::Identity();
+    const Vector<2> row = rest.row(rest.row(0).norm() < rest.row(1).norm() ? 1 : 0);
+    return {-row.y(), row.x()};
+}
+
+} // namespace
+
+template <int Dim> std::vector<std::vector<std::size_t>> SupportContainer<Dim>::cycles() const {
+    std::vector<std::vector<std::size_t>> result;
+    std::vector<std::size_t> way(m_successor.size(), 0); // on which each direction was first met, from 1
+    for (std::size_t g = 0; g < m_successor.size(); ++g) {
+        std::size_t k = g;
+        for (; way[k] == 0; k = m_successor[k])
+            way[k] = g + 1;
+        if (way[k] != g + 1) continue;
+        std::vector<std::size_t>& cycle = result.emplace_back();
+        for (; cycle.empty() || k != cycle.front(); k = m_successor[k])
+            cycle.push_back(k);
+    }
+    return result;
+}
+
+template <int Dim> std::vector<Vector<Dim>> SupportContainer<Dim>::cycleDirections() const {
+    std::vector<Vector<Dim>> result;
+    if constexpr (Dim == 2)
+        for (const std::vector<std::size_t>& cycle : cycles()) {
+            Matrix<2> around = Matrix<2>::Identity();
+            for (const std::size_t g : cycle)
+                around = transposed[m_symbol[g]] * around;
+            Vector<2> direction = leadingDirection(around);
+            for (const std::size_t g : cycle) {
+                if (!(direction.norm() > 0 && direction.allFinite())) break;
+                direction.normalize();
+                result.insert(result.end(), {direction, -direction});
+                direction = transposed[m_symbol[g]] * direction;
+            }
+        }
+    return result;
+}
+
 template <int Dim>
 void SupportContainer<Dim>::lengthen(std::vector<int>& address, std::size_t direction) const {
     constexpr int maxSymbols = 4'000;

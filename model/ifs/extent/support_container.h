@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ifs {
@@ -47,7 +48,7 @@ template <int Dim> struct SupportContainer {
     // States of a search that are this close, relative to |v|, can never be one below the other.
     double mergeLimit = 0;
 
-    explicit SupportContainer(int depth) : fan(depth) {}
+    explicit SupportContainer(DirectionFan<Dim> directions) : fan(std::move(directions)) {}
 
     double bound(const Vector<Dim>& v) const { return std::min(fan.bound(v, heights), ellipsoid.bound(v)); }
 
@@ -92,10 +93,18 @@ template <int Dim> struct SupportContainer {
     // Fills `points`.
     void findPoints();
 
+    // Whether the box of the points is much smaller than that of the heights.
+    bool isLoose() const;
+
+    // The directions, and their opposites, that the maps of each cycle of findPoints() leave as they are.
+    // In the plane alone; none in space.
+    std::vector<Vector<Dim>> cycleDirections() const;
+
 private:
     AffineMap<Dim> map(std::size_t i) const { return {transposed[i].transpose(), offsets[i]}; }
     template <class Constant> std::vector<double> solved(Constant constant, double tie) const;
 
+    std::vector<std::vector<std::size_t>> cycles() const; // of directions
     // Each point is that map of that of another direction.
     std::vector<std::size_t> m_symbol, m_successor;
 };

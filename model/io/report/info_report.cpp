@@ -7,8 +7,23 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 
 namespace io {
+
+namespace {
+
+// How far off the hull may be before that is said. What nobody asked for may be off by twice as much, since
+// finding the addresses of its vertices can add to the error, and by what rounding leaves far from the
+// origin.
+template <int Dim> double bearableError(const ifs::Facts<Dim>& facts, std::optional<double> wanted) {
+    if (wanted) return *wanted;
+    if (!facts.box) return std::numeric_limits<double>::infinity();
+    const double distance = facts.box->min.cwiseAbs().cwiseMax(facts.box->max.cwiseAbs()).stableNorm();
+    return 2 * ifs::usualHullTolerance(*facts.box) + 1e-12 * distance;
+}
+
+} // namespace
 
 template <int Dim>
 ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const QString& entry,
@@ -20,14 +35,14 @@ ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const Q
     }
     ifs::Facts<Dim> facts = ifs::factsOf(system, subject.hullTolerance, limits);
     const auto& wanted = subject.hullTolerance;
-    if (subject.remark && wanted && facts.hull && facts.hull->error > *wanted) {
+    if (subject.remark && facts.hull && facts.hull->error > bearableError(facts, wanted)) {
         document::Problem problem;
         problem.entry = entry;
         problem.message =
             QCoreApplication::translate("Text", "The convex hull has an error of up to %1: the tolerance %2 "
                                                 "was not reached.")
                 .arg(boundText(facts.hull->error))
-                .arg(*wanted, 0, 'g', 6);
+                .arg(wanted ? *wanted : ifs::usualHullTolerance(*facts.box), 0, 'g', wanted ? 6 : 2);
         subject.remark(problem);
     }
     return facts;

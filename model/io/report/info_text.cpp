@@ -156,11 +156,11 @@ template <int Dim> QString mapLine(const ifs::WeightedMap<Dim>& map, double prob
 template <int Dim> void addMoments(Lines& lines, const ifs::Facts<Dim>& facts) {
     const auto spread = facts.moments ? facts.moments->covariance.trace() : 0;
     const double size =
-        facts.box ? (facts.box->max - facts.box->min).norm() : std::sqrt(std::max(spread, 0.0));
+        facts.box ? (facts.box->max - facts.box->min).stableNorm() : std::sqrt(std::max(spread, 0.0));
     if (facts.mean) {
         const auto [point, error] = *facts.mean;
         const auto known = withoutNoise(point, error);
-        lines.add(Text::tr("mean"), isWorthless(error, std::max(size, point.norm()))
+        lines.add(Text::tr("mean"), isWorthless(error, std::max(size, point.stableNorm()))
                                         ? Text::tr("unknown")
                                         : tuple(known, error, size) + errorNote(known, error, size));
     }
@@ -175,8 +175,8 @@ template <int Dim> void addMoments(Lines& lines, const ifs::Facts<Dim>& facts) {
 
 template <int Dim> QString boxText(const ifs::BoundingBox<Dim>& box) {
     const auto& [min, max, error] = box;
-    const double size = (max - min).norm();
-    if (isWorthless(error, std::max(size, 1e-9 * max.norm()))) return Text::tr("unknown");
+    const double size = (max - min).stableNorm();
+    if (isWorthless(error, std::max(size, 1e-9 * max.stableNorm()))) return Text::tr("unknown");
     Eigen::Matrix<double, Dim, 2> corners;
     corners << withoutNoise(min, error), withoutNoise(max, error);
     return tuple(corners.col(0), error, size) + u' ' + tuple(corners.col(1), error, size) +
@@ -209,18 +209,19 @@ void addParts(Lines& lines, const std::vector<std::optional<ifs::BoundingBox<2>>
 
 // The size of the attractor, as far as it is known: that of the hull, if no box is.
 template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
-    if (facts.box) return (facts.box->max - facts.box->min).norm();
+    if (facts.box) return (facts.box->max - facts.box->min).stableNorm();
     ifs::Vector<Dim> low = facts.hull->vertices.front(), high = low;
     for (const auto& vertex : facts.hull->vertices) {
         low = low.cwiseMin(vertex);
         high = high.cwiseMax(vertex);
     }
-    return (high - low).norm();
+    return (high - low).stableNorm();
 }
 
 // Of an area or a volume.
 template <int Dim> QString contentText(double content, double error, const ifs::Facts<Dim>& facts) {
-    const double size = std::pow(std::max(sizeOf(facts), 1e-9 * facts.hull->vertices.front().norm()), Dim);
+    const double size =
+        std::pow(std::max(sizeOf(facts), 1e-9 * facts.hull->vertices.front().stableNorm()), Dim);
     if (isWorthless(error, std::max(content, 1e-3 * size))) return Text::tr("unknown");
     return digits(content, error, size) + io::errorNote({content}, error, size, shownDigits);
 }

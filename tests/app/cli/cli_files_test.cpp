@@ -383,6 +383,13 @@ void CliFilesTest::aHullThatIsNotReachedIsSaid() {
              out.err.constData());
     QVERIFY(
         run("info systems.ifs --entry fern --json --hull-tolerance 1e-18").err.contains("was not reached"));
+    // Nor is the usual tolerance for a round hull in space.
+    write("fern3.ifs",
+          "fern3 (3D) {\n 0 0 0 0 .18 0 0 0 0 0 0 0 .01\n .85 0 0 0 .85 .1 0 -.1 .85 0 1.6 0 .85\n"
+          " .2 -.2 0 .2 .2 0 0 0 .3 0 .8 0 .07\n -.2 .2 0 .2 .2 0 0 0 .3 0 .8 0 .07\n}\n");
+    const Result round = run("info fern3.ifs");
+    QVERIFY2(round.err.contains("was not reached"), (round.out + round.err).constData());
+    QCOMPARE(run("info systems.ifs").err, QByteArray());
 }
 
 void CliFilesTest::aSheetOfSomeEntriesIsWhole() {

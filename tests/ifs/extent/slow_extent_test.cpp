@@ -52,6 +52,47 @@ private slots:
         }
     }
 
+    // Their norms are polytopes, and words of theirs hardly contract: boxes were off by many times their
+    // size.
+    void nearlyIsometricTiles() {
+        const double q = 0.99985;
+        const Matrix<2> shear{{q, -0.5 * q}, {0, 0.5 * q}}, turn{{-0.5 * q, -q}, {0.5 * q, 0}};
+        const Matrix<2> back{{0.5 * q, -q}, {0.5 * q, 0}}, other{{0, -0.5 * q}, {q, 0.5 * q}};
+        Random random(7);
+        for (const auto& [first, second] : {std::pair{shear, turn}, {back, other}, {turn, back}}) {
+            const Maps2 maps{{first, randomVector<2>(random, 5)}, {second, randomVector<2>(random, 5)}};
+            const auto support = SupportFunction<2>::of(maps);
+            QVERIFY(support.has_value());
+            const auto box = boundingBox(*support);
+            const double size = (box.max - box.min).norm();
+            QVERIFY(box.error <= 1e-8 * size);
+            const auto hull = convexHull(*support, 1e-6 * size);
+            QVERIFY(hull.error <= 2e-6 * size);
+            for (const Vector<2>& x : orbit<2>(maps, 20'000, random)) {
+                QVERIFY((box.min - x).maxCoeff() <= box.error + 1e-12 * size);
+                QVERIFY((x - box.max).maxCoeff() <= box.error + 1e-12 * size);
+                QVERIFY(distanceToConvex(hull.vertices, x) <= hull.error + 1e-12 * size);
+            }
+        }
+    }
+
+    // In coordinates that stretch a thousand times, where each map contracts, and not in those where it
+    // contracts most, which stretch without bound: the box had an error of 10²³ sizes.
+    void slowTriangles() {
+        const Maps2 maps{affineMap(.388184, 85.9751, 0, .507588, -4.03601, 3.52886),
+                         affineMap(.252498, 54.5615, 0, .999976, 1.62805, 4.1714)};
+        const auto support = SupportFunction<2>::of(maps);
+        QVERIFY(support.has_value());
+        const auto box = boundingBox(*support);
+        const double size = (box.max - box.min).norm();
+        QVERIFY2(box.error <= 1e-6 * size, qPrintable(QString::number(box.error / size)));
+        Random random(3);
+        for (const Vector<2>& x : orbit<2>(maps, 20'000, random)) {
+            QVERIFY((box.min - x).maxCoeff() <= box.error + 1e-9 * size);
+            QVERIFY((x - box.max).maxCoeff() <= box.error + 1e-9 * size);
+        }
+    }
+
     // Boxes were off by up to 9 %.
     void inSpace() {
         Random random(25);

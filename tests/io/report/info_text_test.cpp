@@ -125,6 +125,20 @@ private slots:
         QVERIFY(entry[QStringLiteral("hull")][QStringLiteral("area_error")].toDouble() < 1e-28);
     }
 
+    // The squares of such lengths are below the least number.
+    void figuresOfATinySystemAreKnown() {
+        auto rows = Gasket;
+        for (auto& row : rows) {
+            row[4] *= 1e-201;
+            row[5] *= 1e-201;
+        }
+        const auto subject = subjectOf(rows);
+        const QString mean = lineOf(subject, QStringLiteral("mean"));
+        QVERIFY2(mean.startsWith(QStringLiteral("(3.33333e-202, 3.33333e-202)")), qPrintable(mean));
+        const QString box = lineOf(subject, QStringLiteral("bounding box"));
+        QVERIFY2(box.startsWith(QStringLiteral("(0, 0) (1e-201, 1e-201)")), qPrintable(box));
+    }
+
     // 1 − 10⁻¹¹ of a turn of 1 radian is left by each step: rounding shows in what is summed up.
     void figuresCarryTheirErrors() {
         const double r = 1 - 1e-11;

@@ -100,7 +100,7 @@ private:
 // By which a fixed point may be off: far where a map nearly keeps a direction.
 template <int Dim> double errorOf(const ifs::Vector<Dim>& fixedPoint, const ifs::AffineMap<Dim>& map) {
     const auto enclosed = ifs::enclosedFixedPoint(map);
-    return enclosed ? enclosed->error + (enclosed->point - fixedPoint).norm()
+    return enclosed ? enclosed->error + (enclosed->point - fixedPoint).stableNorm()
                     : std::numeric_limits<double>::infinity();
 }
 
@@ -118,13 +118,13 @@ double fixedPointError(const Analysis& analysis, std::size_t k) {
 }
 
 template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
-    if (facts.box) return (facts.box->max - facts.box->min).norm();
+    if (facts.box) return (facts.box->max - facts.box->min).stableNorm();
     return std::sqrt(std::max(facts.moments->covariance.trace(), 0.0));
 }
 
 // What an area or a volume is compared with; of a point, what rounding leaves of it.
 template <int Dim> double contentOf(const ifs::Facts<Dim>& facts) {
-    return std::pow(std::max(sizeOf(facts), 1e-9 * facts.hull->vertices.front().norm()), Dim);
+    return std::pow(std::max(sizeOf(facts), 1e-9 * facts.hull->vertices.front().stableNorm()), Dim);
 }
 
 template <int Dim> std::vector<double> coordinates(const ifs::Vector<Dim>& v) {
@@ -239,7 +239,7 @@ template <int Dim> void Facts::addFixedPoints() {
                 }
                 const ifs::Vector<Dim> known = io::withoutNoise(point, error);
                 const auto& box = factsIn<Dim>(analysis).box;
-                const double size = box ? (box->max - box->min).norm() : point.norm();
+                const double size = box ? (box->max - box->min).stableNorm() : point.stableNorm();
                 return tuple<Dim>(known, error, size, number) +
                        note(coordinates<Dim>(known), error, size, number);
             });
@@ -440,7 +440,7 @@ template <int Dim> void Facts::addMoments() {
         isKnown, [](const Analysis& analysis, Format number) {
             const auto& moments = *factsIn<Dim>(analysis).moments;
             const double error = moments.meanError, size = sizeOf(factsIn<Dim>(analysis));
-            if (io::isWorthless(error, std::max(size, moments.mean.norm()))) return unknown();
+            if (io::isWorthless(error, std::max(size, moments.mean.stableNorm()))) return unknown();
             const ifs::Vector<Dim> known = io::withoutNoise(moments.mean, error);
             return tuple<Dim>(known, error, size, number) +
                    note(coordinates<Dim>(known), error, size, number);
@@ -477,7 +477,7 @@ template <int Dim> void Facts::addExtents() {
         facts.box.has_value(), [](const Analysis& analysis, Format number) {
             const auto& box = *factsIn<Dim>(analysis).box;
             const double size = sizeOf(factsIn<Dim>(analysis));
-            if (io::isWorthless(box.error, std::max(size, 1e-9 * box.max.norm()))) return unknown();
+            if (io::isWorthless(box.error, std::max(size, 1e-9 * box.max.stableNorm()))) return unknown();
             const ifs::Vector<Dim> low = io::withoutNoise(box.min, box.error);
             const ifs::Vector<Dim> high = io::withoutNoise(box.max, box.error);
             std::vector<double> ends;
