@@ -11,7 +11,9 @@ namespace document {
 
 namespace {
 
-constexpr int trials = 33; // moments at which existence is looked at
+// Of the moments at which existence is looked at.
+constexpr int trials = 33, mostFrames = 240;
+constexpr std::size_t mostMaps = 20'000; // of all frames together
 
 template <int Dim> bool turnsCage(const animation::Animation<Dim>& animation) {
     return Dim == 2 && std::ranges::any_of(animation.motions, [](const animation::Motion<Dim>& motion) {
@@ -46,26 +48,50 @@ template <int Dim> AnimatedFrame frameOf(const Fractal& fractal, const animation
     return frame;
 }
 
+// Where a key holds its value until the next, and in a cycle where its end is not its beginning.
+template <class Keys> std::vector<int> cutsAmong(const Keys& keys, int length, animation::Loop loop) {
+    constexpr auto hold = animation::Ease::Kind::Hold;
+    std::vector<int> cuts;
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        if (keys[i - 1].ease.kind == hold && !(keys[i - 1].value == keys[i].value))
+            cuts.push_back(keys[i].frame);
+    if (loop != animation::Loop::Cycle || keys.size() < 2 || keys.back().value == keys.front().value)
+        return cuts;
+    const bool jumpsBack = keys.back().frame == length && keys.front().frame == 0;
+    if (jumpsBack || keys.back().ease.kind == hold) cuts.push_back(keys.front().frame);
+    return cuts;
+}
+
 template <int Dim> std::optional<AnimationFacts> factsOf(const Shape<Dim>& shape) {
     if (!shape.animation) return std::nullopt;
     const auto& animation = *shape.animation;
-    return AnimationFacts{animation.rate, animation.length, animation.loop, animation::trackCount(animation),
-                          animation.motions.size()};
+    return AnimationFacts{
+        animation.rate,           animation.length,
+        animation.loop,           animation::trackCount(animation),
+        animation.motions.size(), cutsAmong(animation.camera, animation.length, animation.loop)};
 }
 
 template <int Dim> ifs::Verdict verdictOf(const Shape<Dim>& shape) {
     return ifs::classifyLinked<Dim>(ifs::activeMaps(shape.system)).verdict;
 }
 
-// None as well when stopped.
+bool isEarlier(const animation::Moment& a, const animation::Moment& b) {
+    return a.numerator * b.denominator < b.numerator * a.denominator;
+}
+
+// None as well when stopped. The few that lie anywhere are tried before the many frames.
 std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts,
                                                  const std::stop_token& stop) {
-    for (const animation::Moment& moment : moments(facts, trials))
-        if (stop.stop_requested())
-            break;
-        else if (const auto verdict = lossAt(fractal, moment))
-            return MomentWithoutAttractor{moment, *verdict};
-    return std::nullopt;
+    std::vector<animation::Moment> frames;
+    for (const int frame : framesToTry(fractal))
+        frames.push_back(animation::moment(frame));
+    std::optional<MomentWithoutAttractor> first;
+    for (const auto& tried : {moments(facts, trials), frames})
+        for (const animation::Moment& moment : tried) {
+            if (stop.stop_requested() || (first && !isEarlier(moment, first->moment))) break;
+            if (const auto verdict = lossAt(fractal, moment)) first = {moment, *verdict};
+        }
+    return first;
 }
 
 template <int Dim> bool hasCommonNorm(const Shape<Dim>& shape) {
@@ -117,6 +143,36 @@ std::vector<animation::Moment> moments(const AnimationFacts& facts, int count) {
     for (int i = 0; i < count; ++i)
         result.push_back(animation::moment(std::int64_t(facts.length) * i, count - 1));
     return result;
+}
+
+std::set<int> keyFramesOfMaps(const Fractal& fractal) {
+    std::set<int> frames;
+    const auto collect = [&](const auto& shape) {
+        if (!shape.animation) return;
+        for (const auto& track : shape.animation->maps)
+            for (const auto& key : track.keys)
+                frames.insert(key.frame);
+    };
+    if (const auto* shape = plane(fractal)) collect(*shape);
+    if (const auto* shape = space(fractal)) collect(*shape);
+    return frames;
+}
+
+std::set<int> framesToTry(const Fractal& fractal) {
+    std::set<int> frames;
+    const auto facts = animationFacts(fractal);
+    if (!facts) return frames;
+    const auto* flat = plane(fractal);
+    const std::size_t maps = flat ? flat->system.maps.size() : space(fractal)->system.maps.size();
+    const int most = std::clamp(int(mostMaps / std::max(maps, std::size_t(1))), trials - 1, mostFrames);
+    const int step = (facts->length + most - 1) / most;
+    for (int frame = 0; frame <= facts->length; frame += step)
+        frames.insert(frame);
+    for (const int key : keyFramesOfMaps(fractal)) {
+        if (int(frames.size()) >= 2 * mostFrames) break;
+        frames.insert(key);
+    }
+    return frames;
 }
 
 std::optional<ifs::Verdict> lossAt(const Fractal& fractal, const animation::Moment& moment) {

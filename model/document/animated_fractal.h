@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct AnimationFacts {
     animation::Loop loop = animation::Loop::Off;
     int tracks = 0;
     std::size_t motions = 0;
+    std::vector<int>
+        cuts{}; // frames with another camera than the moment before, as where an endless zoom jumps back
 };
 std::optional<AnimationFacts> animationFacts(const Fractal& fractal); // nullopt: nothing moves
 
@@ -43,8 +46,14 @@ std::vector<animation::Moment> moments(const AnimationFacts& facts, int count);
 // None, Empty or Undecided where no attractor is certain at the moment; nullopt where one is.
 std::optional<ifs::Verdict> lossAt(const Fractal& fractal, const animation::Moment& moment);
 
-// The first of 33 evenly spaced moments at which no attractor is certain. Where the keys have a common norm
-// and no motion follows, none fails, and nothing is tried. What is returned once stopped means nothing.
+// The frames at which an attractor is looked for: those of the keys of maps, and all others; of more than
+// 240, or where the maps are many, evenly chosen ones.
+std::set<int> framesToTry(const Fractal& fractal);
+std::set<int> keyFramesOfMaps(const Fractal& fractal);
+
+// The first of these frames, and of 33 evenly spaced moments, at which no attractor is certain. Where the
+// keys have a common norm and no motion follows, none fails, and nothing is tried. What is returned once
+// stopped means nothing.
 struct MomentWithoutAttractor {
     animation::Moment moment;
     ifs::Verdict verdict; // None, Empty or Undecided
@@ -55,7 +64,7 @@ std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fract
 // Whether there is such a moment; nullopt when stopped before that is known.
 std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token& stop);
 
-// The same with this motion as strong as it is, or else as strong as leaves an attractor at 33 evenly spaced
+// The same with this motion as strong as it is, or else as strong as leaves an attractor at all these
 // moments, to a thousandth.
 Fractal withSafeStrength(const Fractal& fractal, std::size_t motion);
 std::optional<Fractal> withSafeStrength(const Fractal& fractal, std::size_t motion,

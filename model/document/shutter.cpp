@@ -19,10 +19,38 @@ bool isBefore(const Moment& a, const Moment& b) {
     return a.numerator * b.denominator < b.numerator * a.denominator;
 }
 
-// frame + angle/circle · (part/parts − ½), within the animation.
+// Which side of the frame the shutter sees: it does not open across a cut.
+enum class Side { Both, After, Before, Neither };
+
+Side sideOf(const AnimationFacts& facts, int frame) {
+    const auto isCut = [&](int at) { return std::ranges::find(facts.cuts, at) != facts.cuts.end(); };
+    const int length = std::max(facts.length, 1);
+    if (facts.loop == animation::Loop::Cycle)
+        return isCut(frame % length) || (frame % length == 0 && isCut(length)) ? Side::After : Side::Both;
+    if (facts.loop == animation::Loop::Off) return isCut(frame) ? Side::After : Side::Both;
+    const int phase = frame % (2 * length), folded = std::min(phase, 2 * length - phase);
+    if (!isCut(folded)) return Side::Both;
+    return folded == length ? Side::Neither : phase < length ? Side::After : Side::Before;
+}
+
+// frame + angle/circle · (part/parts − ½), within the animation; half as long on one side of a cut.
 Moment momentAt(const AnimationFacts& facts, int frame, ShutterAngle angle, int part, int parts) {
     const std::int64_t denominator = std::int64_t(2) * circle * parts;
-    const std::int64_t offset = std::int64_t(angle) * (2 * part - parts);
+    const std::int64_t wide = angle;
+    std::int64_t offset = 0;
+    switch (sideOf(facts, frame)) {
+    case Side::Both:
+        offset = wide * (2 * part - parts);
+        break;
+    case Side::After:
+        offset = wide * part;
+        break;
+    case Side::Before:
+        offset = wide * (part - parts);
+        break;
+    case Side::Neither:
+        break;
+    }
     return animation::folded(animation::moment(frame * denominator + offset, denominator), facts.loop,
                              facts.length);
 }

@@ -18,7 +18,7 @@ using ShutterAngle = int;
 constexpr ShutterAngle maxShutterAngle = 360'000;
 
 // The middles of `count` equal parts of the time for which the shutter is open around a frame, within the
-// animation; and their beginnings and ends, one more.
+// animation and on one side of a cut of its camera; and their beginnings and ends, one more.
 std::vector<animation::Moment> shutterMiddles(const AnimationFacts& facts, int frame, ShutterAngle angle,
                                               int count);
 std::vector<animation::Moment> shutterEdges(const AnimationFacts& facts, int frame, ShutterAngle angle,

@@ -81,6 +81,27 @@ private slots:
         QCOMPARE(verdictAt(31), ifs::Verdict::None); // the product of the two expands
     }
 
+    // Between evenly spaced moments: at a key, and where a motion comes back to where it was at each of them.
+    void lossesBetweenEvenMomentsAreFound() {
+        animation::Animation<2> moving;
+        moving.length = 200;
+        const auto wide = ifs::affineMap(1.3, 0, 0, 1.3, 0, 0);
+        moving.maps = {{ifs::MapId(1), {key(101, half), key(103, wide), key(105, half)}}};
+        auto lost = firstWithoutAttractor(fractalOf({half, half}, moving));
+        QVERIFY(lost.has_value());
+        QVERIFY(lost->moment.numerator == 102 || lost->moment.numerator == 103);
+
+        animation::Animation<2> breathing;
+        breathing.length = 48;
+        breathing.motions = {animation::Breathe<2>{{}, 0.9, 16, {0, 0}}};
+        const auto large = ifs::affineMap(.8, 0, 0, .8, 0, 0);
+        const Fractal fractal = fractalOf({large, large}, breathing);
+        lost = firstWithoutAttractor(fractal);
+        QVERIFY(lost.has_value());
+        QCOMPARE(lost->moment, animation::moment(1));
+        QVERIFY(!firstWithoutAttractor(withSafeStrength(fractal, 0)));
+    }
+
     void strengthStopsWhereTheAttractorWouldBeLost() {
         animation::Animation<2> moving;
         moving.length = 32;

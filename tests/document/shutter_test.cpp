@@ -42,6 +42,39 @@ private slots:
         QCOMPARE(edges(Loop::ThereAndBack, 10), (std::vector<Moment>{moment(19, 2), moment(19, 2)}));
     }
 
+    // Both cameras in one picture would be two pictures, the one that shows less of the attractor the darker.
+    void theShutterDoesNotOpenAcrossACut() {
+        const auto edges = [](Loop loop, int frame) {
+            AnimationFacts facts;
+            facts.length = 10;
+            facts.loop = loop;
+            facts.cuts = {0, 4};
+            return shutterEdges(facts, frame, 360'000, 1);
+        };
+        QCOMPARE(edges(Loop::Cycle, 0), (std::vector<Moment>{moment(0), moment(1, 2)}));
+        QCOMPARE(edges(Loop::Cycle, 10), edges(Loop::Cycle, 0));
+        QCOMPARE(edges(Loop::Off, 4), (std::vector<Moment>{moment(4), moment(9, 2)}));
+        QCOMPARE(edges(Loop::ThereAndBack, 4), edges(Loop::Off, 4));
+        QCOMPARE(edges(Loop::ThereAndBack, 16), (std::vector<Moment>{moment(9, 2), moment(4)}));
+        QCOMPARE(edges(Loop::Cycle, 3), (std::vector<Moment>{moment(5, 2), moment(7, 2)}));
+        Fractal fractal;
+        Shape<2> shape;
+        shape.animation.emplace();
+        shape.animation->length = 10;
+        shape.animation->loop = Loop::Cycle;
+        attractor::View far, near;
+        near.height = far.height / 2;
+        shape.animation->camera = {{0, far, {}}, {10, near, {}}};
+        fractal.shape = shape;
+        QCOMPARE(animationFacts(fractal)->cuts, std::vector<int>{0});
+        shape.animation->camera = {{0, far, {}}, {10, far, {}}};
+        fractal.shape = shape;
+        QVERIFY(animationFacts(fractal)->cuts.empty());
+        shape.animation->camera = {{0, far, {animation::Ease::Kind::Hold}}, {6, near, {}}};
+        fractal.shape = shape;
+        QCOMPARE(animationFacts(fractal)->cuts, std::vector<int>{6});
+    }
+
     void pilotsAreKeysAndMiddles() {
         Shape<2> shape;
         ifs::append(shape.system, ifs::affineMap(.5, 0, 0, .5, 0, 0), 1);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/attractor_watch.h"
 
-#include "document/edits/animation_edits.h"
 #include "widgets/number_text.h"
 
 #include <algorithm>
@@ -12,39 +11,8 @@ namespace view {
 
 namespace {
 
-constexpr int mostFrames = 240, fewestFrames = 32;
-constexpr std::size_t mostMaps = 20'000; // of all frames together
-
 double frameOf(const animation::Moment& moment) {
     return double(moment.numerator) / double(moment.denominator);
-}
-
-std::size_t mapCount(const document::Fractal& entry) {
-    if (const auto* flat = document::plane(entry)) return flat->system.maps.size();
-    const auto* solid = document::space(entry);
-    return solid ? solid->system.maps.size() : 0;
-}
-
-// Of what decides whether there is an attractor.
-std::set<int> keyFramesOfMaps(const document::Fractal& entry) {
-    std::set<int> frames;
-    for (const document::TrackKeys& one : document::tracksOf(entry))
-        if (one.track.kind == document::Track::Kind::Map)
-            for (const auto& key : one.keys)
-                frames.insert(key.frame);
-    return frames;
-}
-
-std::set<int> framesLookedAt(const document::Fractal& entry, const std::set<int>& keys, int length) {
-    const std::size_t maps = std::max(mapCount(entry), std::size_t(1));
-    const int count = std::clamp(int(mostMaps / maps), fewestFrames, mostFrames);
-    const int step = (length + count - 1) / count;
-    std::set<int> frames;
-    for (int frame = 0; frame <= length; frame += step)
-        frames.insert(frame);
-    for (auto key = keys.begin(); key != keys.end() && int(frames.size()) < 2 * mostFrames; ++key)
-        frames.insert(*key);
-    return frames;
 }
 
 QString list(const std::vector<int>& frames) {
@@ -63,9 +31,9 @@ std::optional<AttractorLoss> attractorLoss(const document::Fractal& entry, const
     const auto facts = document::animationFacts(entry);
     if (!first || !facts) return std::nullopt;
     AttractorLoss loss{*first, {}, {}, false, facts->motions > 0};
-    const std::set<int> keys = keyFramesOfMaps(entry);
+    const std::set<int> keys = document::keyFramesOfMaps(entry);
     std::vector<int> lostKeys;
-    for (const int frame : framesLookedAt(entry, keys, facts->length)) {
+    for (const int frame : document::framesToTry(entry)) {
         if (stop.stop_requested()) return std::nullopt;
         const auto verdict = document::lossAt(entry, animation::moment(frame));
         if (!verdict) continue;

@@ -7,6 +7,6 @@ namespace attractor {
 // the plane or in space, has other pixels than before, even a single one: whoever draws the golden pictures
 // anew raises it, too. Frames and sums of another number are not mixed with ours; they are drawn again or
 // refused.
-inline constexpr int pixelVersion = 4;
+inline constexpr int pixelVersion = 5;
 
 } // namespace attractor

@@ -53,7 +53,7 @@ template <int Dim> ifs::Vector<Dim> middle(const Shape<Dim>& shape) {
 template <int Dim> Fractal withMotion(Fractal entry, animation::Motion<Dim> motion) {
     auto& shape = std::get<Shape<Dim>>(entry.shape);
     if (!shape.animation) shape.animation.emplace();
-    shape.animation->loop = animation::Loop::Cycle;
+    if (animation::trackCount(*shape.animation) == 0) shape.animation->loop = animation::Loop::Cycle;
     shape.animation->motions.push_back(std::move(motion));
     return entry;
 }

@@ -65,6 +65,7 @@ class MotionEditsTest : public QObject {
 
 private slots:
     void loopsKeepTheirAttractorAndClose();
+    void motionsKeepTheLoopOfKeys();
     void nothingMovesWithoutMaps();
     void windSwaysAboutTheLowestPoint();
     void endlessZoomsEndWhereTheyBegan();
@@ -91,6 +92,15 @@ void MotionEditsTest::loopsKeepTheirAttractorAndClose() {
             QVERIFY(frameAt(*moving, animation::moment(facts->length / 3)).fractal != start);
         }
     }
+}
+
+void MotionEditsTest::motionsKeepTheLoopOfKeys() {
+    Fractal keyed = maple();
+    auto& animation = plane(keyed)->animation.emplace();
+    animation.loop = animation::Loop::ThereAndBack;
+    animation.look = {{0, lookOf(keyed), {}}};
+    QVERIFY(animationFacts(*withOrbit(keyed))->loop == animation::Loop::ThereAndBack);
+    QVERIFY(animationFacts(*withBreathing(keyed))->loop == animation::Loop::ThereAndBack);
 }
 
 void MotionEditsTest::nothingMovesWithoutMaps() {

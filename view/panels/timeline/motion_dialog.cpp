@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_dialog.h"
 
+#include "document/animated_fractal.h"
 #include "widgets/number_box.h"
+#include "widgets/number_text.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -63,6 +65,11 @@ MotionDialog::MotionDialog(document::Document& document, std::size_t motion, con
         QWidget* box = field(i, cycles);
         form->addRow(box->accessibleName() + u':', box);
     }
+    m_note = new QLabel(this);
+    m_note->setWordWrap(true);
+    m_note->setAccessibleName(tr("Limit of the strength"));
+    m_note->hide();
+    form->addRow(m_note);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     form->addRow(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -105,7 +112,29 @@ QWidget* MotionDialog::field(std::size_t index, int ordinal) {
 
 void MotionDialog::take(std::size_t index, double value) {
     m_numbers[index].value = value;
-    m_gesture.previewEntry(document::withMotionNumbers(m_entry, m_motion, m_numbers));
+    m_gesture.previewEntry(changed());
+    if (layout()->hasHeightForWidth())
+        resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+}
+
+document::Fractal MotionDialog::changed() const {
+    document::Fractal wanted = document::withMotionNumbers(m_entry, m_motion, m_numbers);
+    m_note->hide();
+    const auto strength = std::ranges::find_if(m_numbers, [](const document::MotionNumber& number) {
+        return number.kind == Kind::Degrees || number.kind == Kind::Share;
+    });
+    if (strength == m_numbers.end()) return wanted;
+    document::Fractal safe = document::withSafeStrength(wanted, m_motion);
+    const double most =
+        document::motionNumbers(safe, m_motion)[std::size_t(strength - m_numbers.begin())].value;
+    // 0 where the attractor is lost without this motion, too.
+    if (most == strength->value || most == 0) return wanted;
+    const QString limit = strength->kind == Kind::Degrees
+                              ? QStringLiteral("%1°").arg(shortNumber(most))
+                              : QStringLiteral("%1 %").arg(shortNumber(percent * most));
+    m_note->setText(tr("Only %1 is used: with more there would be no attractor at some moment.").arg(limit));
+    m_note->show();
+    return safe;
 }
 
 } // namespace view

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+class QLabel;
+
 namespace view {
 
 // The numbers of a motion of the current entry: its strength, turns and cycles. What is chosen is seen at
@@ -24,10 +26,13 @@ private:
     // The number of this index, the `ordinal`-th of those of its kind.
     QWidget* field(std::size_t index, int ordinal);
     void take(std::size_t index, double value);
+    // With these numbers or, so that an attractor is left at all times, a smaller strength, which is said.
+    document::Fractal changed() const;
 
     document::Fractal m_entry; // as it was
     std::size_t m_motion;
     std::vector<document::MotionNumber> m_numbers; // exact, where the fields show them rounded
+    QLabel* m_note = nullptr;
     document::EditGesture m_gesture;
 };
 
