@@ -22,26 +22,6 @@ QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
 }
 
-// "1-240x2,300"
-std::vector<FileRange> rangesOf(const std::string& text) {
-    static const QRegularExpression form(
-        QStringLiteral("^\\s*([0-9]{1,7})(?:-([0-9]{1,7})(?:x([0-9]{1,7}))?)?\\s*$"));
-    std::vector<FileRange> ranges;
-    for (const QString& part : QString::fromStdString(text).split(u',')) {
-        const auto match = form.match(part);
-        FileRange range;
-        range.first = range.last = match.captured(1).toInt();
-        if (!match.captured(2).isEmpty()) range.last = match.captured(2).toInt();
-        if (!match.captured(3).isEmpty()) range.step = match.captured(3).toInt();
-        if (!match.hasMatch() || range.first < 1 || range.last < range.first || range.step < 1)
-            throw UsageError{tr("--frames “%1” is not valid: it must be file numbers, counted from 1, or "
-                                "ascending ranges, such as 7, 1-240, 1-240x2 or 1-48,60.")
-                                 .arg(QString::fromStdString(text))};
-        ranges.push_back(range);
-    }
-    return ranges;
-}
-
 Chunk chunkOf(const std::string& text) {
     const QStringList parts = QString::fromStdString(text).split(u'/');
     bool areNumbers[2] = {false, false};
@@ -139,9 +119,28 @@ void check(AnimateArguments& arguments) {
         choiceArgument("--exposure", arguments.picture.exposure, {"fixed", "smooth", "each"});
     if (arguments.picture.entries.size() > 1 || arguments.picture.entries == std::vector<std::string>{"all"})
         throw UsageError{tr("The frames are of one entry: give --entry once, with its name or number.")};
-    if (arguments.frames) arguments.ranges = rangesOf(*arguments.frames);
+    if (arguments.frames && *arguments.frames != "all") arguments.ranges = rangesOf(*arguments.frames);
     if (arguments.chunk) arguments.part = chunkOf(*arguments.chunk);
     arguments.whatExists = existingOf(arguments);
+}
+
+std::vector<FileRange> rangesOf(const std::string& text) {
+    static const QRegularExpression form(
+        QStringLiteral("^\\s*([0-9]{1,7})(?:-([0-9]{1,7})(?:x([0-9]{1,7}))?)?\\s*$"));
+    std::vector<FileRange> ranges;
+    for (const QString& part : QString::fromStdString(text).split(u',')) {
+        const auto match = form.match(part);
+        FileRange range;
+        range.first = range.last = match.captured(1).toInt();
+        if (!match.captured(2).isEmpty()) range.last = match.captured(2).toInt();
+        if (!match.captured(3).isEmpty()) range.step = match.captured(3).toInt();
+        if (!match.hasMatch() || range.first < 1 || range.last < range.first || range.step < 1)
+            throw UsageError{tr("--frames “%1” is not valid: it must be file numbers, counted from 1, or "
+                                "ascending ranges, such as 7, 1-240, 1-240x2 or 1-48,60.")
+                                 .arg(QString::fromStdString(text))};
+        ranges.push_back(range);
+    }
+    return ranges;
 }
 
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count) {

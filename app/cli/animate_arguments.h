@@ -52,6 +52,9 @@ void addAnimateOptions(CLI::App& command, AnimateArguments& arguments);
 // Looks at every value before a file is read.
 void check(AnimateArguments& arguments);
 
+// Of "1-240x2,300". Throws UsageError.
+std::vector<FileRange> rangesOf(const std::string& text);
+
 // The numbers that the ranges ask for, ascending, each once, up to `count`.
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count);
 bool isAnyBeyond(const std::vector<FileRange>& ranges, int count);

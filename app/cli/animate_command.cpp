@@ -37,7 +37,8 @@ public:
           m_input(input),
           m_fractal(fractal),
           m_pattern(fileNameOf(arguments.picture.output)),
-          m_bar(mode) {}
+          m_bar(mode),
+          m_animationHash(requestHash(fractal, std::nullopt, arguments.picture)) {}
 
     ExitStatus run() {
         const std::vector<int> files = filesOf(m_arguments, m_input, m_fractal);
@@ -114,7 +115,7 @@ private:
                 frameOptions(m_arguments.picture));
         const auto progress = [this](double fraction) { m_bar.show(m_before + m_share * fraction); };
         const io::ExportOutcome outcome =
-            m_drawing->writePng(frame, path, hash, progress, m_interrupt.token());
+            m_drawing->writePng(frame, path, {hash, m_animationHash}, progress, m_interrupt.token());
         if (outcome.stopped) return m_interrupt.status();
         if (outcome.failure) return failed(*outcome.failure);
         notes.add(frame, outcome.note);
@@ -128,8 +129,9 @@ private:
     QString m_pattern;
     Interrupt m_interrupt;
     ProgressBar m_bar;
-    double m_before = 0, m_share = 1;            // of the progress: before this frame, and for it
-    std::vector<int> m_replaced;                 // numbers of files that held something else
+    double m_before = 0, m_share = 1; // of the progress: before this frame, and for it
+    std::vector<int> m_replaced;      // numbers of files that held something else
+    QByteArray m_animationHash;
     std::unique_ptr<io::FrameDrawing> m_drawing; // once a frame has to be drawn
 };
 

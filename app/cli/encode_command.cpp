@@ -10,19 +10,24 @@
 #include "usage_error.h"
 #include "video_output.h"
 
+#include "animation/moment.h"
 #include "document/animated_fractal.h"
+#include "io/animation/frame_drawing.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/png_check.h"
 #include "io/picture/png_system.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <memory>
 
 namespace cli {
@@ -32,12 +37,15 @@ namespace {
 struct EncodeArguments {
     std::string pattern;
     std::string output;
-    std::optional<std::string> rate;
+    std::optional<std::string> rate, frames;
     Verbosity verbosity;
 
     io::VideoFormat format = io::VideoFormat::Mp4; // of the output
     std::optional<animation::FrameRate> framesPerSecond;
+    std::vector<FileRange> ranges; // that `frames` asks for
 };
+
+constexpr const char* allFrames = "all";
 
 QString tr(const char* text) {
     return QCoreApplication::translate("cli", text);
@@ -57,6 +65,7 @@ void check(EncodeArguments& arguments) {
                              .arg(output)};
     arguments.format = *format;
     if (arguments.rate) arguments.framesPerSecond = rateArgument("--fps", *arguments.rate);
+    if (arguments.frames && *arguments.frames != allFrames) arguments.ranges = rangesOf(*arguments.frames);
 }
 
 // The numbers of the files there are, ascending.
@@ -96,13 +105,29 @@ QString listed(const std::vector<int>& numbers) {
     return runs.join(QStringLiteral(", "));
 }
 
-std::vector<int> missingAmong(const std::vector<int>& numbers) {
-    constexpr std::size_t enough = 10'000;
-    std::vector<int> missing;
-    for (std::size_t i = 1; i < numbers.size(); ++i)
-        for (int number = numbers[i - 1] + 1; number < numbers[i] && missing.size() < enough; ++number)
-            missing.push_back(number);
-    return missing;
+// All from the first to the last, but no more than can be told apart from a wrong name.
+std::vector<int> withoutGaps(const std::vector<int>& numbers) {
+    constexpr int enough = 1'000'000;
+    std::vector<int> all;
+    const int last = std::min(numbers.back(), numbers.front() + enough);
+    for (int number = numbers.front(); number <= last; ++number)
+        all.push_back(number);
+    return all;
+}
+
+// What a picture says of itself, if it does: of which animation it is, and which number its file had.
+struct Marks {
+    QByteArray animation;
+    int number = 0;
+};
+
+Marks marksOf(const io::CheckedPng& picture) {
+    Marks marks;
+    const auto animation = picture.texts.find(io::animationRequestKeyword);
+    if (animation != picture.texts.end()) marks.animation = animation->second;
+    const auto number = picture.texts.find(io::frameNumberKeyword);
+    if (number != picture.texts.end()) marks.number = number->second.toInt();
+    return marks;
 }
 
 class EncodeSession {
@@ -111,26 +136,26 @@ public:
         : m_arguments(arguments), m_pattern(fileNameOf(arguments.pattern)), m_bar(mode) {}
 
     ExitStatus run() {
-        m_numbers = numbersThere(m_pattern);
-        if (m_numbers.empty()) {
+        const std::vector<int> there = numbersThere(m_pattern);
+        if (there.empty()) {
             reportError(m_pattern, tr("There are no pictures with this name."));
             return ExitStatus::CannotReadOrWrite;
         }
-        if (const auto missing = missingAmong(m_numbers); !missing.empty()) {
-            reportError(m_pattern,
-                        tr("Pictures are missing between the first and the last one: %1. Draw them "
-                           "first; animate draws only those that are missing.")
-                            .arg(listed(missing)));
-            return ExitStatus::InputProblems;
-        }
-        if (const auto damage = io::pngDamage(pathOf(0))) {
-            reportError(pathOf(0), *damage);
-            return ExitStatus::InputProblems;
-        }
-        m_size = QImageReader(pathOf(0), "png").size();
-        for (int index = 1; index < int(m_numbers.size()); ++index) // rather than after all that come before
-            if (const auto obstacle = obstacleOf(pathOf(index))) {
+        learnFromNewest(there);
+        if (const ExitStatus status = chooseFrom(there); status != ExitStatus::Done) return status;
+        const QImageReader reader(pathOf(0), "png");
+        m_size = reader.size();
+        if (QImage(1, 1, reader.imageFormat()).pixelFormat().redSize() > 8)
+            reportWarning(m_pattern,
+                          tr("The pictures have 16 bits per channel, of which the video keeps 8."));
+        for (int index = 0; index < int(m_numbers.size()); ++index) // rather than after all that come before
+            if (const auto obstacle = obstacleOf(index)) {
                 reportError(pathOf(index), *obstacle);
+                return ExitStatus::InputProblems;
+            }
+        for (int index = 0; index < int(m_numbers.size()); ++index)
+            if (const auto stranger = strangerAmong(m_marks[m_numbers[std::size_t(index)]], index)) {
+                reportError(pathOf(index), *stranger);
                 return ExitStatus::InputProblems;
             }
         const QString output = fileNameOf(m_arguments.output);
@@ -148,24 +173,89 @@ public:
 private:
     QString pathOf(int index) const { return numbered(m_pattern, m_numbers[std::size_t(index)]); }
 
-    // Of the animation that the pictures carry, if they do.
+    // The pictures that become the video, of those that are there: all that are asked for must be.
+    ExitStatus chooseFrom(const std::vector<int>& there) {
+        const int count = m_facts ? animation::frameCount(m_facts->loop, m_facts->length) : 0;
+        if (!m_arguments.ranges.empty()) {
+            int last = 1;
+            for (const FileRange& range : m_arguments.ranges)
+                last = std::max(last, range.last);
+            m_numbers = filesIn(m_arguments.ranges, last);
+        } else if (m_arguments.frames) {
+            m_numbers = filesIn({}, count);
+            if (count == 0) {
+                reportError(m_pattern,
+                            tr("The pictures carry no animation that would say how many there are. "
+                               "Give their numbers in --frames."));
+                return ExitStatus::InputProblems;
+            }
+        } else {
+            m_numbers = withoutGaps(there);
+        }
+        std::vector<int> missing;
+        std::ranges::set_difference(m_numbers, there, std::back_inserter(missing));
+        if (!missing.empty()) {
+            reportError(m_pattern, tr("Pictures are missing: %1. Draw them first; animate draws only those "
+                                      "that are missing.")
+                                       .arg(listed(missing)));
+            return ExitStatus::InputProblems;
+        }
+        std::vector<int> frames = m_numbers;
+        for (int& frame : frames)
+            frame -= m_offset;
+        if (!m_arguments.frames && count > 0 && int(frames.size()) < count)
+            reportWarning(m_pattern, tr("The pictures are %1 of %2 frames of the animation: %3.")
+                                         .arg(frames.size())
+                                         .arg(count)
+                                         .arg(listed(frames)));
+        return ExitStatus::Done;
+    }
+
+    // What has been left over from another animation is older than what was drawn after it. Where nothing
+    // says what it is, the first picture has the entry.
+    void learnFromNewest(const std::vector<int>& there) {
+        int source = there.front();
+        QDateTime newest;
+        for (const int number : there) {
+            const QString path = numbered(m_pattern, number);
+            m_marks[number] = marksOf(io::checkedPng(path));
+            const QDateTime written = QFileInfo(path).lastModified();
+            if (m_marks[number].animation.isEmpty() || (newest.isValid() && written <= newest)) continue;
+            newest = written;
+            source = number;
+        }
+        m_animation = m_marks[source].animation;
+        m_newest = QFileInfo(numbered(m_pattern, source)).fileName();
+        std::map<int, int> offsets; // how many pictures have each
+        for (const auto& [number, marks] : m_marks)
+            if (marks.number > 0 && marks.animation == m_animation) ++offsets[number - marks.number];
+        if (!m_arguments.frames && !offsets.empty())
+            m_offset = std::ranges::max_element(offsets, {}, &std::pair<const int, int>::second)->first;
+        readEntry(numbered(m_pattern, source));
+    }
+
+    // What the pictures carry, if they do.
+    void readEntry(const QString& path) {
+        const io::Loaded first = io::loadFile(path);
+        const io::EmbeddedSystem system = io::readPngSystem(first.bytes);
+        if (system.failure) return;
+        const document::FractalFile file = io::readFractint(system.text);
+        if (file.entries.isEmpty()) return;
+        m_systemText = system.text;
+        m_title = file.entries.first().fractal->name;
+        m_facts = document::animationFacts(*file.entries.first().fractal);
+    }
+
     io::VideoSettings settings() const {
         io::VideoSettings settings;
         settings.format = m_arguments.format;
         settings.width = m_size.width();
         settings.height = m_size.height();
-        const io::Loaded first = io::loadFile(pathOf(0));
-        const io::EmbeddedSystem system = io::readPngSystem(first.bytes);
-        const document::FractalFile file =
-            system.failure ? document::FractalFile() : io::readFractint(system.text);
-        if (!file.entries.isEmpty()) {
-            const document::Fractal& entry = *file.entries.first().fractal;
-            settings.systemText = system.text;
-            settings.title = entry.name;
-            if (const auto facts = document::animationFacts(entry)) {
-                settings.rate = facts->rate;
-                settings.repeats = facts->loop != animation::Loop::Off;
-            }
+        settings.systemText = m_systemText;
+        settings.title = m_title;
+        if (m_facts) {
+            settings.rate = m_facts->rate;
+            settings.repeats = m_facts->loop != animation::Loop::Off;
         }
         if (m_arguments.framesPerSecond) settings.rate = *m_arguments.framesPerSecond;
         settings.isTransparent = isAnyTransparent();
@@ -183,8 +273,10 @@ private:
         return false;
     }
 
-    std::optional<QString> obstacleOf(const QString& path) const {
-        if (const auto damage = io::pngDamage(path)) return damage;
+    std::optional<QString> obstacleOf(int index) const {
+        const QString path = pathOf(index);
+        const io::CheckedPng picture = io::checkedPng(path);
+        if (picture.damage) return picture.damage;
         const QSize size = QImageReader(path, "png").size();
         if (size == m_size) return std::nullopt;
         return tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of a video must "
@@ -195,9 +287,24 @@ private:
             .arg(m_size.height());
     }
 
+    // A picture that says that it is not the one to come. Those that say nothing are believed.
+    std::optional<QString> strangerAmong(const Marks& marks, int index) const {
+        if (!marks.animation.isEmpty() && marks.animation != m_animation)
+            return tr("The picture was drawn from another entry or with other options than the newest one, "
+                      "“%1”. Draw the frames again, which replaces such pictures, and delete what is left "
+                      "over, "
+                      "or name the frames in --frames.")
+                .arg(m_newest);
+        const int expected = m_numbers[std::size_t(index)] - m_offset;
+        if (marks.number == 0 || marks.number == expected) return std::nullopt;
+        return tr("The picture is frame %1 of its animation. Here, frame %2 should be.")
+            .arg(marks.number)
+            .arg(expected);
+    }
+
     QImage read(int index) {
         const QString path = pathOf(index);
-        if (const auto obstacle = obstacleOf(path)) return refused(path, *obstacle); // by now
+        if (const auto obstacle = obstacleOf(index)) return refused(path, *obstacle); // by now
         QImageReader reader(path, "png");
         reader.setAllocationLimit(0); // the video takes pictures of this size
         const QImage image = reader.read();
@@ -216,6 +323,14 @@ private:
     Interrupt m_interrupt;
     ProgressBar m_bar;
     std::vector<int> m_numbers; // of the pictures
+    // What the newest one carries, and by how much the numbers of files exceed those they were drawn with.
+    std::map<int, Marks> m_marks; // of all pictures that are there
+    QString m_newest;
+    QByteArray m_animation;
+    int m_offset = 0;
+    QByteArray m_systemText;
+    QString m_title;
+    std::optional<document::AnimationFacts> m_facts;
     QSize m_size;
 };
 
@@ -245,6 +360,13 @@ Command encodeCommand(CLI::App& program) {
         ->type_name("OUT")
         ->group("Files")
         ->required();
+    command
+        ->add_option("--frames", arguments->frames,
+                     "Pictures to take, all of which must be there: their numbers, such as 1-240,300, or all "
+                     "frames of the animation that the pictures carry")
+        ->type_name("LIST|all")
+        ->default_str("all that are there")
+        ->group("Frames");
     command->add_option("--fps", arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001")
         ->type_name("R")
         ->default_str("those of the animation in the pictures, else 24")

@@ -36,9 +36,10 @@ QByteArray paletteText(const attractor::Palette& palette) {
 
 } // namespace
 
-QByteArray requestHash(const document::Fractal& entry, int frame, const RenderArguments& options) {
+QByteArray requestHash(const document::Fractal& entry, std::optional<int> frame,
+                       const RenderArguments& options) {
     CanonicalRequest request;
-    request.addCount("frame", std::uint64_t(frame));
+    request.addFrame(frame);
     const QSize size = pictureSizeArgument("--size", options.size);
     request.addCount("width", std::uint64_t(size.width()));
     request.addCount("height", std::uint64_t(size.height()));

@@ -95,6 +95,10 @@ void warnOfLosses(const document::Entry& entry, const QString& fileName) {
     const QString name = printableLine(entry.fractal->name);
     if (hasMovedBranches(*entry.fractal))
         reportWarning(fileName, tr("The moved branches of “%1” are not part of the morph.").arg(name));
+    const auto& appearance = entry.fractal->appearance;
+    if (!appearance.mapColours.empty() || !appearance.mapBlends.empty())
+        reportWarning(fileName,
+                      tr("The colours of single maps of “%1” are not part of the morph.").arg(name));
     if (document::animationFacts(*entry.fractal))
         reportWarning(fileName, tr("The animation of “%1” is not part of the morph.").arg(name));
 }

@@ -347,7 +347,7 @@ void addPixelOptions(CLI::App& command, RenderArguments& arguments) {
     file.add(
         "--bits", "8|16|32", arguments.bits,
         "Bits per channel: 8 or 16 in .png and .tiff, 8 in .jpg and .webp, 16 or 32 (floating point) in .exr",
-        "8, or 16 in .exr");
+        "8; 16 in .exr and for --look normals");
     file.add("--dpi", "D", arguments.dpi, "Resolution stored in the picture, in dots per inch, 1 to 100000");
 }
 

@@ -368,6 +368,9 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
             picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
     }
     picture.depth = depthOf(options);
+    const bool isForCompositing = picture.look == LookInSpace::Normals && !options.bits;
+    if (isForCompositing && io::takes(pictureFileOf(options), io::PictureFormat::Depth::Bits16))
+        picture.depth = io::PictureFormat::Depth::Bits16;
     picture.file = pictureFileOf(options);
     picture.quality = qualityOf(options);
     picture.dotsPerInch = dotsPerInch(options);

@@ -127,7 +127,7 @@ _barycage_cli_options() {
     animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down
       --palette --colour --color --gamma --brightness --contrast --vibrancy --background --supersample --threads --bits --dpi --simd
       --progress --quiet --help" ;;
-    encode) options="--output --fps --progress --quiet --help" ;;
+    encode) options="--output --frames --fps --progress --quiet --help" ;;
     collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --no-mirrors --angles --stem --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
     steal) options="--output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact

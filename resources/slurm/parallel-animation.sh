@@ -14,9 +14,16 @@ TEXT
 fi
 file=$(readlink -f -- "$1") entry=$2 output=$(realpath -m -- "$3") tasks=$4
 shift 4
+wanted=all # frames, which the options may choose
+previous=
+for option in "$@"; do
+  [ "$previous" != --frames ] || wanted=$option
+  [ "$option" = "${option#--frames=}" ] || wanted=${option#--frames=}
+  previous=$option
+done
 frames=$output.frames
 program=${BARYCAGE_CLI:-barycage-cli}
 mkdir -p -- "$frames"
 seq 0 $((tasks - 1)) | parallel --quote --retries 3 --joblog "$frames/jobs.log" \
   "$program" animate "$file" --entry "$entry" -o "$frames/######.png" --chunk "{}/$tasks" --threads 1 "$@"
-"$program" encode "$frames/######.png" -o "$output"
+"$program" encode "$frames/######.png" -o "$output" --frames "$wanted"

@@ -15,6 +15,13 @@ fi
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 file=$(readlink -f -- "$1") entry=$2 output=$(realpath -m -- "$3") tasks=$4
 shift 4
+wanted=all # frames, which the options may choose
+previous=
+for option in "$@"; do
+  [ "$previous" != --frames ] || wanted=$option
+  [ "$option" = "${option#--frames=}" ] || wanted=${option#--frames=}
+  previous=$option
+done
 case $output in
 *.png) frames=$output ;;
 *) frames=$output.frames/######.png ;;
@@ -29,5 +36,5 @@ if [ "$frames" = "$output" ]; then
   exit
 fi
 video=$(sbatch --parsable --output="$folder/slurm-%j.log" --dependency="afterok:$array" --kill-on-invalid-dep=yes \
-  "$here/encode.sh" "$frames" "$output")
+  "$here/encode.sh" "$frames" "$output" --frames "$wanted")
 echo "Drawing: job $array, $tasks tasks. Video: job ${video%%;*}. See them with: squeue -j $array,${video%%;*}"

@@ -82,10 +82,10 @@ const char* nameOf(Exposing exposing) {
     return exposing == Exposing::Smooth ? "smooth" : exposing == Exposing::Fixed ? "fixed" : "each";
 }
 
-// That of the same options on the command line.
-QByteArray requestHash(const AnimationExport& what, int frame) {
+// That of the same options on the command line; without a frame, what all frames have in common.
+QByteArray requestHash(const AnimationExport& what, std::optional<int> frame) {
     FrameRequestText text;
-    text.addCount("frame", std::uint64_t(frame));
+    text.addFrame(frame);
     text.addCount("width", std::uint64_t(what.size.width()));
     text.addCount("height", std::uint64_t(what.size.height()));
     text.addCount("seed", 1);
@@ -123,14 +123,15 @@ ExportOutcome writePictures(const AnimationExport& what, const QString& path, co
                             const std::stop_token& stop) {
     FrameDrawing drawing(std::make_unique<PlainFrames>(what), what.frames);
     const int count = what.last - what.first + 1;
+    const QByteArray animation = requestHash(what, std::nullopt);
     ExportOutcome all;
     for (int index = 0; index < count; ++index) {
         const int frame = what.first + index;
         const QString file = framePath(path, frame, what.last);
-        const QByteArray hash = requestHash(what, frame);
-        if (isDone(file, hash)) continue;
+        const FrameHashes hashes{requestHash(what, frame), animation};
+        if (isDone(file, hashes.frame)) continue;
         const ExportOutcome one =
-            drawing.writePng(frame, file, hash, partOf(progress, index, count, 1), stop);
+            drawing.writePng(frame, file, hashes, partOf(progress, index, count, 1), stop);
         if (all.note == attractor::RenderNote::None) all.note = one.note;
         all.failure = one.failure;
         all.stopped = one.stopped || stop.stop_requested();

@@ -149,11 +149,15 @@ std::optional<attractor::Exposure> FrameDrawing::exposureAt(int frame, const std
     return document::interpolated(before->second, after->second, between.share);
 }
 
-ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const QByteArray& hash,
+ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const FrameHashes& hashes,
                                      const Progress& progress, const std::stop_token& stop) {
+    const std::vector<std::pair<QByteArray, QByteArray>> texts{
+        {frameRequestKeyword, hashes.frame},
+        {animationRequestKeyword, hashes.animation},
+        {frameNumberKeyword, QByteArray::number(frame + 1)}};
     if (isPlane()) {
         PngExport picture = planeFrame(frame, stop);
-        picture.texts = {{frameRequestKeyword, hash}};
+        picture.texts = texts;
         if (isLight(formatOf(picture)))
             return encodeLater(
                 path, formatOf(picture), [&] { return drawPicture(picture, progress, stop); }, stop);
@@ -161,7 +165,7 @@ ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const QByte
         return before ? ExportOutcome{before} : exportPng(picture, path, progress, stop);
     }
     SpaceExport picture = spaceFrame(frame, stop);
-    picture.texts = {{frameRequestKeyword, hash}};
+    picture.texts = texts;
     if (isLight(formatOf(picture)))
         return encodeLater(
             path, formatOf(picture), [&] { return drawSpacePicture(picture, progress, stop); }, stop);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/shutter.h"
+#include "io/animation/request_text.h"
 #include "io/picture/png_export.h"
 #include "io/picture/space_export.h"
 
@@ -17,8 +18,11 @@
 
 namespace io {
 
-// The keyword of the text in which a frame carries the hash of what was asked for.
+// The keywords of the texts in which a frame carries the hashes of what was asked for, and the number of its
+// file.
 inline constexpr const char* frameRequestKeyword = "barycage:request";
+inline constexpr const char* animationRequestKeyword = "barycage:animation";
+inline constexpr const char* frameNumberKeyword = "barycage:frame";
 
 // How bright the frames are.
 enum class Exposing {
@@ -47,10 +51,10 @@ class FrameDrawing {
 public:
     FrameDrawing(std::unique_ptr<FrameSource> source, const FrameOptions& options);
 
-    // A PNG picture that carries the hash of its request; `path` appears whole or not at all. It is encoded
+    // A PNG picture that carries the hashes of its request; `path` appears whole or not at all. It is encoded
     // while the next one is drawn, so that its failure may be that of the next call, or of finish().
-    ExportOutcome writePng(int frame, const QString& path, const QByteArray& hash, const Progress& progress,
-                           const std::stop_token& stop);
+    ExportOutcome writePng(int frame, const QString& path, const FrameHashes& hashes,
+                           const Progress& progress, const std::stop_token& stop);
     Failure finish();                                    // waits for the last picture
     const QString& failedPath() const { return m_path; } // of the picture that cannot be written
     // The same pixels with 8 bits per channel; null when stopped. Throws bad_alloc where there is no room for

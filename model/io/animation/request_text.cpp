@@ -19,6 +19,10 @@ void FrameRequestText::addCount(const char* name, std::uint64_t value) {
     add(name, QByteArray::number(qulonglong(value)));
 }
 
+void FrameRequestText::addFrame(std::optional<int> frame) {
+    if (frame) addCount("frame", std::uint64_t(*frame));
+}
+
 QByteArray FrameRequestText::hash(const document::Fractal& entry) const {
     const QByteArray text = m_text + "entry " + writeEntry(entry) + '\n';
     return QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex();

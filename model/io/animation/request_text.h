@@ -7,6 +7,7 @@
 #include <QByteArray>
 
 #include <cstdint>
+#include <optional>
 
 namespace io {
 
@@ -21,8 +22,18 @@ public:
     // SHA-256, in hexadecimal digits.
     QByteArray hash(const document::Fractal& entry) const;
 
+    // Between the version of the pixels and everything else, of which requests of one animation differ in
+    // nothing.
+    void addFrame(std::optional<int> frame);
+
 private:
     QByteArray m_text;
+};
+
+// Two such hashes: of the frame, and of what all frames of its animation have in common.
+struct FrameHashes {
+    QByteArray frame;
+    QByteArray animation;
 };
 
 } // namespace io

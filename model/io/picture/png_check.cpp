@@ -15,7 +15,7 @@ namespace {
 
 constexpr quint32 maxLength = 0x7fffffff; // of a chunk
 constexpr qint64 piece = 1 << 20;
-constexpr qsizetype maxText = 8 << 20; // what is remembered of a chunk
+constexpr qsizetype maxText = 8 << 20; // that is remembered
 
 struct Chunk {
     QByteArray type;
@@ -47,51 +47,42 @@ std::optional<Chunk> readChunk(QIODevice& file) {
     return readNumber(file) == sum ? std::optional(chunk) : std::nullopt;
 }
 
-enum class State { NotOpen, NotPng, Damaged, Complete };
-
-struct Checked {
-    State state = State::Damaged;
-    std::optional<QByteArray> text; // with the keyword
-};
-
-Checked check(const QString& path, const QByteArray& keyword) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) return {State::NotOpen, {}};
-    if (file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8)) return {State::NotPng, {}};
-    Checked found;
-    bool hasPixels = false;
-    for (bool isFirst = true;; isFirst = false) {
-        const auto chunk = readChunk(file);
-        if (!chunk || isFirst != (chunk->type == "IHDR")) return {};
-        if (chunk->type == "IEND") break;
-        hasPixels = hasPixels || chunk->type == "IDAT";
-        if (chunk->type == "tEXt" && chunk->data.startsWith(keyword + '\0'))
-            found.text = chunk->data.sliced(keyword.size() + 1);
-    }
-    if (hasPixels && file.atEnd()) found.state = State::Complete;
-    return found;
+CheckedPng damaged(const QString& sentence) {
+    return {sentence, {}};
 }
 
 } // namespace
 
-std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword) {
-    const Checked found = check(path, keyword);
-    return found.state == State::Complete ? found.text : std::nullopt;
+CheckedPng checkedPng(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return damaged(QCoreApplication::translate("PngSystem", "The picture cannot be opened."));
+    if (file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8))
+        return damaged(QCoreApplication::translate("PngSystem", "The file is not a PNG picture."));
+    const auto incomplete = [] {
+        return damaged(
+            QCoreApplication::translate("PngSystem", "The picture is damaged or incomplete. Draw it again."));
+    };
+    CheckedPng found;
+    qsizetype remembered = 0;
+    bool hasPixels = false;
+    for (bool isFirst = true;; isFirst = false) {
+        const auto chunk = readChunk(file);
+        if (!chunk || isFirst != (chunk->type == "IHDR")) return incomplete();
+        if (chunk->type == "IEND") break;
+        hasPixels = hasPixels || chunk->type == "IDAT";
+        remembered += chunk->data.size();
+        const qsizetype end = chunk->data.indexOf('\0');
+        if (end > 0 && chunk->data.startsWith("barycage:") && remembered <= maxText)
+            found.texts[chunk->data.first(end)] = chunk->data.sliced(end + 1);
+    }
+    return hasPixels && file.atEnd() ? found : incomplete();
 }
 
-std::optional<QString> pngDamage(const QString& path) {
-    switch (check(path, {}).state) {
-    case State::NotOpen:
-        return QCoreApplication::translate("PngSystem", "The picture cannot be opened.");
-    case State::NotPng:
-        return QCoreApplication::translate("PngSystem", "The file is not a PNG picture.");
-    case State::Damaged:
-        return QCoreApplication::translate("PngSystem",
-                                           "The picture is damaged or incomplete. Draw it again.");
-    case State::Complete:
-        break;
-    }
-    return std::nullopt;
+std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword) {
+    const CheckedPng found = checkedPng(path);
+    const auto text = found.texts.find(keyword);
+    return text == found.texts.end() ? std::nullopt : std::optional(text->second);
 }
 
 } // namespace io

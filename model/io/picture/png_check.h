@@ -4,16 +4,21 @@
 #include <QByteArray>
 #include <QString>
 
+#include <map>
 #include <optional>
 
 namespace io {
 
-// The uncompressed Latin-1 text (tEXt) with this keyword in a PNG picture that is complete: every chunk is
-// there with the right checksum, from the header to the end, and nothing follows. nullopt of anything else,
-// be it cut, damaged, without such a text, or not readable. Looks at no pixel.
-std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword);
+// A PNG picture is complete when every chunk is there with the right checksum, from the header to the end,
+// and nothing follows.
+struct CheckedPng {
+    std::optional<QString> damage; // why it is not complete, be it cut, damaged or not readable; a sentence
+    // The uncompressed Latin-1 texts (tEXt) whose keywords begin with "barycage:"; none where it is damaged.
+    std::map<QByteArray, QByteArray> texts;
+};
+CheckedPng checkedPng(const QString& path); // looks at no pixel
 
-// Why the file is no complete PNG picture, as a sentence; nullopt: it is one, with or without texts.
-std::optional<QString> pngDamage(const QString& path);
+// nullopt where the picture is not complete, or has no such text.
+std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword);
 
 } // namespace io

@@ -2,12 +2,16 @@
 #include "io/picture/png_system.h"
 
 #include <QCoreApplication>
+#include <QtEndian>
 
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 namespace io {
 
@@ -94,6 +98,27 @@ EmbeddedSystem systemAmong(png_structp png, png_infop info) {
     return {QByteArray(found->text, qsizetype(size)), {}};
 }
 
+// Behind the pixels, where an animation has it: as this program writes it, uncompressed and whole.
+std::optional<QByteArray> textBehindPixels(const QByteArray& bytes) {
+    constexpr qsizetype signature = 8, around = 12; // length, name and checksum of a chunk
+    const QByteArray keyword = QByteArray(pngSystemKeyword) + QByteArray(5, '\0');
+    bool areBehind = false;
+    for (qsizetype at = signature; at + around <= bytes.size();) {
+        const auto length = qsizetype(qFromBigEndian<quint32>(bytes.constData() + at));
+        const QByteArrayView chunk = QByteArrayView(bytes).sliced(at + 4);
+        if (length > chunk.size() - 8) break;
+        areBehind = areBehind || chunk.startsWith("IDAT");
+        const QByteArrayView data = chunk.sliced(4, length);
+        if (areBehind && chunk.startsWith("iTXt") && data.startsWith(keyword) &&
+            png_size_t(length) <= maxText &&
+            crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), uInt(length + 4)) ==
+                qFromBigEndian<quint32>(chunk.data() + 4 + length))
+            return data.sliced(keyword.size()).toByteArray();
+        at += length + around;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 bool looksLikePng(const QByteArray& bytes) {
@@ -116,6 +141,8 @@ EmbeddedSystem readPngSystem(const QByteArray& bytes) {
             QCoreApplication::translate("PngSystem", "The file is not a PNG picture, or it is damaged.");
     else
         result = systemAmong(png, info);
+    if (isRead && result.failure)
+        if (auto text = textBehindPixels(bytes)) result = {*std::move(text), {}};
     png_destroy_read_struct(&png, &info, nullptr);
     return result;
 }

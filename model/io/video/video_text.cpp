@@ -46,13 +46,14 @@ QByteArray littleEndian(quint32 number) {
     return bytes;
 }
 
-// Behind the header, before the first pixel.
+// Behind all pictures: FFmpeg looks for several of them at the beginning alone.
 bool addToApng(QIODevice& device, qint64 size, const QByteArray& text) {
-    constexpr qint64 header = 8 + 25;
-    if (!looksLikePng(read(device, 0, 8))) return false;
+    constexpr qint64 lastChunk = 12;
+    if (!looksLikePng(read(device, 0, 8)) || read(device, size - 8, 4) != "IEND") return false;
     const QByteArray data = "iTXt" + QByteArray(pngSystemKeyword) + QByteArray(5, '\0') + text;
     const auto sum = crc32(0, reinterpret_cast<const Bytef*>(data.constData()), uInt(data.size()));
-    return insert(device, size, header, bigEndian(quint32(data.size() - 4)) + data + bigEndian(quint32(sum)));
+    return insert(device, size, size - lastChunk,
+                  bigEndian(quint32(data.size() - 4)) + data + bigEndian(quint32(sum)));
 }
 
 // Before the last byte.

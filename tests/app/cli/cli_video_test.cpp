@@ -37,7 +37,6 @@ private slots:
     void gifsKeepOnePalette();
     void theDitherOfGifsStaysInPlace();
     void aRateIsKept();
-    void brokenSequencesAreRefused();
     void wrongUsageIsRefused_data();
     void wrongUsageIsRefused();
     void existingVideosCanBeRefused();
@@ -169,7 +168,12 @@ void CliVideoTest::videosAreWhatTheyShouldBe() {
     QCOMPARE(facts[QLatin1String("pix_fmt")].toString(), pixels);
     QCOMPARE(facts[QLatin1String("color_space")].toString(), colours);
     QCOMPARE(facts[QLatin1String("nb_read_frames")].toString(), QStringLiteral("9"));
-    if (suffix == "apng") return; // says no duration
+    if (suffix == "apng") { // says no duration
+        // Other programs look for it at the beginning alone, and the text may be long.
+        const QByteArray file = read("a/v.apng");
+        QVERIFY(file.indexOf("IDAT") > 0 && file.indexOf("IDAT") < file.indexOf("iTXt"));
+        return;
+    }
     QVERIFY(std::abs(facts[QLatin1String("seconds")].toDouble() - 0.3) < 0.011);
     if (suffix == "gif") return; // hundredths of a second
     QCOMPARE(facts[QLatin1String("r_frame_rate")].toString(), QStringLiteral("30/1"));
@@ -413,35 +417,6 @@ void CliVideoTest::aRateIsKept() {
     QCOMPARE(run(QByteArray("animate wind.ifs -o b/f.#.png") + small).status, 0);
     QCOMPARE(run("encode b/f.#.png -o a/v.mkv --fps 12.5").status, 0);
     QCOMPARE(probe("a/v.mkv")[QLatin1String("r_frame_rate")].toString(), QStringLiteral("25/2"));
-}
-
-void CliVideoTest::brokenSequencesAreRefused() {
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + small).status, 0);
-    const auto refused = [this](int status, const char* sentence) {
-        const Result result = run("encode a/f.#.png -o b/v.mp4");
-        QCOMPARE(result.status, status);
-        QVERIFY2(result.err.contains(sentence), result.err.constData());
-        QCOMPARE(result.err.count('\n'), 1); // nothing of a library's own
-        QVERIFY(files("b").isEmpty());
-    };
-    const QByteArray third = read("a/f.3.png");
-    QVERIFY(QFile::remove(path("a/f.3.png")) && QFile::remove(path("a/f.4.png")));
-    refused(1, "3-4");
-    write("a/f.4.png", third);
-    write("a/f.3.png", third.first(third.size() - 20));
-    refused(1, "f.3.png");
-    write("a/f.3.png", third.first(100)); // within what comes before the pixels
-    refused(1, "f.3.png");
-    write("a/f.3.png", "no picture");
-    refused(1, "not a PNG");
-    QCOMPARE(run("animate wind.ifs --entry wind -o a/f.#.png --frames 3 --size 66x48 --points 1000").status,
-             0);
-    refused(1, "66x48");
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + small).status, 0);
-    QCOMPARE(run("encode a/f.#.png -o b/v.mp4").status, 0);
-    QCOMPARE(run("encode a/g.#.png -o b/w.mp4").status, 3);
-    QCOMPARE(run("encode a/f.#.png -o missing/w.mp4").status, 3);
-    QCOMPARE(files("b"), QStringList{QStringLiteral("v.mp4")});
 }
 
 void CliVideoTest::wrongUsageIsRefused_data() {
