@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "file_menu.h"
 
+#include "animation/camera_path.h"
 #include "dialogs/export/animation_export_dialog.h"
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_data_dialog.h"
@@ -8,6 +9,7 @@
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/print_fractal.h"
 #include "dialogs/export/space_export_dialog.h"
+#include "document/animated_fractal.h"
 #include "document/edits/cage_edits.h"
 #include "exports.h"
 #include "file_commands.h"
@@ -155,8 +157,12 @@ void FileMenu::exportAnimation() {
             "Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate."));
     const attractor::Camera& canvas = context().canvas->camera();
     const bool isSpace = context().stage->showsSpace();
-    view::AnimationExportDialog::Camera camera = context().stage->space()->navigation().camera();
-    if (!isSpace) camera = attractor::viewOf(canvas);
+    view::AnimationExportDialog::Camera camera = attractor::viewOf(canvas);
+    if (isSpace) { // as it would be at frame 0
+        const auto& document = *context().document;
+        const double turned = document::frameAt(document.entryFractal(), document.moment()).orbit;
+        camera = animation::orbited(context().stage->space()->navigation().camera(), -turned);
+    }
     auto* dialog = new view::AnimationExportDialog(context().document, camera, context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!isSpace && context().canvas->navigation().isFitted())

@@ -117,9 +117,19 @@ std::optional<SpaceMapHandles::Corners> SpaceMapHandles::corners(const ifs::Word
 }
 
 Fractal SpaceMapHandles::withCornersMoved(std::size_t index, const Corners& offsets) const {
-    const bool stays = std::ranges::all_of(offsets, [](const ifs::Vector<3>& by) { return by.isZero(0); });
+    return withCornersMoved(std::span(&index, 1), std::span(&offsets, 1));
+}
+
+Fractal SpaceMapHandles::withCornersMoved(std::span<const std::size_t> indices,
+                                          std::span<const Corners> offsets) const {
     Fractal fractal = *m_fractal;
-    if (stays || !canBeMoved()) return fractal;
+    for (std::size_t k = 0; k < indices.size() && canBeMoved(); ++k)
+        if (!std::ranges::all_of(offsets[k], [](const ifs::Vector<3>& by) { return by.isZero(0); }))
+            moveCorners(fractal, indices[k], offsets[k]);
+    return fractal;
+}
+
+void SpaceMapHandles::moveCorners(Fractal& fractal, std::size_t index, const Corners& offsets) const {
     const ifs::AffineMap<3> before = mapAt(index);
     Corners by;
     for (std::size_t i = 0; i < by.size(); ++i)
@@ -131,14 +141,12 @@ Fractal SpaceMapHandles::withCornersMoved(std::size_t index, const Corners& offs
         ifs::AffineMap<3> change;
         for (std::size_t i = 0; i < by.size(); ++i)
             change = ifs::withHandleMoved(change, corners, i, by[i]);
-        moveShown(*space(fractal), m_branch, change);
-        return fractal;
+        return moveShown(*space(fractal), m_branch, change);
     }
     space(fractal)->cage = m_cage;
     ifs::AffineMap<3>& map = system3(fractal)->maps[index].map;
     for (std::size_t i = 0; i < by.size(); ++i)
         map = ifs::withHandleMoved(map, m_rest, i, by[i]);
-    return fractal;
 }
 
 std::optional<ifs::AffineMap<3>> SpaceMapHandles::swung(const ifs::AffineMap<3>& map,

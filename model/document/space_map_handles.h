@@ -46,6 +46,7 @@ public:
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
     // the fractal as it is. Maps must be movable. Where the cage bends, a corner that it takes nowhere stays.
     Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
+    Fractal withCornersMoved(std::span<const std::size_t> indices, std::span<const Corners> offsets) const;
     // These maps, each turned by an angle about its image of `root`, a point in coordinates of the code,
     // which stays: branches that swing. Counter-clockwise for the one to whom `axis`, of length 1, points.
     // Otherwise as above; where the cage bends, to first order in the middle of each map.
@@ -59,6 +60,7 @@ private:
     std::optional<ifs::AffineMap<3>> swung(const ifs::AffineMap<3>& map, const ifs::Vector<3>& root,
                                            const ifs::Matrix<3>& turn) const;
     ifs::Vector<3> shown(const ifs::Vector<3>& x) const;
+    void moveCorners(Fractal& fractal, std::size_t index, const Corners& offsets) const;
     // By how much x is to be moved to be displayed so far from where it is.
     ifs::Vector<3> inPiece(const ifs::Vector<3>& x, const ifs::Vector<3>& offset) const;
 

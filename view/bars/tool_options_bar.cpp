@@ -2,6 +2,7 @@
 #include "bars/tool_options_bar.h"
 
 #include "bars/branch_bar.h"
+#include "space/space_view.h"
 #include "widgets/elided_label.h"
 
 #include <QApplication>
@@ -23,6 +24,8 @@ ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas,
     m_space =
         addHint(tr("Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt "
                    "scales  ·  drag anywhere else to turn the view"));
+    m_stereo =
+        addHint(tr("Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off."));
     connect(canvas, &CanvasView::toolChanged, this, &ToolOptionsBar::follow);
     follow();
 }
@@ -45,11 +48,12 @@ QString ToolOptionsBar::hint() const {
 }
 
 void ToolOptionsBar::setSpaceView(SpaceView* space) {
+    m_spaceView = space;
+    connect(&space->navigation(), &SpaceNavigation::stereoChanged, this, &ToolOptionsBar::follow);
     m_branches->setSpace(
         space,
-        tr("Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click "
-           "selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else "
-           "to turn the view"));
+        tr("Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  "
+           "X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view"));
 }
 
 void ToolOptionsBar::setBeside(CanvasView* canvas) {
@@ -67,6 +71,9 @@ void ToolOptionsBar::follow() {
     QWidget* page = tool == Tool::Cage ? m_cage : tool == Tool::DefineTriangle ? m_define : m_branches;
     if (m_isSpace)
         page = tool == Tool::DefineTriangle ? m_defineInSpace : tool == Tool::Cage ? m_space : m_branches;
+    const bool isSideBySide =
+        m_spaceView && m_spaceView->navigation().stereo() == attractor::Stereo::SideBySide;
+    if (m_isSpace && isSideBySide) page = m_stereo;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();
     if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it

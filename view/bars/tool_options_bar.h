@@ -29,11 +29,13 @@ private:
 
     CanvasView* m_canvas;
     bool m_isSpace = false;
+    const SpaceView* m_spaceView = nullptr;
     BranchBar* m_branches;
     QWidget* m_cage;
     QWidget* m_define;
     QWidget* m_defineInSpace;
     QWidget* m_space;
+    QWidget* m_stereo; // side by side
 };
 
 } // namespace view

@@ -62,7 +62,7 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     if (!obstacle.isEmpty()) return std::nullopt;
     const document::BranchEdit edit = m_choice->edit();
     auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, edit);
-    auto drag = held ? SpaceMapDrag::of(std::move(held->handles), held->index,
+    auto drag = held ? SpaceMapDrag::of(std::move(held->handles), {held->index},
                                         edit == document::BranchEdit::Inside ? branch : ifs::Word())
                      : std::nullopt;
     if (drag)

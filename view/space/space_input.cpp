@@ -132,20 +132,25 @@ SpaceInput::After SpaceInput::afterCage() {
     };
 }
 
-SpaceInput::After SpaceInput::afterMap() {
+std::optional<SpaceInput::Subject> SpaceInput::subject() {
+    if (!holdsMap()) {
+        After after = afterCage();
+        return after ? std::optional(Subject{m_cage.vertices(), std::move(after)}) : std::nullopt;
+    }
     QString obstacle;
     const auto drag = m_branch.isActive() ? m_branch.drag(obstacle) : m_maps.drag(obstacle);
     if (!drag) {
         emit message(obstacle);
-        return nullptr;
+        return std::nullopt;
     }
-    return [this, drag = *drag](const std::vector<ifs::Vector<3>>& vertices) {
+    const After after = [this, drag = *drag](const std::vector<ifs::Vector<3>>& vertices) {
         using Safety = SpaceMapDrag::Safety;
         SpaceMapDrag::Moved moved =
             drag.at(vertices, m_allowsNoAttractor ? Safety::Free : Safety::StopAtAttractor);
         emit stopped(moved.stop);
         return std::move(moved.fractal);
     };
+    return Subject{drag->vertices(), after};
 }
 
 void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::End> end) {
@@ -162,11 +167,11 @@ void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::En
 
 void SpaceInput::beginDrag(std::size_t vertex, const QMouseEvent& event) {
     if (vertex >= held().vertices().size()) return;
-    After after = holdsMap() ? afterMap() : afterCage();
-    if (!after) return;
+    std::optional<Subject> moved = subject();
+    if (!moved) return;
     SpatialDrag drag;
     drag.camera = m_navigation.camera();
-    drag.vertices = held().vertices();
+    drag.vertices = std::move(moved->vertices);
     drag.held = vertex;
     drag.press = toVector(event.position());
     if (event.modifiers().testFlag(Qt::ControlModifier)) drag.mode = SpatialDrag::Mode::Rotate;
@@ -175,7 +180,7 @@ void SpaceInput::beginDrag(std::size_t vertex, const QMouseEvent& event) {
     const Pull pull{drag.press, 0};
     m_focused = vertex;
     m_gesture.emplace<Dragging>(
-        Dragging{m_document->beginGesture(text), std::move(after), std::move(drag), pull, {}, false});
+        Dragging{m_document->beginGesture(text), std::move(moved->after), std::move(drag), pull, {}, false});
 }
 
 // Its corners follow its middle, which is held in place of a vertex.
@@ -226,15 +231,10 @@ void SpaceInput::beginSymmetryDrag() {
 QString SpaceInput::stepText(SpatialDrag::Mode mode, std::size_t vertex) const {
     using enum SpatialDrag::Mode;
     if (m_branch.isActive()) return m_branch.stepText(mode, vertex);
-    const auto map = m_maps.selected();
-    if (!map)
-        return mode == Rotate  ? tr("Rotate Cage")
-               : mode == Scale ? tr("Scale Cage")
-                               : tr("Move Vertex %1").arg(vertex + 1);
-    if (mode == Rotate) return tr("Rotate map %1").arg(*map + 1);
-    if (mode == Scale) return tr("Scale map %1").arg(*map + 1);
-    if (vertex == SpaceMaps::middle) return tr("Move map %1").arg(*map + 1);
-    return tr("Move corner %1 of map %2").arg(vertex + 1).arg(*map + 1);
+    if (m_maps.selected()) return m_maps.stepText(mode, vertex);
+    return mode == Rotate  ? tr("Rotate Cage")
+           : mode == Scale ? tr("Scale Cage")
+                           : tr("Move Vertex %1").arg(vertex + 1);
 }
 
 void SpaceInput::move(const QMouseEvent& event) {
@@ -470,13 +470,13 @@ bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
 }
 
 void SpaceInput::nudge(const QPointF& pixels) {
-    const After after = holdsMap() ? afterMap() : afterCage();
-    if (!after) return;
+    std::optional<Subject> moved = subject();
+    if (!moved) return;
     SpatialDrag drag;
     drag.camera = m_navigation.camera();
-    drag.vertices = held().vertices();
+    drag.vertices = std::move(moved->vertices);
     drag.held = *m_focused;
-    m_document->edit(stepText(drag.mode, drag.held), after(dragged(drag, {toVector(pixels), 0}, {})));
+    m_document->edit(stepText(drag.mode, drag.held), moved->after(dragged(drag, {toVector(pixels), 0}, {})));
     if (m_branch.isActive()) m_branch.choice()->showDragged(true);
     endDrag();
 }

@@ -113,7 +113,12 @@ private:
     QString stepText(SpatialDrag::Mode mode, std::size_t vertex) const;
     void beginFaceDrag(std::size_t face, const QMouseEvent& event);
     After afterCage(); // nullptr while there is no cage, or, which is said, while it cannot move
-    After afterMap();  // or branch; nullptr while it cannot be moved
+    // What is held: the cage, the selected maps or a branch. nullopt, which is said, while it cannot move.
+    struct Subject {
+        std::vector<ifs::Vector<3>> vertices; // of several maps, those of the held one first
+        After after;
+    };
+    std::optional<Subject> subject();
     void showSelected();
     bool mapsKeyPress(const QKeyEvent& event);
     bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch

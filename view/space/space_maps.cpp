@@ -173,33 +173,73 @@ std::optional<SpaceMapDrag> SpaceMaps::drag(QString& obstacle) const {
     if (!obstacle.isEmpty()) return std::nullopt;
     const auto cage = map ? document::knownSpaceCage(*before) : std::nullopt;
     auto handles = cage ? SpaceMapHandles::of(before, *cage) : std::nullopt;
-    auto drag = handles ? SpaceMapDrag::of(*std::move(handles), *map) : std::nullopt;
+    auto drag = handles ? SpaceMapDrag::of(*std::move(handles), moving()) : std::nullopt;
     if (!drag) obstacle = tr("Maps cannot be dragged while the cage is flat. First open or reset the cage.");
     return drag;
 }
 
-SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::size_t map, ifs::Word inside)
-    : m_handles(std::move(handles)),
-      m_map(map),
-      m_corners(m_handles.corners(map)),
-      m_inside(std::move(inside)) {}
+std::vector<std::size_t> SpaceMaps::moving() const {
+    const std::size_t held = *selected();
+    std::vector<std::size_t> maps = selection();
+    std::erase_if(
+        maps, [&](std::size_t map) { return map == held || document::isLocked(m_document->fractal(), map); });
+    maps.insert(maps.begin(), held);
+    return maps;
+}
 
-std::optional<SpaceMapDrag> SpaceMapDrag::of(SpaceMapHandles handles, std::size_t map, ifs::Word inside) {
-    if (!handles.canBeMoved() || map >= handles.count()) return std::nullopt;
-    return SpaceMapDrag(std::move(handles), map, std::move(inside));
+QString SpaceMaps::stepText(SpatialDrag::Mode mode, std::size_t handle) const {
+    using enum SpatialDrag::Mode;
+    const std::size_t count = moving().size(), number = count > 1 ? count : *selected() + 1;
+    if (mode == Rotate) return (count > 1 ? tr("Rotate %1 maps") : tr("Rotate map %1")).arg(number);
+    if (mode == Scale) return (count > 1 ? tr("Scale %1 maps") : tr("Scale map %1")).arg(number);
+    if (handle == middle) return (count > 1 ? tr("Move %1 maps") : tr("Move map %1")).arg(number);
+    return tr("Move corner %1 of map %2").arg(handle + 1).arg(*selected() + 1);
+}
+
+SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::vector<std::size_t> maps, ifs::Word inside)
+    : m_handles(std::move(handles)), m_maps(std::move(maps)), m_inside(std::move(inside)) {
+    for (const std::size_t map : m_maps)
+        m_corners.push_back(m_handles.corners(map));
+}
+
+std::optional<SpaceMapDrag> SpaceMapDrag::of(SpaceMapHandles handles, std::vector<std::size_t> maps,
+                                             ifs::Word inside) {
+    const auto isThere = [&](std::size_t map) { return map < handles.count(); };
+    if (!handles.canBeMoved() || !std::ranges::all_of(maps, isThere)) return std::nullopt;
+    return SpaceMapDrag(std::move(handles), std::move(maps), std::move(inside));
+}
+
+std::vector<ifs::Vector<3>> SpaceMapDrag::vertices() const {
+    std::vector<ifs::Vector<3>> result;
+    for (const SpaceMapHandles::Corners& corners : m_corners)
+        for (const ifs::Vector<3>& handle : handlesOf(corners))
+            result.push_back(handle);
+    return result;
+}
+
+std::vector<SpaceMapHandles::Corners>
+SpaceMapDrag::offsets(const std::vector<ifs::Vector<3>>& vertices) const {
+    std::vector<SpaceMapHandles::Corners> result(m_maps.size());
+    bool isByMiddle = true;
+    for (std::size_t k = 0; k < m_maps.size(); ++k)
+        for (std::size_t i = 0; i < result[k].size(); ++i) {
+            result[k][i] = vertices[(SpaceMaps::middle + 1) * k + i] - m_corners[k][i];
+            isByMiddle &= result[k][i].isZero(0);
+        }
+    if (isByMiddle)
+        for (SpaceMapHandles::Corners& offsets : result)
+            offsets.fill(vertices[SpaceMaps::middle] - middleOf(m_corners.front()));
+    return result;
 }
 
 SpaceMapDrag::Moved SpaceMapDrag::at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const {
-    SpaceMapHandles::Corners offsets;
-    for (std::size_t i = 0; i < offsets.size(); ++i)
-        offsets[i] = vertices[i] - m_corners[i];
-    if (std::ranges::all_of(offsets, [](const ifs::Vector<3>& offset) { return offset.isZero(0); }))
-        offsets.fill(vertices[SpaceMaps::middle] - middleOf(m_corners));
+    const std::vector<SpaceMapHandles::Corners> whole = offsets(vertices);
     const auto after = [&](double share) {
-        SpaceMapHandles::Corners part = offsets;
-        for (ifs::Vector<3>& offset : part)
-            offset *= share;
-        return m_handles.withCornersMoved(m_map, part);
+        std::vector<SpaceMapHandles::Corners> part = whole;
+        for (SpaceMapHandles::Corners& offsets : part)
+            for (ifs::Vector<3>& offset : offsets)
+                offset *= share;
+        return m_handles.withCornersMoved(m_maps, part);
     };
     const auto mapsAt = [&](double share) {
         const document::Fractal fractal = after(share);

@@ -6,6 +6,7 @@
 #include "document/space_map_handles.h"
 #include "space/space_cage_item.h"
 #include "space/space_outlines_item.h"
+#include "space/spatial_drag.h"
 
 #include <QCoreApplication>
 #include <QPointF>
@@ -65,10 +66,14 @@ public:
     void layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                 const SpaceCageItem::Hidden& isHidden);
 
-    // A drag of the held map; nullopt where there can be none, and why.
+    // A drag of the held map, and of the others that are selected and not locked; nullopt where there can be
+    // none, and why.
     std::optional<SpaceMapDrag> drag(QString& obstacle) const;
+    // The name of that step for one handle of the held map.
+    QString stepText(SpatialDrag::Mode mode, std::size_t handle) const;
 
 private:
+    std::vector<std::size_t> moving() const;            // what a drag moves, the held map first
     void selectIds(const std::vector<ifs::MapId>& ids); // and hold the first of them
 
     struct Dot {
@@ -86,17 +91,19 @@ private:
     bool m_isActive = false;
 };
 
-// One drag of a map in space, from what it was when it began.
+// One drag of maps in space, the first of which is held, from what they were when it began.
 class SpaceMapDrag {
 public:
-    // nullopt while the map cannot be moved, because the placement is flat. `inside`: the branch that is
+    // nullopt while the maps cannot be moved, because the placement is flat. `inside`: the branch that is
     // moved and moves inside itself.
-    static std::optional<SpaceMapDrag> of(document::SpaceMapHandles handles, std::size_t map,
+    static std::optional<SpaceMapDrag> of(document::SpaceMapHandles handles, std::vector<std::size_t> maps,
                                           ifs::Word inside = {});
 
-    // The fractal with the corners of the map there or, where none has moved, with its middle there; or as
-    // much of the way as leaves an attractor, or lets a branch inside itself be smaller; then `stop` says
-    // why.
+    // The corners and the middle of each map.
+    std::vector<ifs::Vector<3>> vertices() const;
+    // The fractal with the corners of the maps there or, where no corner has moved, all of them as far from
+    // where they were as the middle of the held one; or as much of the way as leaves an attractor, or lets a
+    // branch inside itself be smaller; then `stop` says why.
     struct Moved {
         document::Fractal fractal;
         QString stop;
@@ -107,11 +114,13 @@ public:
 private:
     Q_DECLARE_TR_FUNCTIONS(SpaceMapDrag)
 
-    SpaceMapDrag(document::SpaceMapHandles handles, std::size_t map, ifs::Word inside);
+    SpaceMapDrag(document::SpaceMapHandles handles, std::vector<std::size_t> maps, ifs::Word inside);
+    std::vector<document::SpaceMapHandles::Corners>
+    offsets(const std::vector<ifs::Vector<3>>& vertices) const;
 
     document::SpaceMapHandles m_handles;
-    std::size_t m_map;
-    document::SpaceMapHandles::Corners m_corners;
+    std::vector<std::size_t> m_maps;
+    std::vector<document::SpaceMapHandles::Corners> m_corners;
     ifs::Word m_inside;
 };
 

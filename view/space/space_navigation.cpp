@@ -124,6 +124,7 @@ void SpaceNavigation::setStereo(attractor::Stereo stereo) {
     m_stereo = stereo;
     m_bridge->setStereo(stereo);
     adoptViewport();
+    emit stereoChanged();
 }
 
 QPointF SpaceNavigation::inEye(const QPointF& position) const {

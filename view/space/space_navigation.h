@@ -65,6 +65,7 @@ public:
 signals:
     void changed();
     void perspectiveChanged(bool on);
+    void stereoChanged();
 
 private:
     void set(const attractor::OrbitCamera& camera, bool isMoving);

@@ -121,7 +121,8 @@ void SpaceView::showNote() {
                                  frame && frame->isCoarse);
     };
     const bool defines = m_definition.isActive();
-    QString said = !defines ? m_stop : isSpokenFor ? QString() : m_definition.prompt();
+    const bool isSilent = isSpokenFor || !areOverlaysShown(); // where a click would do nothing
+    QString said = !defines ? m_stop : isSilent ? QString() : m_definition.prompt();
     if (said.isEmpty()) said = note();
     if (said.isEmpty() && !defines && !isSpokenFor) said = m_branch.prompt(); // least urgent
     m_note->setText(said);
@@ -266,6 +267,7 @@ void SpaceView::setOverlaysVisible(bool visible) {
 void SpaceView::setStereo(attractor::Stereo stereo) {
     m_navigation.setStereo(stereo);
     m_input.setEnabled(areOverlaysShown());
+    if (!areOverlaysShown()) m_input.cancelGesture(); // a definition, whose corners could not be clicked
     layOut();
 }
 

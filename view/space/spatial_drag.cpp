@@ -19,6 +19,10 @@ using ifs::Vector;
 // a leap.
 const double minSine = std::sin(8 * std::numbers::pi / 180);
 
+// What turns or scales, pressed nearer to its middle than that, is held as if it were farther from it, in
+// pixels.
+constexpr double minLever = 20, lever = 80;
+
 Vector<3> awayFromEye(const OrbitCamera& camera) {
     return -camera.orientation.toRotationMatrix().col(2);
 }
@@ -142,12 +146,12 @@ std::vector<Vector<3>> dragged(const SpatialDrag& drag, const Pull& pull, const 
     }
     if (pull.pointer == drag.press) return result;
     const Vector<3> middle = middleOf(drag.vertices);
-    const Vector<2> centre = toScreen(drag.camera, middle).pixel;
+    Vector<2> centre = toScreen(drag.camera, middle).pixel;
+    if ((drag.press - centre).norm() < minLever) centre.x() = drag.press.x() - lever; // no pixel is a leap
     const auto spoke = [&](const Vector<2>& pixel) {
         return std::complex<double>(pixel.x() - centre.x(), centre.y() - pixel.y()); // y up
     };
     const std::complex<double> from = spoke(drag.press);
-    if (!(std::abs(from) > 1)) return result; // no direction to turn from
     const std::complex<double> change = spoke(pull.pointer) / from;
     const ifs::Matrix<3> linear =
         drag.mode == SpatialDrag::Mode::Scale

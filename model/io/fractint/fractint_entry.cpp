@@ -186,14 +186,11 @@ void EntryParser::readHeader() {
         m_headerTokens = std::move(tokens);
         layout.headerTextEnd = m_headerTokens.back().span.end;
     }
-    const bool isComment = layout.headerSemicolon >= 0;
-    Span comment = isComment                ? Span{layout.headerSemicolon + 1, rest.end}
-                   : m_headerTokens.empty() ? text
-                                            : Span{};
-    while (comment.begin < comment.end && isBlank(m_text[comment.begin]))
-        ++comment.begin;
-    while (comment.end > comment.begin && isBlank(m_text[comment.end - 1]))
-        --comment.end;
+    Span comment;
+    if (layout.headerSemicolon >= 0)
+        comment = withoutBlanks(m_text, {layout.headerSemicolon + 1, rest.end});
+    else if (m_headerTokens.empty())
+        comment = withoutSpaceMarker(m_text, text);
     layout.headerComment = comment;
     m_entry.fractal.headerComment = decoded(m_text.sliced(comment.begin, comment.size()));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_scanner.h"
 
+#include <QByteArray>
+
 #include <algorithm>
 #include <cstring>
 
@@ -10,14 +12,6 @@ namespace {
 
 constexpr char ctrlZ = 0x1a;
 
-Span trimmed(QByteArrayView bytes, Span span) {
-    while (span.begin < span.end && isBlank(bytes[span.begin]))
-        ++span.begin;
-    while (span.end > span.begin && isBlank(bytes[span.end - 1]))
-        --span.end;
-    return span;
-}
-
 bool startsWithWord(QByteArrayView text, const char* word) {
     const auto length = static_cast<qsizetype>(std::strlen(word));
     return text.size() >= length && qstrnicmp(text.data(), word, static_cast<std::size_t>(length)) == 0;
@@ -26,14 +20,14 @@ bool startsWithWord(QByteArrayView text, const char* word) {
 // A single word, perhaps followed by (3D): what may stand alone on the line above its brace.
 bool isLoneName(QByteArrayView line) {
     const auto paren = std::find(line.begin(), line.end(), '(');
-    const Span word = trimmed(line, {0, paren - line.begin()});
+    const Span word = withoutBlanks(line, {0, paren - line.begin()});
     const QByteArrayView name = line.sliced(word.begin, word.size());
     return !name.isEmpty() && std::none_of(name.begin(), name.end(), isBlank);
 }
 
 // Only "(…)" or nothing: what may stand between a line break and the brace that belongs to the line above.
 bool isOnlyMarker(QByteArrayView text) {
-    const Span rest = trimmed(text, {0, text.size()});
+    const Span rest = withoutBlanks(text, {0, text.size()});
     return rest.size() == 0 || (text[rest.begin] == '(' && text[rest.end - 1] == ')');
 }
 
@@ -62,6 +56,22 @@ Block relative(Block block) {
 
 char lineEndByte(QByteArrayView bytes) {
     return !bytes.contains('\n') && bytes.contains('\r') ? '\r' : '\n';
+}
+
+Span withoutBlanks(QByteArrayView bytes, Span span) {
+    while (span.begin < span.end && isBlank(bytes[span.begin]))
+        ++span.begin;
+    while (span.end > span.begin && isBlank(bytes[span.end - 1]))
+        --span.end;
+    return span;
+}
+
+Span withoutSpaceMarker(QByteArrayView bytes, Span span) {
+    constexpr qsizetype length = 4;
+    span = withoutBlanks(bytes, span);
+    if (span.size() < length || bytes.sliced(span.begin, length).toByteArray().toLower() != "(3d)")
+        return span;
+    return withoutBlanks(bytes, {span.begin + length, span.end});
 }
 
 qsizetype lineEnd(QByteArrayView bytes, qsizetype position, char lineEndByte) {
@@ -126,10 +136,10 @@ Block Scanner::blockAt(qsizetype open) {
         ++block.all.begin;
     const auto stop = std::find_if(m_bytes.begin() + block.all.begin, m_bytes.begin() + open,
                                    [this](char c) { return c == '(' || c == ';' || c == m_lineEnd; });
-    block.name = trimmed(m_bytes, {block.all.begin, stop - m_bytes.begin()});
+    block.name = withoutBlanks(m_bytes, {block.all.begin, stop - m_bytes.begin()});
     if (startsWithWord(m_bytes.sliced(block.name.begin, block.name.size()), "ifs:")) {
         block.hasPrefix = true;
-        block.name = trimmed(m_bytes, {block.name.begin + 4, block.name.end});
+        block.name = withoutBlanks(m_bytes, {block.name.begin + 4, block.name.end});
     }
     block.kind = kindOf(m_bytes.sliced(block.name.begin, block.name.size()));
     return block;

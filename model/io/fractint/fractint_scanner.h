@@ -41,6 +41,9 @@ char lineEndByte(QByteArrayView bytes);
 
 bool isBlank(char c); // white space, and the bytes that readers treat like it between entries: NUL, ^Z
 
+Span withoutBlanks(QByteArrayView bytes, Span span);      // at its ends
+Span withoutSpaceMarker(QByteArrayView bytes, Span span); // "(3D)" at its beginning, and blanks
+
 // Offset of the end of the line that holds `position`: of its line end byte, or the size.
 qsizetype lineEnd(QByteArrayView bytes, qsizetype position, char lineEndByte);
 

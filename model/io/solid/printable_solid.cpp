@@ -186,9 +186,11 @@ private:
             m_solid.failure =
                 Text::tr("The surface of “%1” is not closed, so it was not written.").arg(m_fractal.name);
         else if (!keepsPointsApart(m_solid))
-            m_solid.failure = Text::tr("“%1” is too small for its distance from the origin: the numbers in "
-                                       "the file cannot distinguish its points. Move it to the origin.")
-                                  .arg(m_fractal.name);
+            m_solid.failure =
+                Text::tr("“%1” is too small for its distance from the origin: the numbers in "
+                         "the file cannot distinguish its points. Move it to the origin, or make "
+                         "it larger.")
+                    .arg(m_fractal.name);
     }
 
     ifs::Vector<3> sizeOf() const {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
 #include "bars/branch_bar.h"
+#include "bars/tool_options_bar.h"
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "desktop/clipboard.h"
 #include "document/document.h"
+#include "document/edits/map_locks.h"
 #include "document/space_geometry.h"
 #include "document/space_map_handles.h"
 #include "panels/maps/maps_panel.h"
 #include "space/four_views.h"
+#include "space/space_maps.h"
 #include "stage.h"
 
 #include <QAction>
@@ -19,6 +22,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 
 // The table of maps and the window into space have one selection.
 class MapsConnectionsTest : public WindowFixture {
@@ -30,7 +34,9 @@ private slots:
     void weaveSwingsAllSelectedRows();
     void deletedAndDuplicatedMapsStayInStep();
     void clicksSelectMoreMaps();
+    void selectedMapsMoveTogether();
     void fourViewsHoldTheSame();
+    void nothingIsOfferedSideBySide();
     void copyAndPasteAreOfMaps();
 
 private:
@@ -182,6 +188,57 @@ void MapsConnectionsTest::clicksSelectMoreMaps() {
     QCOMPARE(held(), std::size_t(1));
 }
 
+// Locked ones stay, and a corner is only the held map's.
+void MapsConnectionsTest::selectedMapsMoveTogether() {
+    showCube();
+    view::SpaceView* space = stage()->space();
+    QTRY_COMPARE(space->mapItem().count(), std::size_t(5));
+    panel()->table()->selectRow(2);
+    const std::vector<ifs::MapId> ids{panel()->model()->idAt(1), panel()->model()->idAt(2)};
+    panel()->selectMaps(ids);
+    QCOMPARE(rows(), (Rows{1, 2}));
+    const std::size_t free = held(), other = free == 1 ? 2 : 1;
+    const auto map = [this](std::size_t k) { return document::system3(document().fractal())->maps[k].map; };
+    const auto drag = [&](std::size_t handle, Qt::KeyboardModifiers modifiers) {
+        const auto cage = *document::knownSpaceCage(document().fractal());
+        const auto handles = *document::SpaceMapHandles::of(document().sharedFractal(), cage);
+        const ifs::Vector<3> vertex = view::handlesOf(handles.corners(free))[handle];
+        const QPoint from =
+            view::toPoint(attractor::toScreen(space->navigation().camera(), vertex).pixel).toPoint();
+        QTest::mousePress(space->viewport(), Qt::LeftButton, modifiers, from);
+        for (const int x : {10, 20})
+            QTest::mouseMove(space->viewport(), from - QPoint(x, x / 2));
+        QTest::mouseRelease(space->viewport(), Qt::LeftButton, modifiers, from - QPoint(20, 10));
+    };
+    const auto before = document().sharedFractal();
+    const auto was = [&](std::size_t k) { return document::system3(*before)->maps[k].map; };
+
+    drag(view::SpaceMaps::middle, Qt::NoModifier);
+    QCOMPARE(document().undoStack()->undoText(), QStringLiteral("Move 2 maps"));
+    const ifs::Vector<3> by = map(free).translation - was(free).translation;
+    QVERIFY(by.norm() > 1e-3);
+    QVERIFY((map(other).translation - was(other).translation - by).norm() < 1e-9);
+    QVERIFY(map(0) == was(0));
+    document().undoStack()->undo();
+    QVERIFY(map(free) == was(free) && map(other) == was(other));
+
+    drag(0, Qt::AltModifier);
+    QCOMPARE(document().undoStack()->undoText(), QStringLiteral("Scale 2 maps"));
+    const ifs::Matrix<3> grown = map(free).linear * was(free).linear.inverse();
+    QVERIFY(!grown.isIdentity(1e-3));
+    QVERIFY((map(other).linear * was(other).linear.inverse()).isApprox(grown, 1e-9));
+    document().undoStack()->undo();
+
+    drag(0, Qt::NoModifier);
+    QVERIFY(map(free) != was(free) && map(other) == was(other));
+    document().undoStack()->undo();
+
+    document::lockMaps(document(), std::array{document::system3(*before)->maps[other].id}, true);
+    drag(view::SpaceMaps::middle, Qt::NoModifier);
+    QCOMPARE(document().undoStack()->undoText(), QStringLiteral("Move map %1").arg(free + 1));
+    QVERIFY(map(free) != was(free) && map(other) == was(other));
+}
+
 void MapsConnectionsTest::fourViewsHoldTheSame() {
     showCube();
     panel()->table()->selectRow(5);
@@ -193,6 +250,16 @@ void MapsConnectionsTest::fourViewsHoldTheSame() {
     press(stage()->views()->others().front(), Qt::Key_2, Qt::AltModifier);
     QCOMPARE(held(), std::size_t(1));
     QCOMPARE(rows(), Rows{1});
+}
+
+void MapsConnectionsTest::nothingIsOfferedSideBySide() {
+    showCube();
+    const auto* bar = m_window->findChild<view::ToolOptionsBar*>();
+    const QString usual = bar->hint();
+    stage()->views()->setStereo(attractor::Stereo::SideBySide);
+    QVERIFY2(bar->hint().contains(QStringLiteral("switch stereo off")), qPrintable(bar->hint()));
+    stage()->views()->setStereo(attractor::Stereo::None);
+    QCOMPARE(bar->hint(), usual);
 }
 
 void MapsConnectionsTest::copyAndPasteAreOfMaps() {

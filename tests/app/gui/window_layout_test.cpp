@@ -499,7 +499,7 @@ void WindowLayoutTest::hintsInSpaceAreThoseOfTheTool() {
         return options->hint();
     };
     QVERIFY(hint(Tool::Cage).contains(QStringLiteral("a face of the cage"))); // whatever its corners
-    QVERIFY(hint(Tool::Maps).contains(QStringLiteral("select the map")));
+    QVERIFY(hint(Tool::Maps).contains(QStringLiteral("to select it")));
     QVERIFY(hint(Tool::DefineTriangle).contains(QStringLiteral("four corners")));
 }
 

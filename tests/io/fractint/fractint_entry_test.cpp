@@ -113,7 +113,7 @@ void FractintEntryTest::headers_data() {
     row("all on one line", "a { 1 0 0 1 0 0 1 }", "", 1, false);
     row("all on one line, commented", "a { 1 0 0 1 0 0 1 ; }\n}", "}", 1, false);
     row("marked", "a (3D) {\n1 0 0 0 1 0 0 0 1 0 0 0 1\n}", "", 1, true);
-    row("marked behind the brace", "a { (3d) x\n1 0 0 0 1 0 0 0 1 0 0 0 1\n}", "(3d) x", 1, true);
+    row("marked behind the brace", "a { (3d) x\n1 0 0 0 1 0 0 0 1 0 0 0 1\n}", "x", 1, true);
     row("marked in the name", "3dfern(3D) {\n1 0 0 0 1 0 0 0 1 0 0 0 1\n}", "", 1, true);
     row("marked in the comment", "a { ; (3D)\n1 0 0 1 0 0 1\n}", "(3D)", 1, false);
 }

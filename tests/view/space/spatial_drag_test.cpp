@@ -40,6 +40,7 @@ private slots:
     void aPlaneSeenFromItsEdgeNeverJumps();
     void theWheelPushesAlongTheView();
     void allVerticesTurnAndScaleAboutTheirMiddle();
+    void aDragFromTheMiddleIsNoLeap();
     void theNearestAxisIsThatOfTheMotion();
 };
 
@@ -148,6 +149,27 @@ void SpatialDragTest::allVerticesTurnAndScaleAboutTheirMiddle() {
     const auto scaled = view::dragged(drag, {centre + ifs::Vector<2>(200, 0), 0}, {});
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY((scaled[i] - (middle + 2 * (drag.vertices[i] - middle))).norm() < 1e-9);
+}
+
+// As from the handle in the middle of a map.
+void SpatialDragTest::aDragFromTheMiddleIsNoLeap() {
+    view::SpatialDrag drag = dragFrom(0, 0);
+    const ifs::Vector<3> middle(0.25, 0.25, 0.25);
+    for (const double beside : {-3.0, 0.0, 3.0, 15.0}) {
+        drag.press = toScreen(drag.camera, middle).pixel + ifs::Vector<2>(beside, 0);
+        const auto size = [&](const ifs::Vector<2>& motion) {
+            const auto points = view::dragged(drag, {drag.press + motion, 0}, {});
+            return (points[1] - points[0]).norm() / (drag.vertices[1] - drag.vertices[0]).norm();
+        };
+        drag.mode = view::SpatialDrag::Mode::Scale;
+        QVERIFY(size({20, 0}) > 1.2 && size({20, 0}) < 1.3);
+        QVERIFY(size({-20, 0}) > 0.7 && size({-20, 0}) < 0.8);
+        drag.mode = view::SpatialDrag::Mode::Rotate;
+        const auto turned = view::dragged(drag, {drag.press + ifs::Vector<2>(0, -20), 0}, {});
+        const double cosine = (turned[1] - turned[0]).dot(drag.vertices[1] - drag.vertices[0]) /
+                              (drag.vertices[1] - drag.vertices[0]).squaredNorm();
+        QVERIFY(cosine > 0.95 && cosine < 0.99); // 14 degrees
+    }
 }
 
 void SpatialDragTest::theNearestAxisIsThatOfTheMotion() {
