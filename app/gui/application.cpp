@@ -14,13 +14,18 @@
 #include "welcome.h"
 #include "widgets/tooltips.h"
 
+#include <QDialog>
 #include <QEvent>
+#include <QFontMetrics>
 #include <QIcon>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QScopeGuard>
 #include <QTranslator>
+
+#include <algorithm>
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setApplicationName(resources::applicationName());
@@ -60,13 +65,43 @@ void Application::speak(const QString& language) {
         installTranslator(toolkit);
 }
 
+namespace {
+
 // The text of a label may come from a file: it is plain text unless the label's maker set another format.
 // Tool tips are escaped by view::tooltipText().
+void makePlain(QLabel& label) {
+    if (label.textFormat() == Qt::AutoText && !label.inherits("QTipLabel"))
+        label.setTextFormat(Qt::PlainText);
+}
+
+// Where a field would take the keys of a command: in X11, Ctrl+E goes to its end, as the End key does.
+bool isForCommand(const QKeyEvent& event) {
+    return event.modifiers() == Qt::ControlModifier && event.key() == Qt::Key_E;
+}
+
+void makeRoomForTitle(QDialog& dialog) {
+    if (!dialog.isWindow()) return;
+    QFont font = QApplication::font("QMdiSubWindowTitleBar");
+    font.setBold(true); // as most desktops show it, with the name of the program behind it
+    const QFontMetrics letters(font);
+    const QString shown =
+        dialog.windowTitle() + QStringLiteral(" — ") + QGuiApplication::applicationDisplayName();
+    const int buttons = 8 * letters.height(), longest = 60 * letters.averageCharWidth();
+    const int title = std::min(letters.horizontalAdvance(shown), longest);
+    dialog.setMinimumWidth(std::max(dialog.minimumWidth(), title + buttons));
+}
+
+} // namespace
+
 bool Application::notify(QObject* receiver, QEvent* event) {
-    if (event->type() == QEvent::Polish)
-        if (auto* label = qobject_cast<QLabel*>(receiver);
-            label && label->textFormat() == Qt::AutoText && !label->inherits("QTipLabel"))
-            label->setTextFormat(Qt::PlainText);
+    if (event->type() == QEvent::ShortcutOverride && isForCommand(*static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return true;
+    }
+    if (event->type() == QEvent::Polish) {
+        if (auto* label = qobject_cast<QLabel*>(receiver)) makePlain(*label);
+        if (auto* dialog = qobject_cast<QDialog*>(receiver)) makeRoomForTitle(*dialog);
+    }
     return QApplication::notify(receiver, event);
 }
 

@@ -256,10 +256,10 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* find = box->addButton(tr("&Find…"), QMessageBox::AcceptRole);
     box->setDefaultButton(find);
-    const auto choose = [this, path, lesson = std::move(lesson)] {
+    const auto choose = [this, window = m_parts.window, path, lesson = std::move(lesson)] {
         const QPointer<LessonCommands> self(this);
         const QString found =
-            view::chooseFileToOpen(m_parts.window, tr("Find “%1”").arg(lesson.lesson.file),
+            view::chooseFileToOpen(window, tr("Find “%1”").arg(lesson.lesson.file),
                                    tr("Fractint collections (*.ifs *.par)"), QFileInfo(path).path());
         if (found.isEmpty() || !self || !adopt({path, found, true}, QFileInfo(path).fileName(), lesson))
             return;
@@ -274,7 +274,7 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
 
 void LessonCommands::recover(const QByteArray& lesson, const QString& path) {
     io::LessonFile read = io::readLesson(lesson);
-    if (read.lesson.steps.isEmpty()) return;
+    if (read.lesson.steps.isEmpty() && read.lesson.title.isEmpty()) return;
     m_filePath = m_file->path();
     m_notebook->open(std::move(read.lesson), path);
     m_notebook->history()->resetClean(); // it is not saved yet

@@ -163,7 +163,12 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot)
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =
         known ? recovered.entries[snapshot.current].id : document::EntryId::None;
-    m_document->editFile(tr("Recover unsaved work"), std::move(recovered), current);
+    if (snapshot.path.isEmpty()) { // there is nothing that undoing could go back to
+        m_document->setFile(std::move(recovered), current);
+        m_document->undoStack()->resetClean();
+    } else {
+        m_document->editFile(tr("Recover unsaved work"), std::move(recovered), current);
+    }
     if (!snapshot.path.isEmpty()) {
         m_path = snapshot.path;
         m_digest = snapshot.base; // not what somebody else may have written since

@@ -168,6 +168,31 @@ void Recovery::reportDamaged(QStringList paths) {
     box.exec();
 }
 
+// A line for each; those of files of the same name with their folders, those that read alike together.
+QStringList Recovery::lines(const QList<document::Snapshot>& snapshots) {
+    QStringList result;
+    QList<int> windows; // of each line
+    for (const document::Snapshot& snapshot : snapshots) {
+        const bool isAmbiguous = std::ranges::any_of(snapshots, [&](const document::Snapshot& other) {
+            return other.title == snapshot.title && other.path != snapshot.path;
+        });
+        const QString name = isAmbiguous && !snapshot.path.isEmpty() ? QDir::toNativeSeparators(snapshot.path)
+                                                                     : snapshot.title;
+        const QString when = snapshot.when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+        const QString line = tr("%1, %2", "file, time").arg(name, when);
+        const auto place = result.indexOf(line);
+        if (place >= 0) {
+            ++windows[place];
+        } else {
+            result << line;
+            windows << 1;
+        }
+    }
+    for (int i = 0; i < result.size(); ++i)
+        if (windows[i] > 1) result[i] += u' ' + tr("(%n windows)", nullptr, windows[i]);
+    return result;
+}
+
 QList<document::Abandoned> Recovery::ask() {
     struct Left {
         QList<document::Abandoned> work;
@@ -182,14 +207,12 @@ QList<document::Abandoned> Recovery::ask() {
     const auto [found, damaged] = looking.takeResult();
     reportDamaged(damaged);
     if (found.isEmpty()) return {};
-    QStringList lines;
+    QList<document::Snapshot> snapshots;
     for (const document::Abandoned& abandoned : found)
-        lines << tr("%1, %2", "file, time")
-                     .arg(abandoned.snapshot.title,
-                          abandoned.snapshot.when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")));
+        snapshots << abandoned.snapshot;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work was found"),
                     tr("In the last session, Barycage ended before this work was saved:"));
-    box.setInformativeText(lines.join(u'\n'));
+    box.setInformativeText(lines(snapshots).join(u'\n'));
     QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
     QPushButton* forget = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
     QPushButton* later = box.addButton(tr("Ask Later"), QMessageBox::RejectRole);

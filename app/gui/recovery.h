@@ -37,6 +37,7 @@ public:
     // Asks about the work of processes that ended without closing; returns what the user wants back.
     // What is not wanted is forgotten. Journals that are damaged are said to be so, once, and where they are.
     static QList<document::Abandoned> ask();
+    static QStringList lines(const QList<document::Snapshot>& snapshots); // as it lists them
 
 signals:
     void cannotKeep(const QString& sentence); // once, until it is possible again

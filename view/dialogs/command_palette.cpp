@@ -95,13 +95,13 @@ QAction* clickOf(QAbstractButton* button) {
 // Goes to the field that a label names, or to the first part of it that takes the focus.
 QAction* entryOf(const QLabel& label) {
     QWidget* field = label.buddy();
-    return actionOf(field, QStringLiteral("entering"), label.text(), [field] {
+    return actionOf(field, QStringLiteral("entering"), label.text().remove(u':'), [field] {
         QWidgetList parts{field};
         parts << field->findChildren<QWidget*>();
         const auto first = std::ranges::find_if(parts, [](const QWidget* part) {
             return part->isVisible() && part->focusPolicy() & Qt::TabFocus;
         });
-        if (first != parts.end()) (*first)->setFocus(Qt::ShortcutFocusReason);
+        if (first != parts.end()) (*first)->setFocus(Qt::TabFocusReason); // and its text is selected
     });
 }
 
@@ -273,12 +273,14 @@ void CommandPalette::run() {
     const QModelIndex index = m_list->currentIndex();
     if (!(index.flags() & Qt::ItemIsEnabled)) return;
     const auto [action, path, panel] = m_actions[index.data(actionRole).toInt()];
+    auto* dock = qobject_cast<QDockWidget*>(action->parent());
+    const bool isPanel = dock && dock->toggleViewAction() == action;
     accept();
-    if (panel) { // what it does is seen there
-        panel->show();
-        panel->raise();
+    if (QWidget* shown = isPanel ? dock : panel) { // what it does is seen there
+        shown->show();
+        shown->raise();
     }
-    action->trigger();
+    if (!isPanel || !action->isChecked()) action->trigger(); // nobody asks for a panel to close it
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

@@ -171,7 +171,10 @@ void NumberField::focusInEvent(QFocusEvent* event) {
     QLineEdit::focusInEvent(event);
     if (!m_edited) {
         showValue();
-        if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason) selectAll();
+        if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason) {
+            end(false); // of more digits than there is room for the first are seen
+            home(true);
+        }
     }
 }
 

@@ -96,8 +96,14 @@ Failure whyClosed(const fs::path& path) {
     return std::nullopt;
 }
 
+// The sentence, and what becomes of the file that is there, if one is.
+QString butKept(const QString& sentence, const QString& path) {
+    const bool isThere = QFileInfo::exists(path);
+    return isThere ? sentence + u' ' + Text::tr("The file on disk is unchanged.") : sentence;
+}
+
 QString notSaved(const QString& path, const QString& why) {
-    return Text::tr("“%1” was not saved: %2. The file on disk is unchanged.").arg(shown(path), why);
+    return butKept(Text::tr("“%1” was not saved: %2.").arg(shown(path), why), path);
 }
 
 Failure obstacle(const fs::path& target) {
@@ -127,9 +133,9 @@ QString reason(const SystemError& error, const QString& path) {
     const QString folder = shown(QFileInfo(path).absolutePath());
     switch (error.kind) {
     case SystemError::Kind::DiskFull:
-        return Text::tr("“%1” was not saved: the disk is full. Free some space and save again; the file on "
-                        "disk is unchanged.")
-            .arg(shown(path));
+        return butKept(Text::tr("“%1” was not saved: the disk is full. Free some space and save again.")
+                           .arg(shown(path)),
+                       path);
     case SystemError::Kind::Denied:
         return Text::tr("“%1” was not saved: you do not have permission to write to the folder “%2”. Save "
                         "somewhere else.")

@@ -105,6 +105,17 @@ void ActionMenuTest::fieldsAreFoundAsCommands() {
     brightness->panel->raise();
     brightness->action->trigger();
     QTRY_VERIFY(brightness->panel->isAncestorOf(QApplication::focusWidget()));
+    QVERIFY(std::ranges::count(actions, QStringLiteral("Appearance › Palette"), &view::NamedAction::path) ==
+            1);
+    for (const view::NamedAction& action : actions)
+        QVERIFY2(!action.path.endsWith(u':'), qPrintable(action.path));
+    // What is in front already stays.
+    view::CommandPalette palette(actions, window);
+    palette.show();
+    auto* search = palette.findChild<QLineEdit*>();
+    search->setText(QStringLiteral("Panels Appearance"));
+    emit search->returnPressed();
+    QVERIFY(brightness->panel->isVisible());
 }
 
 void ActionMenuTest::longStepsLeaveTheMenuNarrow() {

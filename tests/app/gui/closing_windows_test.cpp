@@ -2,6 +2,7 @@
 #include "bridges/export_queue.h"
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "dialogs/export/space_export_dialog.h"
 #include "document/fractal.h"
 #include "exports.h"
 #include "io/exports/export_recipe.h"
@@ -22,6 +23,7 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QPointer>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QUndoStack>
@@ -35,6 +37,7 @@ private slots:
     void aWindowMayGoInMidDrag_data();
     void aWindowMayGoInMidDrag();
     void theQuestionGoesWithTheLastExport();
+    void anExportInADialogIsAskedAbout();
     void whatIsSavedOnTheWayIsOpenedAgain();
 };
 
@@ -125,6 +128,38 @@ void ClosingWindowsTest::theQuestionGoesWithTheLastExport() {
     watch.start(50);
     QVERIFY(window->close());
     QVERIFY(looks > 0 && looks < 100);
+}
+
+void ClosingWindowsTest::anExportInADialogIsAskedAbout() {
+    const QPointer<MainWindow> window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    window->document().undoStack()->setClean();
+    const QTemporaryDir folder;
+    attractor::OrbitCamera camera;
+    camera.size = {160, 120};
+    view::SpaceExportDialog dialog(&window->document(), camera, window);
+    dialog.setFormat(view::SpaceExportDialog::Format::Stl);
+    dialog.show();
+    for (auto* box : dialog.findChildren<QSpinBox*>())
+        if (box->minimum() == 8) box->setValue(500);           // the resolution
+    dialog.exportTo(folder.filePath(QStringLiteral("a.stl"))); // takes a while
+    QString answer = QStringLiteral("Continue");
+    int questions = 0;
+    QTimer watch;
+    connect(&watch, &QTimer::timeout, this, [&] {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!question) return;
+        ++questions;
+        for (QAbstractButton* button : question->buttons())
+            if (button->text().remove(u'&') == answer) return button->click();
+    });
+    watch.start(20);
+    QVERIFY(!window->close());
+    QCOMPARE(questions, 1);
+    answer = QStringLiteral("Stop Export");
+    QVERIFY(window->close());
+    QCOMPARE(questions, 2);
 }
 
 void ClosingWindowsTest::whatIsSavedOnTheWayIsOpenedAgain() {

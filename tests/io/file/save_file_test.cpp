@@ -327,8 +327,20 @@ private slots:
         const io::Failure failure = io::saveFile(m_path, QByteArray(100'000, 'x'));
         limit.lift();
         QVERIFY(failure && failure->contains(QStringLiteral("not saved")));
+        QVERIFY(failure->endsWith(QStringLiteral("The file on disk is unchanged.")));
         QCOMPARE(contents(m_path), QByteArray("old"));
         QCOMPARE(everythingIn(m_folder->path()), QStringList{QStringLiteral("a.ifs")});
+    }
+
+    // Nothing is said of a file that is not there.
+    void failedWriteOfANewFileLeavesNothing() {
+        support::FileSizeLimit limit(4096);
+        QVERIFY(limit.isSet());
+        const io::Failure failure = io::saveFile(m_path, QByteArray(100'000, 'x'));
+        limit.lift();
+        QVERIFY(failure && failure->contains(QStringLiteral("not saved")));
+        QVERIFY2(!failure->contains(QStringLiteral("on disk")), qPrintable(*failure));
+        QCOMPARE(everythingIn(m_folder->path()), QStringList());
     }
 
 #ifdef Q_OS_LINUX

@@ -121,6 +121,7 @@ void AppearancePanel::makeGradientRows(QFormLayout* form) {
     m_gradient->setWhatsThis(tr("The colours from the thinnest parts to the densest, along the addresses, or "
                                 "along the positions between which maps blend."));
     m_gradientLabel = new QLabel(tr("Palette"), this);
+    m_gradientLabel->setBuddy(m_gradient);
     connect(m_gradient, &GradientChooser::chosen, this, [this](const attractor::Palette& palette) {
         edit(tr("Palette: %1").arg(m_gradient->currentText()), [&](Appearance& a) { a.palette = palette; });
     });

@@ -12,6 +12,7 @@
 #include "panels/maps/maps_row_header.h"
 #include "panels/maps/maps_table.h"
 #include "panels/maps/maps_texts.h"
+#include "panels/maps/returned_maps.h"
 #include "panels/maps/solo_map.h"
 #include "panels/maps/symmetry_row.h"
 #include "panels/maps/weight_rule_name.h"
@@ -147,6 +148,7 @@ void MapsPanel::makeLayerActions() {
     });
     connect(m_clipboard, &MapsClipboard::message, this, &MapsPanel::message);
     connect(m_clipboard, &MapsClipboard::pasted, this, &MapsPanel::selectMaps);
+    connect(new ReturnedMaps(m_document, this), &ReturnedMaps::returned, this, &MapsPanel::selectMaps);
     connect(m_thumbnails, &MapThumbnails::ready, this, [this] { m_table->viewport()->update(); });
 }
 
