@@ -845,6 +845,26 @@
         <source>&amp;Close</source>
         <translation>&amp;Schließen</translation>
     </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>Export ist nicht fertig</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Eine Datei wird noch exportiert.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>Export an&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -2973,6 +2993,13 @@
         <source>Looking for unsaved work…</source>
         <translation>Nicht gespeicherte Arbeit wird gesucht …</translation>
     </message>
+    <message numerus="yes">
+        <source>(%n windows)</source>
+        <translation>
+            <numerusform>(%n Fenster)</numerusform>
+            <numerusform>(%n Fenster)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SaveBeside</name>
@@ -3152,6 +3179,34 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>%1 Abbildungen drehen</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Abbildung %1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>%1 Abbildungen skalieren</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Abbildung %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>%1 Abbildungen bewegen</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Abbildung %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Ecke %1 der Abbildung %2 bewegen</translation>
     </message>
 </context>
 <context>
@@ -3748,20 +3803,12 @@
         <translation>„%1“ ist schreibgeschützt. Speichern Sie unter anderem Namen oder ändern Sie die Rechte.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
-        <translation>„%1“ wurde nicht gespeichert: Der Datenträger ist voll. Schaffen Sie Platz und speichern Sie noch einmal; die Datei ist, wie sie war.</translation>
-    </message>
-    <message>
         <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>„%1“ wurde nicht gespeichert: Sie dürfen nicht in den Ordner „%2“ schreiben. Speichern Sie anderswo.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the name is too long.</source>
         <translation>„%1“ wurde nicht gespeichert: Der Name ist zu lang.</translation>
-    </message>
-    <message>
-        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
-        <translation>„%1“ wurde nicht gespeichert: %2. Die Datei ist, wie sie war.</translation>
     </message>
     <message>
         <source>The file has no name. Choose one.</source>
@@ -4283,10 +4330,6 @@
         <translation>Die Oberfläche von „%1“ ist nicht geschlossen und wurde deshalb nicht geschrieben.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
-        <translation>„%1“ ist zu klein für seinen Abstand vom Ursprung: Die Zahlen der Datei können seine Punkte nicht unterscheiden. Verschieben Sie es zum Ursprung.</translation>
-    </message>
-    <message>
         <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
         <translation>Größe: %1 × %2 × %3 mm; Volumen: %4 mm³; Dreiecke: %5.</translation>
     </message>
@@ -4761,6 +4804,22 @@
     <message>
         <source>Transform %1 has opacity %2; its points are drawn in full.</source>
         <translation>Transformation %1 hat die Deckkraft %2; ihre Punkte werden voll gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The file on disk is unchanged.</source>
+        <translation>Die Datei ist, wie sie war.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: %2.</source>
+        <translation>„%1“ wurde nicht gespeichert: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: the disk is full. Free some space and save again.</source>
+        <translation>„%1“ wurde nicht gespeichert: Der Datenträger ist voll. Schaffen Sie Platz und speichern Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
+        <translation>„%1“ ist zu klein für seinen Abstand vom Ursprung: Die Zahlen der Datei können seine Punkte nicht unterscheiden. Verschieben Sie es zum Ursprung, oder vergrößern Sie es.</translation>
     </message>
 </context>
 <context>
@@ -5460,27 +5519,6 @@
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
-    <message numerus="yes">
-        <source>About %n second(s) left.</source>
-        <translation>
-            <numerusform>Noch etwa %n Sekunde.</numerusform>
-            <numerusform>Noch etwa %n Sekunden.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n minute(s) left.</source>
-        <translation>
-            <numerusform>Noch etwa %n Minute.</numerusform>
-            <numerusform>Noch etwa %n Minuten.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n hour(s) left.</source>
-        <translation>
-            <numerusform>Noch etwa %n Stunde.</numerusform>
-            <numerusform>Noch etwa %n Stunden.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Export the Animation “%1”</source>
         <translation>Animation „%1“ exportieren</translation>
@@ -5668,14 +5706,6 @@
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
-        <source>Time left</source>
-        <translation>Restzeit</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -8236,10 +8266,6 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
     </message>
@@ -8511,10 +8537,6 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Nur Systeme der Ebene können als Bild exportiert werden.</translation>
     </message>
@@ -8615,7 +8637,7 @@
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
+        <source>Sect&amp;ion:</source>
         <translation>Au&amp;sschnitt:</translation>
     </message>
     <message>
@@ -8712,6 +8734,38 @@
     <message>
         <source>No preview</source>
         <translation>Keine Vorschau</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportProgress</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Sekunde.</numerusform>
+            <numerusform>Noch etwa %n Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Minute.</numerusform>
+            <numerusform>Noch etwa %n Minuten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Noch etwa %n Stunde.</numerusform>
+            <numerusform>Noch etwa %n Stunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Restzeit</translation>
     </message>
 </context>
 <context>
@@ -10895,6 +10949,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>How many times it moves back and forth during the animation.</source>
         <translation>Wie oft sie in der Länge der Animation hin- und hergeht.</translation>
     </message>
+    <message>
+        <source>Limit of the strength</source>
+        <translation>Grenze der Stärke</translation>
+    </message>
+    <message>
+        <source>Only %1 is used: with more there would be no attractor at some moment.</source>
+        <translation>Verwendet wird nur %1: Mit mehr gäbe es in manchem Augenblick keinen Attraktor.</translation>
+    </message>
 </context>
 <context>
     <name>view::MotionPage</name>
@@ -12377,10 +12439,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
     </message>
@@ -12586,22 +12644,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Move Face %1</source>
         <translation>Seite %1 bewegen</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Abbildung %1 drehen</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Abbildung %1 skalieren</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Abbildung %1 bewegen</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Ecke %1 der Abbildung %2 bewegen</translation>
     </message>
     <message>
         <source>Move the centre of the symmetry</source>
@@ -13221,10 +13263,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
     </message>
@@ -13249,7 +13287,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
+        <source>Sect&amp;ion:</source>
         <translation>Au&amp;sschnitt:</translation>
     </message>
     <message>
@@ -13632,8 +13670,12 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Eine Ecke oder eine Fläche des Käfigs ziehen.  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
     </message>
     <message>
-        <source>Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Auf eine Ecke einer Abbildung klicken, um sie auszuwählen, dann ihre Ecken oder ihre Mitte ziehen.  Umschalt+Klick wählt weitere  ·  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
+        <source>Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Auf eine Ecke einer Abbildung klicken wählt sie aus, Umschalt+Klick weitere.  Ihre Ecken oder ihre Mitte ziehen  ·  X, Y, Z halten eine Achse  ·  Strg dreht  ·  Alt skaliert  ·  anderswo ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
+        <translation>Nebeneinander kann das Fraktal gedreht und gezoomt werden.  Um es zu ändern, Stereo ausschalten.</translation>
     </message>
 </context>
 <context>

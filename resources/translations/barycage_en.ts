@@ -70,6 +70,16 @@
     </message>
 </context>
 <context>
+    <name>Recovery</name>
+    <message numerus="yes">
+        <source>(%n windows)</source>
+        <translation>
+            <numerusform>(%n window)</numerusform>
+            <numerusform>(%n windows)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Text</name>
     <message numerus="yes">
         <source>%n more maps</source>
@@ -81,27 +91,6 @@
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
-    <message numerus="yes">
-        <source>About %n second(s) left.</source>
-        <translation>
-            <numerusform>About %n second left.</numerusform>
-            <numerusform>About %n seconds left.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n minute(s) left.</source>
-        <translation>
-            <numerusform>About %n minute left.</numerusform>
-            <numerusform>About %n minutes left.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n hour(s) left.</source>
-        <translation>
-            <numerusform>About %n hour left.</numerusform>
-            <numerusform>About %n hours left.</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n frame(s), %1 s.</source>
         <translation>
@@ -189,6 +178,30 @@
         <translation>
             <numerusform>Cut %n entry</numerusform>
             <numerusform>Cut %n entries</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportProgress</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>About %n second left.</numerusform>
+            <numerusform>About %n seconds left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>About %n minute left.</numerusform>
+            <numerusform>About %n minutes left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>About %n hour left.</numerusform>
+            <numerusform>About %n hours left.</numerusform>
         </translation>
     </message>
 </context>

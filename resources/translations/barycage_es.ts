@@ -845,6 +845,26 @@
         <source>&amp;Close</source>
         <translation>Ce&amp;rrar</translation>
     </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>La exportación no ha terminado</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Todavía se está exportando un archivo.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Detener la exportación</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuar</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -2973,6 +2993,13 @@
         <source>Looking for unsaved work…</source>
         <translation>Buscando trabajo sin guardar…</translation>
     </message>
+    <message numerus="yes">
+        <source>(%n windows)</source>
+        <translation>
+            <numerusform>(%n ventana)</numerusform>
+            <numerusform>(%n ventanas)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SaveBeside</name>
@@ -3152,6 +3179,34 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana. Antes abra la jaula o restablézcala.</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>Girar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Girar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>Escalar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Escalar la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>Mover %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Mover la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Mover la esquina %1 de la aplicación %2</translation>
     </message>
 </context>
 <context>
@@ -3748,20 +3803,12 @@
         <translation>«%1» es de solo lectura. Guarde con otro nombre o cambie los permisos.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
-        <translation>No se guardó «%1»: el disco está lleno. Libere espacio y vuelva a guardar; el archivo del disco sigue como estaba.</translation>
-    </message>
-    <message>
         <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>No se guardó «%1»: no tiene permiso para escribir en la carpeta «%2». Guarde en otro lugar.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the name is too long.</source>
         <translation>No se guardó «%1»: el nombre es demasiado largo.</translation>
-    </message>
-    <message>
-        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
-        <translation>No se guardó «%1»: %2. El archivo del disco sigue como estaba.</translation>
     </message>
     <message>
         <source>The file has no name. Choose one.</source>
@@ -4283,10 +4330,6 @@
         <translation>La superficie de «%1» no es cerrada, así que no se escribió.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
-        <translation>«%1» es demasiado pequeño para su distancia al origen: los números del archivo no distinguen sus puntos. Muévalo al origen.</translation>
-    </message>
-    <message>
         <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
         <translation>Tamaño: %1 × %2 × %3 mm; volumen: %4 mm³; triángulos: %5.</translation>
     </message>
@@ -4761,6 +4804,22 @@
     <message>
         <source>Transform %1 has opacity %2; its points are drawn in full.</source>
         <translation>La transformación %1 tiene opacidad %2; sus puntos se dibujan por completo.</translation>
+    </message>
+    <message>
+        <source>The file on disk is unchanged.</source>
+        <translation>El archivo del disco sigue como estaba.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: %2.</source>
+        <translation>No se guardó «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: the disk is full. Free some space and save again.</source>
+        <translation>No se guardó «%1»: el disco está lleno. Libere espacio y vuelva a guardar.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
+        <translation>«%1» es demasiado pequeño para su distancia al origen: los números del archivo no distinguen sus puntos. Muévalo al origen o hágalo más grande.</translation>
     </message>
 </context>
 <context>
@@ -5460,27 +5519,6 @@
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
-    <message numerus="yes">
-        <source>About %n second(s) left.</source>
-        <translation>
-            <numerusform>Queda cerca de %n segundo.</numerusform>
-            <numerusform>Quedan unos %n segundos.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n minute(s) left.</source>
-        <translation>
-            <numerusform>Queda cerca de %n minuto.</numerusform>
-            <numerusform>Quedan unos %n minutos.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n hour(s) left.</source>
-        <translation>
-            <numerusform>Queda cerca de %n hora.</numerusform>
-            <numerusform>Quedan unas %n horas.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Export the Animation “%1”</source>
         <translation>Exportar la animación «%1»</translation>
@@ -5668,14 +5706,6 @@
     <message>
         <source>Result</source>
         <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Progreso de la exportación</translation>
-    </message>
-    <message>
-        <source>Time left</source>
-        <translation>Tiempo restante</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -8236,10 +8266,6 @@
         <translation>Resultado</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progreso de la exportación</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportar…</translation>
     </message>
@@ -8511,10 +8537,6 @@
         <translation>Resultado</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progreso de la exportación</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Solo los sistemas del plano se pueden exportar como imagen.</translation>
     </message>
@@ -8615,8 +8637,8 @@
         <translation>Encuadre</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
-        <translation>&amp;Encuadre:</translation>
+        <source>Sect&amp;ion:</source>
+        <translation>E&amp;ncuadre:</translation>
     </message>
     <message>
         <source>JPEG: pixels, a small file</source>
@@ -8712,6 +8734,38 @@
     <message>
         <source>No preview</source>
         <translation>Sin vista previa</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportProgress</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Queda cerca de %n segundo.</numerusform>
+            <numerusform>Quedan unos %n segundos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Queda cerca de %n minuto.</numerusform>
+            <numerusform>Quedan unos %n minutos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Queda cerca de %n hora.</numerusform>
+            <numerusform>Quedan unas %n horas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progreso de la exportación</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Tiempo restante</translation>
     </message>
 </context>
 <context>
@@ -10895,6 +10949,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>How many times it moves back and forth during the animation.</source>
         <translation>Cuántas veces va y viene en la duración de la animación.</translation>
     </message>
+    <message>
+        <source>Limit of the strength</source>
+        <translation>Límite de la intensidad</translation>
+    </message>
+    <message>
+        <source>Only %1 is used: with more there would be no attractor at some moment.</source>
+        <translation>Solo se usa %1: con más no habría atractor en algún momento.</translation>
+    </message>
 </context>
 <context>
     <name>view::MotionPage</name>
@@ -12377,10 +12439,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Resultado</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progreso de la exportación</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportar…</translation>
     </message>
@@ -12586,22 +12644,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Move Face %1</source>
         <translation>Mover la cara %1</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Girar la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Escalar la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Mover la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Mover la esquina %1 de la aplicación %2</translation>
     </message>
     <message>
         <source>Move the centre of the symmetry</source>
@@ -13221,10 +13263,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Resultado</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progreso de la exportación</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportar…</translation>
     </message>
@@ -13249,8 +13287,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un margen pequeño, mire donde mire el lienzo.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
-        <translation>&amp;Encuadre:</translation>
+        <source>Sect&amp;ion:</source>
+        <translation>E&amp;ncuadre:</translation>
     </message>
     <message>
         <source>Size:</source>
@@ -13632,8 +13670,12 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Arrastre un vértice o una cara de la jaula.  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
     </message>
     <message>
-        <source>Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Haga clic en un vértice de una aplicación para seleccionarla y arrastre sus vértices o su centro.  Mayús+clic selecciona más  ·  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
+        <source>Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Haga clic en un vértice de una aplicación para seleccionarla, Mayús+clic para más.  Arrastre sus vértices o su centro  ·  X, Y, Z conservan un eje  ·  Ctrl gira  ·  Alt escala  ·  arrastre en otra parte para girar la vista</translation>
+    </message>
+    <message>
+        <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
+        <translation>Lado a lado, el fractal se puede girar y ampliar.  Para cambiarlo, desactive el estéreo.</translation>
     </message>
 </context>
 <context>

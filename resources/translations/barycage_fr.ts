@@ -845,6 +845,26 @@
         <source>&amp;Close</source>
         <translation>Fer&amp;mer</translation>
     </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>L’export n’est pas terminé</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Un fichier est encore en cours d’exportation.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Arrêter l’export</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuer</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -2973,6 +2993,13 @@
         <source>Looking for unsaved work…</source>
         <translation>Recherche du travail non enregistré…</translation>
     </message>
+    <message numerus="yes">
+        <source>(%n windows)</source>
+        <translation>
+            <numerusform>(%n fenêtre)</numerusform>
+            <numerusform>(%n fenêtres)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SaveBeside</name>
@@ -3152,6 +3179,34 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>On ne peut pas faire glisser d’applications tant que la cage est plate. Ouvrez ou réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>Tourner %1 applications</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Tourner l’application %1</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>Mettre à l’échelle %1 applications</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Mettre à l’échelle l’application %1</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>Déplacer %1 applications</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Déplacer l’application %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Déplacer le coin %1 de l’application %2</translation>
     </message>
 </context>
 <context>
@@ -3748,20 +3803,12 @@
         <translation>«&#x202f;%1&#x202f;» est en lecture seule. Enregistrez sous un autre nom, ou changez ses permissions.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
-        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le disque est plein. Libérez de la place et enregistrez à nouveau&#x202f;; le fichier sur le disque est resté tel quel.</translation>
-    </message>
-    <message>
         <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: vous n’avez pas le droit d’écrire dans le dossier «&#x202f;%2&#x202f;». Enregistrez ailleurs.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the name is too long.</source>
         <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le nom est trop long.</translation>
-    </message>
-    <message>
-        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
-        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: %2. Le fichier sur le disque est resté tel quel.</translation>
     </message>
     <message>
         <source>The file has no name. Choose one.</source>
@@ -4283,10 +4330,6 @@
         <translation>La surface de « %1 » n’est pas fermée et n’a donc pas été écrite.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
-        <translation>« %1 » est trop petit pour sa distance à l’origine : les nombres du fichier ne distinguent pas ses points. Déplacez-le à l’origine.</translation>
-    </message>
-    <message>
         <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
         <translation>Taille : %1 × %2 × %3 mm ; volume : %4 mm³ ; triangles : %5.</translation>
     </message>
@@ -4761,6 +4804,22 @@
     <message>
         <source>Transform %1 has opacity %2; its points are drawn in full.</source>
         <translation>La transformation %1 a l’opacité %2&#x202f;; ses points sont dessinés pleinement.</translation>
+    </message>
+    <message>
+        <source>The file on disk is unchanged.</source>
+        <translation>Le fichier sur le disque est resté tel quel.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: %2.</source>
+        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: the disk is full. Free some space and save again.</source>
+        <translation>«&#x202f;%1&#x202f;» n’a pas été enregistré&#x202f;: le disque est plein. Libérez de la place et enregistrez à nouveau.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
+        <translation>«&#x202f;%1&#x202f;» est trop petit pour sa distance à l’origine&#x202f;: les nombres du fichier ne distinguent pas ses points. Déplacez-le à l’origine ou agrandissez-le.</translation>
     </message>
 </context>
 <context>
@@ -5460,27 +5519,6 @@
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
-    <message numerus="yes">
-        <source>About %n second(s) left.</source>
-        <translation>
-            <numerusform>Encore %n seconde environ.</numerusform>
-            <numerusform>Encore %n secondes environ.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n minute(s) left.</source>
-        <translation>
-            <numerusform>Encore %n minute environ.</numerusform>
-            <numerusform>Encore %n minutes environ.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n hour(s) left.</source>
-        <translation>
-            <numerusform>Encore %n heure environ.</numerusform>
-            <numerusform>Encore %n heures environ.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Export the Animation “%1”</source>
         <translation>Exporter l’animation « %1 »</translation>
@@ -5668,14 +5706,6 @@
     <message>
         <source>Result</source>
         <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Progression de l’exportation</translation>
-    </message>
-    <message>
-        <source>Time left</source>
-        <translation>Temps restant</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -8236,10 +8266,6 @@
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progression de l’exportation</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exporter…</translation>
     </message>
@@ -8511,10 +8537,6 @@
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progression de l’exportation</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Seuls les systèmes du plan peuvent être exportés comme image.</translation>
     </message>
@@ -8615,7 +8637,7 @@
         <translation>Cadrage</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
+        <source>Sect&amp;ion:</source>
         <translation>&amp;Cadrage :</translation>
     </message>
     <message>
@@ -8712,6 +8734,38 @@
     <message>
         <source>No preview</source>
         <translation>Aucun aperçu</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportProgress</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Encore %n seconde environ.</numerusform>
+            <numerusform>Encore %n secondes environ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Encore %n minute environ.</numerusform>
+            <numerusform>Encore %n minutes environ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Encore %n heure environ.</numerusform>
+            <numerusform>Encore %n heures environ.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progression de l’exportation</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Temps restant</translation>
     </message>
 </context>
 <context>
@@ -10895,6 +10949,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>How many times it moves back and forth during the animation.</source>
         <translation>Combien de fois il va et vient pendant la durée de l’animation.</translation>
     </message>
+    <message>
+        <source>Limit of the strength</source>
+        <translation>Limite de l’intensité</translation>
+    </message>
+    <message>
+        <source>Only %1 is used: with more there would be no attractor at some moment.</source>
+        <translation>Seulement %1 est utilisé&#x202f;: avec plus, il n’y aurait pas d’attracteur à certains moments.</translation>
+    </message>
 </context>
 <context>
     <name>view::MotionPage</name>
@@ -12377,10 +12439,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progression de l’exportation</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exporter…</translation>
     </message>
@@ -12586,22 +12644,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Move Face %1</source>
         <translation>Déplacer la face %1</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Tourner l’application %1</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Mettre à l’échelle l’application %1</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Déplacer l’application %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Déplacer le coin %1 de l’application %2</translation>
     </message>
     <message>
         <source>Move the centre of the symmetry</source>
@@ -13221,10 +13263,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Progression de l’exportation</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exporter…</translation>
     </message>
@@ -13249,7 +13287,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que le canevas regarde.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
+        <source>Sect&amp;ion:</source>
         <translation>&amp;Cadrage :</translation>
     </message>
     <message>
@@ -13632,8 +13670,12 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Faites glisser un coin ou une face de la cage.  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
     </message>
     <message>
-        <source>Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Cliquez sur un coin d’une application pour la sélectionner, puis faites glisser ses coins ou son milieu.  Maj+clic en sélectionne d’autres  ·  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
+        <source>Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Cliquez sur un coin d’une application pour la sélectionner, Maj+clic pour d’autres.  Faites glisser ses coins ou son milieu  ·  X, Y, Z gardent un axe  ·  Ctrl fait tourner  ·  Alt met à l’échelle  ·  faites glisser ailleurs pour tourner la vue</translation>
+    </message>
+    <message>
+        <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
+        <translation>Côte à côte, la fractale peut être tournée et zoomée.  Pour la modifier, désactivez la stéréo.</translation>
     </message>
 </context>
 <context>

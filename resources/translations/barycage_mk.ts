@@ -849,6 +849,26 @@
         <source>&amp;Close</source>
         <translation>&amp;Затвори</translation>
     </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>Извозот не е завршен</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Датотека сè уште се извезува.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Ако запрете сега, нема да се запише датотека.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Запри го извозот</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Продолжи</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -2981,6 +3001,14 @@
         <source>Looking for unsaved work…</source>
         <translation>Се бара незачувана работа…</translation>
     </message>
+    <message numerus="yes">
+        <source>(%n windows)</source>
+        <translation>
+            <numerusform>(%n прозорец)</numerusform>
+            <numerusform>(%n прозорци)</numerusform>
+            <numerusform>(%n прозорци)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SaveBeside</name>
@@ -3160,6 +3188,34 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>Пресликувањата не може да се влечат додека кафезот е рамен. Прво отворете го или вратете го кафезот.</translation>
+    </message>
+    <message>
+        <source>Rotate %1 maps</source>
+        <translation>Ротирај %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Rotate map %1</source>
+        <translation>Ротирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Scale %1 maps</source>
+        <translation>Скалирај %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Scale map %1</source>
+        <translation>Скалирај го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move %1 maps</source>
+        <translation>Помести %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Move map %1</source>
+        <translation>Помести го пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Move corner %1 of map %2</source>
+        <translation>Помести го аголот %1 на пресликувањето %2</translation>
     </message>
 </context>
 <context>
@@ -3756,20 +3812,12 @@
         <translation>„%1“ е само за читање. Зачувајте под друго име или сменете ѝ ги дозволите.</translation>
     </message>
     <message>
-        <source>“%1” was not saved: the disk is full. Free some space and save again; the file on disk is unchanged.</source>
-        <translation>„%1“ не е зачувана: дискот е полн. Ослободете место и зачувајте повторно; датотеката на дискот е како што беше.</translation>
-    </message>
-    <message>
         <source>“%1” was not saved: you do not have permission to write to the folder “%2”. Save somewhere else.</source>
         <translation>„%1“ не е зачувана: немате дозвола за запишување во папката „%2“. Зачувајте на друго место.</translation>
     </message>
     <message>
         <source>“%1” was not saved: the name is too long.</source>
         <translation>„%1“ не е зачувана: името е предолго.</translation>
-    </message>
-    <message>
-        <source>“%1” was not saved: %2. The file on disk is unchanged.</source>
-        <translation>„%1“ не е зачувана: %2. Датотеката на дискот е како што беше.</translation>
     </message>
     <message>
         <source>The file has no name. Choose one.</source>
@@ -4292,10 +4340,6 @@
         <translation>Површината на „%1“ не е затворена, па не беше запишана.</translation>
     </message>
     <message>
-        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin.</source>
-        <translation>„%1“ е премал за своето растојание од почетокот: броевите во датотеката не ги разликуваат неговите точки. Преместете го кон почетокот.</translation>
-    </message>
-    <message>
         <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
         <translation>Големина: %1 × %2 × %3 mm; волумен: %4 mm³; триаголници: %5.</translation>
     </message>
@@ -4770,6 +4814,22 @@
     <message>
         <source>Transform %1 has opacity %2; its points are drawn in full.</source>
         <translation>Трансформацијата %1 има непроѕирност %2; нејзините точки се цртаат целосно.</translation>
+    </message>
+    <message>
+        <source>The file on disk is unchanged.</source>
+        <translation>Датотеката на дискот е како што беше.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: %2.</source>
+        <translation>„%1“ не е зачувана: %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: the disk is full. Free some space and save again.</source>
+        <translation>„%1“ не е зачувана: дискот е полн. Ослободете место и зачувајте повторно.</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
+        <translation>„%1“ е премал за своето растојание од почетокот: броевите во датотеката не ги разликуваат неговите точки. Преместете го кон почетокот или зголемете го.</translation>
     </message>
 </context>
 <context>
@@ -5469,30 +5529,6 @@
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
-    <message numerus="yes">
-        <source>About %n second(s) left.</source>
-        <translation>
-            <numerusform>Уште околу %n секунда.</numerusform>
-            <numerusform>Уште околу %n секунди.</numerusform>
-            <numerusform>Уште околу %n секунди.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n minute(s) left.</source>
-        <translation>
-            <numerusform>Уште околу %n минута.</numerusform>
-            <numerusform>Уште околу %n минути.</numerusform>
-            <numerusform>Уште околу %n минути.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>About %n hour(s) left.</source>
-        <translation>
-            <numerusform>Уште околу %n час.</numerusform>
-            <numerusform>Уште околу %n часа.</numerusform>
-            <numerusform>Уште околу %n часа.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Export the Animation “%1”</source>
         <translation>Извоз на анимацијата „%1“</translation>
@@ -5680,14 +5716,6 @@
     <message>
         <source>Result</source>
         <translation>Резултат</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Напредок на извозот</translation>
-    </message>
-    <message>
-        <source>Time left</source>
-        <translation>Преостанато време</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -8259,10 +8287,6 @@
         <translation>Резултат</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Напредок на извозот</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Извези…</translation>
     </message>
@@ -8534,10 +8558,6 @@
         <translation>Резултат</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Напредок на извозот</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Како слика можат да се извезат само системи во рамнината.</translation>
     </message>
@@ -8638,7 +8658,7 @@
         <translation>Исечок</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
+        <source>Sect&amp;ion:</source>
         <translation>&amp;Исечок:</translation>
     </message>
     <message>
@@ -8735,6 +8755,41 @@
     <message>
         <source>No preview</source>
         <translation>Нема преглед</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportProgress</name>
+    <message numerus="yes">
+        <source>About %n second(s) left.</source>
+        <translation>
+            <numerusform>Уште околу %n секунда.</numerusform>
+            <numerusform>Уште околу %n секунди.</numerusform>
+            <numerusform>Уште околу %n секунди.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n minute(s) left.</source>
+        <translation>
+            <numerusform>Уште околу %n минута.</numerusform>
+            <numerusform>Уште околу %n минути.</numerusform>
+            <numerusform>Уште околу %n минути.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n hour(s) left.</source>
+        <translation>
+            <numerusform>Уште околу %n час.</numerusform>
+            <numerusform>Уште околу %n часа.</numerusform>
+            <numerusform>Уште околу %n часа.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Напредок на извозот</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>Преостанато време</translation>
     </message>
 </context>
 <context>
@@ -10924,6 +10979,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>How many times it moves back and forth during the animation.</source>
         <translation>Колку пати оди напред-назад во текот на анимацијата.</translation>
     </message>
+    <message>
+        <source>Limit of the strength</source>
+        <translation>Граница на јачината</translation>
+    </message>
+    <message>
+        <source>Only %1 is used: with more there would be no attractor at some moment.</source>
+        <translation>Се користи само %1: со повеќе во некој миг не би имало атрактор.</translation>
+    </message>
 </context>
 <context>
     <name>view::MotionPage</name>
@@ -12407,10 +12470,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Резултат</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Напредок на извозот</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Извези…</translation>
     </message>
@@ -12616,22 +12675,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Move Face %1</source>
         <translation>Помести ја страната %1</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Ротирај го пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Скалирај го пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Помести го пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Помести го аголот %1 на пресликувањето %2</translation>
     </message>
     <message>
         <source>Move the centre of the symmetry</source>
@@ -13252,10 +13295,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Резултат</translation>
     </message>
     <message>
-        <source>Progress of the export</source>
-        <translation>Напредок на извозот</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>&amp;Извези…</translation>
     </message>
@@ -13280,7 +13319,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Што прикажува сликата: она што го прикажува платното, или атракторот со мала маргина, без разлика каде гледа платното.</translation>
     </message>
     <message>
-        <source>S&amp;ection:</source>
+        <source>Sect&amp;ion:</source>
         <translation>&amp;Исечок:</translation>
     </message>
     <message>
@@ -13665,8 +13704,12 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Влечи теме или страна на кафезот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
     </message>
     <message>
-        <source>Click a corner of a map to select the map, then drag its corners or its middle.  Shift+click selects more  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Кликни на теме од пресликување за да го избереш, па влечи ги неговите темиња или средината.  Shift+клик избира уште  ·  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+        <source>Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
+        <translation>Кликни на теме од пресликување за да го избереш, Shift+клик за уште.  Влечи ги неговите темиња или средината  ·  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+    </message>
+    <message>
+        <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
+        <translation>Еден до друг, фракталот може да се врти и зумира.  За да го менуваш, исклучи стерео.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
+#include "dialogs/export/export_progress.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
@@ -18,7 +19,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -43,11 +43,7 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
     m_message->setTextFormat(Qt::PlainText);
     m_message->setAccessibleName(tr("Result"));
     m_message->hide();
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_progress->hide();
+    m_progress = new ExportProgress(this);
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_start->setWhatsThis(
@@ -74,7 +70,8 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
     connect(m_section, &QComboBox::currentIndexChanged, this, &TheftExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &TheftExportDialog::update);
     connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::finish);
-    connect(&m_work, &QFutureWatcherBase::progressValueChanged, m_progress, &QProgressBar::setValue);
+    connect(&m_work, &QFutureWatcherBase::progressValueChanged, this,
+            [this](int thousandths) { m_progress->setFraction(thousandths / 1000.0); });
     connect(&m_extent, &QFutureWatcherBase::finished, this, &TheftExportDialog::update);
     m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
         [fractal = m_job.from.fractal](QPromise<std::optional<document::Box>>& promise) {
@@ -101,7 +98,7 @@ void TheftExportDialog::createOptions() {
     m_size->choose(lastExport(exportKind).size);
     auto* form = new QFormLayout(m_options);
     form->setContentsMargins({});
-    form->addRow(tr("S&ection:"), m_section);
+    form->addRow(tr("Sect&ion:"), m_section);
     form->addRow(tr("Size:"), m_size);
 }
 
@@ -187,8 +184,7 @@ void TheftExportDialog::setBusy(bool busy) {
     m_options->setEnabled(!busy);
     m_start->setEnabled(!busy);
     m_close->setText(busy ? tr("&Stop") : tr("&Close"));
-    m_progress->setValue(0);
-    m_progress->setVisible(busy);
+    busy ? m_progress->begin() : m_progress->end();
     if (busy) m_message->hide();
 }
 

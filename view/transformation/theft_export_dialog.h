@@ -13,12 +13,12 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace view {
 
 class ExportPreview;
+class ExportProgress;
 class ExportSizeEditor;
 
 // Exports the picture that a fractal transformation steals, as PNG: what the canvas shows or the whole
@@ -62,7 +62,7 @@ private:
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
     QLabel* m_message = nullptr;
-    QProgressBar* m_progress = nullptr;
+    ExportProgress* m_progress = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_close = nullptr;
     QFutureWatcher<std::optional<document::Box>> m_extent; // of F, found in the background

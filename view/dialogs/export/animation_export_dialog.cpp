@@ -3,6 +3,7 @@
 
 #include "bridges/attractor_watch.h"
 #include "dialogs/export/cluster_queue.h"
+#include "dialogs/export/export_progress.h"
 #include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/unique_names.h"
@@ -21,7 +22,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPointer>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -76,14 +76,6 @@ template <int Dim> void setCamera(document::Shape<Dim>& shape, const AnimationEx
         shape.animation->camera = {{0, *pose, {}}};
 }
 
-QString timeText(qint64 milliseconds) {
-    const qint64 seconds = (milliseconds + 999) / 1000;
-    if (seconds < 60) return AnimationExportDialog::tr("About %n second(s) left.", nullptr, int(seconds));
-    const qint64 minutes = (seconds + 30) / 60;
-    if (minutes < 120) return AnimationExportDialog::tr("About %n minute(s) left.", nullptr, int(minutes));
-    return AnimationExportDialog::tr("About %n hour(s) left.", nullptr, int((minutes + 30) / 60));
-}
-
 } // namespace
 
 AnimationExportDialog::AnimationExportDialog(document::Document* document, const Camera& camera,
@@ -99,7 +91,10 @@ AnimationExportDialog::AnimationExportDialog(document::Document* document, const
     createFormat();
     createFrames();
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(m_form);
+    m_options = new QWidget(this);
+    m_options->setLayout(m_form);
+    m_form->setContentsMargins({});
+    layout->addWidget(m_options);
     layout->addWidget(createResult());
     layout->addStretch();
     createButtons();
@@ -204,17 +199,10 @@ QWidget* AnimationExportDialog::createResult() {
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_message->setAccessibleName(tr("Result"));
     m_message->hide();
-    m_progress = new QProgressBar(page);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_progress->hide();
-    m_left = new QLabel(page);
-    m_left->setAccessibleName(tr("Time left"));
-    m_left->hide();
+    m_progress = new ExportProgress(page);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins({});
-    for (QWidget* row : std::initializer_list<QWidget*>{m_plan, m_lost, m_message, m_progress, m_left})
+    for (QWidget* row : std::initializer_list<QWidget*>{m_plan, m_lost, m_message, m_progress})
         layout->addWidget(row);
     return page;
 }
@@ -366,11 +354,8 @@ bool AnimationExportDialog::mayReplace(const QString& path) {
 
 void AnimationExportDialog::startWork() {
     m_message->hide();
-    m_progress->setValue(0);
-    m_progress->show();
-    m_left->setText(tr("Measuring the brightness…"));
-    m_left->show();
-    m_clock.start();
+    m_progress->begin(tr("Measuring the brightness…"));
+    m_options->setEnabled(false);
     m_start->setEnabled(false);
     m_cluster->setEnabled(false);
     m_close->setText(tr("&Stop"));
@@ -380,22 +365,15 @@ void AnimationExportDialog::exportTo(const QString& path) {
     adoptEnding(path);
     startWork();
     m_job = startExport(
-        chosen(), path, this, [this](double fraction) { showProgress(fraction); },
+        chosen(), path, this, [this](double fraction) { m_progress->setFraction(fraction); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
-}
-
-void AnimationExportDialog::showProgress(double fraction) {
-    constexpr double enough = 0.01; // to tell how fast it goes
-    m_progress->setValue(int(1000 * fraction));
-    if (fraction < enough) return;
-    m_left->setText(timeText(qint64(double(m_clock.elapsed()) * (1 - fraction) / fraction)));
 }
 
 void AnimationExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
     m_job.reset();
     if (m_question) m_question->reject();
-    m_progress->hide();
-    m_left->hide();
+    m_progress->end();
+    m_options->setEnabled(true);
     m_cluster->setEnabled(true);
     m_close->setText(tr("&Close"));
     update();

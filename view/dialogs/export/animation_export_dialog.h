@@ -9,7 +9,6 @@
 #include "io/export_job.h"
 
 #include <QDialog>
-#include <QElapsedTimer>
 #include <QMessageBox>
 #include <QPointer>
 
@@ -20,7 +19,6 @@
 class QComboBox;
 class QFormLayout;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
@@ -28,6 +26,7 @@ namespace view {
 
 class AttractorWatch;
 class ClusterQueue;
+class ExportProgress;
 
 // Exports the animation of the current entry as it is when the dialog opens: as a video, as pictures, or as a
 // folder from which a cluster draws it. The work goes on in a thread of the model while the window is used;
@@ -67,7 +66,6 @@ private:
     bool mayReplace(const QString& path); // asks the user where pictures would replace others
     void chooseFolder();
     void startWork();
-    void showProgress(double fraction);
     void finish(const io::ExportOutcome& outcome, const QString& path);
     void say(const QString& sentence);
 
@@ -88,14 +86,13 @@ private:
     QLabel* m_plan = nullptr;
     QLabel* m_lost = nullptr; // says when there is no attractor
     QLabel* m_message = nullptr;
-    QLabel* m_left = nullptr; // time
-    QProgressBar* m_progress = nullptr;
+    QWidget* m_options = nullptr;
+    ExportProgress* m_progress = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_cluster = nullptr;
     QPushButton* m_close = nullptr;
     ClusterQueue* m_queue = nullptr;
     AttractorWatch* m_watch;
-    QElapsedTimer m_clock;                // since the work began
     QPointer<QMessageBox> m_question;     // whether to stop; nobody need answer once the work has ended
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
 };

@@ -2,6 +2,7 @@
 #include "dialogs/export/export_data_dialog.h"
 
 #include "dialogs/column_orders.h"
+#include "dialogs/export/export_progress.h"
 #include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
 #include "document/edits/cage_edits.h"
@@ -22,10 +23,10 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPointer>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSpinBox>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -69,11 +70,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_message->setWordWrap(true);
     m_message->setTextFormat(Qt::PlainText); // it quotes names and paths
     m_message->setAccessibleName(tr("Result"));
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_progress->hide();
+    m_progress = new ExportProgress(this);
     auto* buttons = new QDialogButtonBox(this);
     m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_export->setWhatsThis(tr("Asks for a file name and writes the file."));
@@ -81,7 +78,10 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_copy->setWhatsThis(tr("Copies the whole text to the clipboard instead of writing a file."));
     m_close = buttons->addButton(QDialogButtonBox::Close);
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(m_form);
+    m_options = new QWidget(this);
+    m_options->setLayout(m_form);
+    m_form->setContentsMargins({});
+    layout->addWidget(m_options);
     layout->addWidget(m_preview, 1);
     layout->addWidget(m_message);
     layout->addWidget(m_progress);
@@ -105,7 +105,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
                         tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
                         tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
-    m_format->setCurrentIndex(std::max(0, int(formatNames().indexOf(lastExport(exportKind).format))));
+    chooseFormat(std::max(0, int(formatNames().indexOf(lastExport(exportKind).format))));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -130,6 +130,20 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     connect(m_columns, &ColumnOrders::changed, this, &ExportDataDialog::update);
     connect(m_turnY, &QCheckBox::toggled, this, &ExportDataDialog::update);
     connect(m_bake, &QCheckBox::toggled, this, &ExportDataDialog::update);
+}
+
+// This one or, if it cannot store the system, the first that can; the others of its kind are grey.
+void ExportDataDialog::chooseFormat(int remembered) {
+    auto* items = qobject_cast<QStandardItemModel*>(m_format->model());
+    int first = PointsPly;
+    for (int index = PointsPly; index >= 0; --index) {
+        m_format->setCurrentIndex(index);
+        const auto format = textFormat();
+        const bool isHeld = !format || io::holds(*format, m_fractal);
+        items->item(index)->setEnabled(isHeld);
+        if (isHeld) first = index;
+    }
+    m_format->setCurrentIndex(items->item(remembered)->isEnabled() ? remembered : first);
 }
 
 std::optional<io::TextFormat> ExportDataDialog::textFormat() const {
@@ -244,13 +258,14 @@ void ExportDataDialog::exportTo(const QString& path) {
         outcome.failure = failure;
         return finish(outcome, path);
     }
-    m_progress->setValue(0);
-    m_progress->show();
+    say({});
+    m_progress->begin();
+    m_options->setEnabled(false);
     m_export->setEnabled(false);
     m_close->setText(tr("&Stop"));
     const io::PointCloud cloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()};
     m_job = startExport(
-        cloud, path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        cloud, path, this, [this](double fraction) { m_progress->setFraction(fraction); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
@@ -261,7 +276,8 @@ void ExportDataDialog::copy() {
 
 void ExportDataDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
     m_job.reset();
-    m_progress->hide();
+    m_progress->end();
+    m_options->setEnabled(true);
     m_export->setEnabled(true);
     m_close->setText(tr("&Close"));
     if (outcome.stopped)

@@ -17,13 +17,13 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QPlainTextEdit;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
 namespace view {
 
 class ColumnOrders;
+class ExportProgress;
 
 // Hands the numbers of the current entry to other programs: flames, IFStile, tables, points. Shows what the
 // file will hold while its options are chosen.
@@ -41,6 +41,7 @@ signals:
 
 private:
     void createOptions(QFormLayout* form);
+    void chooseFormat(int remembered);
     std::optional<io::TextFormat> textFormat() const; // nullopt: points
     io::PointFormat pointFormat() const;
     QString suffix() const;
@@ -67,7 +68,8 @@ private:
     QPlainTextEdit* m_preview = nullptr;
     QFutureWatcher<QByteArray> m_previewed; // the beginning of the text
     QLabel* m_message = nullptr;
-    QProgressBar* m_progress = nullptr;
+    QWidget* m_options = nullptr;
+    ExportProgress* m_progress = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_copy = nullptr;
     QPushButton* m_close = nullptr;

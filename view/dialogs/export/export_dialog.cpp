@@ -4,6 +4,7 @@
 #include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
+#include "dialogs/export/export_progress.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
@@ -22,10 +23,10 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSpinBox>
@@ -153,8 +154,9 @@ void ExportDialog::createFormat() {
     m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or the whole attractor with "
                                "a small margin. Saved views are listed, too."));
     m_form->addRow(tr("&Format:"), m_format);
-    m_form->addRow(tr("S&ection:"), m_section);
+    m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->addRow(tr("Size:"), m_size);
+    setTabOrder(m_format, m_section); // as they stand
     m_form->addRow(QString(), m_transparent);
     m_form->addRow(QString(), m_triangle);
     createPngOptions();
@@ -234,15 +236,11 @@ QWidget* ExportDialog::createProgress() {
     m_message->setWordWrap(true);
     m_message->setAccessibleName(tr("Result"));
     m_message->hide();
-    m_progress = new QProgressBar(page);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_progress->hide();
-    auto* layout = new QVBoxLayout(page);
+    m_progress = new ExportProgress(page);
+    auto* layout = new QGridLayout(page); // in one place: of an export that has begun nothing is said yet
     layout->setContentsMargins({});
-    layout->addWidget(m_message);
-    layout->addWidget(m_progress);
+    layout->addWidget(m_message, 0, 0);
+    layout->addWidget(m_progress, 0, 0);
     return page;
 }
 
@@ -485,7 +483,7 @@ void ExportDialog::exportTo(const QString& path) {
     setBusy(true);
     m_job = startExport(
         io::exportOf(recipe(camera()), m_fractal), path, this,
-        [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        [this](double fraction) { m_progress->setFraction(fraction); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
 }
 
@@ -521,8 +519,7 @@ void ExportDialog::setBusy(bool busy) {
     m_start->setEnabled(!busy);
     m_enqueue->setEnabled(!busy);
     m_close->setText(busy ? tr("&Stop") : tr("&Close"));
-    m_progress->setValue(0);
-    m_progress->setVisible(busy);
+    busy ? m_progress->begin() : m_progress->end();
     if (busy) m_message->hide();
 }
 

@@ -21,7 +21,6 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 class QWidget;
@@ -29,6 +28,7 @@ class QWidget;
 namespace view {
 
 class ExportPreview;
+class ExportProgress;
 class ExportQueue;
 class ExportSizeEditor;
 
@@ -109,7 +109,7 @@ private:
     QLabel* m_plan = nullptr;
     QWidget* m_options = nullptr;
     QLabel* m_message = nullptr;
-    QProgressBar* m_progress = nullptr;
+    ExportProgress* m_progress = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;

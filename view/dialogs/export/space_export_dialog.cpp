@@ -3,6 +3,7 @@
 
 #include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_preview.h"
+#include "dialogs/export/export_progress.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
@@ -24,7 +25,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSpinBox>
@@ -67,11 +67,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_message->setWordWrap(true);
     m_message->setTextFormat(Qt::PlainText);
     m_message->setAccessibleName(tr("Result"));
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_progress->hide();
+    m_progress = new ExportProgress(this);
     auto* buttons = new QDialogButtonBox(this);
     m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_start->setWhatsThis(tr("Asks for a file name and writes the file."));
@@ -82,7 +78,10 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_close = buttons->addButton(QDialogButtonBox::Close);
     m_preview = new ExportPreview(this);
     auto* top = new QHBoxLayout;
-    top->addLayout(m_form);
+    m_options = new QWidget(this);
+    m_options->setLayout(m_form);
+    m_form->setContentsMargins({});
+    top->addWidget(m_options);
     top->addWidget(m_preview, 1);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(top, 1);
@@ -126,6 +125,7 @@ void SpaceExportDialog::createPicture() {
     m_form->addRow(tr("S&upersampling:"), m_supersample);
     m_depth = new QComboBox(this);
     m_depth->addItems({tr("8 bits"), tr("16 bits")});
+    if (m_fractal.inSpace.look == attractor::LookInSpace::Normals) m_depth->setCurrentIndex(1);
     m_depth->setWhatsThis(tr("Bits per channel. Depths always have 16."));
     m_form->addRow(tr("&Colours:"), m_depth);
     m_transparent = new QCheckBox(tr("&Transparent background"), this);
@@ -345,18 +345,20 @@ void SpaceExportDialog::exportTo(const QString& path) {
         }
         return finish(outcome, path);
     }
-    m_progress->setValue(0);
-    m_progress->show();
+    m_message->clear();
+    m_progress->begin();
+    m_options->setEnabled(false);
     m_close->setText(tr("&Stop"));
     m_job = startExport(
-        toExport(), path, this, [this](double fraction) { m_progress->setValue(int(1000 * fraction)); },
+        toExport(), path, this, [this](double fraction) { m_progress->setFraction(fraction); },
         [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
     enableButtons();
 }
 
 void SpaceExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
     m_job.reset();
-    m_progress->hide();
+    m_progress->end();
+    m_options->setEnabled(true);
     enableButtons();
     m_close->setText(tr("&Close"));
     if (outcome.stopped)

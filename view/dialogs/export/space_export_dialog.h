@@ -16,13 +16,13 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
 namespace view {
 
 class ExportPreview;
+class ExportProgress;
 class ExportQueue;
 class ExportSizeEditor;
 
@@ -87,7 +87,8 @@ private:
     QDoubleSpinBox* m_wall = nullptr;
     QCheckBox* m_fill = nullptr;
     QLabel* m_message = nullptr;
-    QProgressBar* m_progress = nullptr;
+    QWidget* m_options = nullptr;
+    ExportProgress* m_progress = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;

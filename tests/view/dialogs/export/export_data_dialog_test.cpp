@@ -22,6 +22,7 @@ private slots:
     void everyFormatIsWrittenAsItIsShown();
     void bakesWhatIsShown();
     void systemsInSpaceGiveWhatFormatsHold();
+    void aSolidStartsWithAFormatThatHoldsIt();
     void writesPoints();
     void tellsWhatIsLost();
 
@@ -126,6 +127,21 @@ void ExportDataDialogTest::bakesWhatIsShown() {
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("Bake"))) box->setChecked(false);
     QVERIFY(std::abs(baked - 2 * maxShift()) < 1e-12);
+}
+
+void ExportDataDialogTest::aSolidStartsWithAFormatThatHoldsIt() {
+    document::Fractal solid;
+    document::Shape<3> shape;
+    ifs::append<3>(shape.system, {0.5 * ifs::Matrix<3>::Identity(), ifs::Vector<3>::Zero()});
+    solid.shape = shape;
+    document::Document document;
+    document.setFile(document::fileOf(solid));
+    view::ExportDataDialog dialog(&document);
+    for (const auto* button : dialog.findChildren<QPushButton*>())
+        if (button->text().contains(QStringLiteral("Export"))) QVERIFY(button->isEnabled());
+    const auto* format = dialog.findChildren<QComboBox*>().first();
+    QVERIFY(format->currentIndex() > 0);
+    QVERIFY(!(format->model()->index(0, 0).flags() & Qt::ItemIsEnabled)); // Flame
 }
 
 void ExportDataDialogTest::writesPoints() {

@@ -74,8 +74,11 @@ private slots:
         m_dialog->setFormat(SpaceExportDialog::Format::Stl);
         QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
         m_dialog->exportTo(path(QStringLiteral("stopped.stl")));
+        auto* format = m_dialog->findChild<QComboBox*>();
+        QVERIFY(!format->isEnabled()); // until it has ended
         QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
         QVERIFY(m_dialog->isVisible());
+        QTRY_VERIFY(format->isEnabled());
         QTRY_COMPARE(m_dialog->message(), QStringLiteral("Export stopped; nothing was written."));
         QVERIFY(!QFileInfo::exists(path(QStringLiteral("stopped.stl"))));
         QTest::keyClick(m_dialog.get(), Qt::Key_Escape);

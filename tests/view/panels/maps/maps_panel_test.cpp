@@ -264,6 +264,16 @@ private slots:
         }
     }
 
+    void deletedMapsAreSelectedWhenTheyComeBack() {
+        m_panel->selectMaps({m_panel->model()->idAt(0), m_panel->model()->idAt(2)});
+        const std::vector<ifs::MapId> deleted = m_panel->selectedMaps();
+        QCOMPARE(deleted.size(), std::size_t(2));
+        QTest::keyClick(m_panel->table(), Qt::Key_Delete);
+        QVERIFY(m_panel->selectedMaps() != deleted);
+        m_document->undoStack()->undo();
+        QCOMPARE(m_panel->selectedMaps(), deleted);
+    }
+
     void duplicateDeleteAndReorderKeepTheSelection() {
         const ifs::MapId second = m_panel->model()->idAt(1);
         m_panel->selectMaps({second});

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+
+namespace view {
+
+// How far an export is, and how long it still takes. Hidden while there is none.
+class ExportProgress : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExportProgress(QWidget* parent);
+
+    void begin(const QString& firstStep = {}); // shown until the time left can be told
+    void setFraction(double fraction);         // 0 … 1
+    void end();
+    bool isUnderWay() const { return !isHidden(); }
+
+signals:
+    void ended();
+
+private:
+    QProgressBar* m_bar = nullptr;
+    QLabel* m_left = nullptr; // time
+    QElapsedTimer m_clock;    // since the work began
+};
+
+} // namespace view
