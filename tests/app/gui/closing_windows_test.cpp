@@ -133,7 +133,12 @@ void ClosingWindowsTest::theQuestionGoesWithTheLastExport() {
 void ClosingWindowsTest::anExportInADialogIsAskedAbout() {
     const QPointer<MainWindow> window = shown(support::testData(QStringLiteral("shapes.ifs")));
     QVERIFY(QTest::qWaitForWindowExposed(window));
-    window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    document::System3 gasket;
+    for (const ifs::Vector<3>& corner : {ifs::Vector<3>(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+        ifs::append(gasket, ifs::AffineMap<3>{ifs::Matrix<3>::Identity() / 2, corner / 2});
+    document::Fractal solid;
+    solid.shape = document::Shape<3>{gasket};
+    window->document().edit(QStringLiteral("solid"), solid);
     window->document().undoStack()->setClean();
     const QTemporaryDir folder;
     attractor::OrbitCamera camera;
@@ -143,7 +148,7 @@ void ClosingWindowsTest::anExportInADialogIsAskedAbout() {
     dialog.show();
     for (auto* box : dialog.findChildren<QSpinBox*>())
         if (box->minimum() == 8) box->setValue(500);           // the resolution
-    dialog.exportTo(folder.filePath(QStringLiteral("a.stl"))); // takes a while
+    dialog.exportTo(folder.filePath(QStringLiteral("a.stl"))); // takes seconds
     QString answer = QStringLiteral("Continue");
     int questions = 0;
     QTimer watch;
