@@ -121,13 +121,20 @@ struct Marks {
     int number = 0;
 };
 
-Marks marksOf(const io::CheckedPng& picture) {
+struct Looked {
+    std::optional<QString> damage;
     Marks marks;
+};
+
+Looked lookedAt(const QString& path) {
+    const io::CheckedPng picture = io::checkedPng(path);
+    Looked looked{picture.damage, {}};
+    Marks& marks = looked.marks;
     const auto animation = picture.texts.find(io::animationRequestKeyword);
     if (animation != picture.texts.end()) marks.animation = animation->second;
     const auto number = picture.texts.find(io::frameNumberKeyword);
     if (number != picture.texts.end()) marks.number = number->second.toInt();
-    return marks;
+    return looked;
 }
 
 class EncodeSession {
@@ -149,12 +156,12 @@ public:
             reportWarning(m_pattern,
                           tr("The pictures have 16 bits per channel, of which the video keeps 8."));
         for (int index = 0; index < int(m_numbers.size()); ++index) // rather than after all that come before
-            if (const auto obstacle = obstacleOf(index)) {
+            if (const auto obstacle = obstacleOf(index, m_looked[numberOf(index)])) {
                 reportError(pathOf(index), *obstacle);
                 return ExitStatus::InputProblems;
             }
         for (int index = 0; index < int(m_numbers.size()); ++index)
-            if (const auto stranger = strangerAmong(m_marks[m_numbers[std::size_t(index)]], index)) {
+            if (const auto stranger = strangerAmong(m_looked[numberOf(index)].marks, index)) {
                 reportError(pathOf(index), *stranger);
                 return ExitStatus::InputProblems;
             }
@@ -171,7 +178,8 @@ public:
     }
 
 private:
-    QString pathOf(int index) const { return numbered(m_pattern, m_numbers[std::size_t(index)]); }
+    int numberOf(int index) const { return m_numbers[std::size_t(index)]; }
+    QString pathOf(int index) const { return numbered(m_pattern, numberOf(index)); }
 
     // The pictures that become the video, of those that are there: all that are asked for must be.
     ExitStatus chooseFrom(const std::vector<int>& there) {
@@ -218,17 +226,19 @@ private:
         QDateTime newest;
         for (const int number : there) {
             const QString path = numbered(m_pattern, number);
-            m_marks[number] = marksOf(io::checkedPng(path));
+            m_looked[number] = lookedAt(path);
             const QDateTime written = QFileInfo(path).lastModified();
-            if (m_marks[number].animation.isEmpty() || (newest.isValid() && written <= newest)) continue;
+            if (m_looked[number].marks.animation.isEmpty() || (newest.isValid() && written <= newest))
+                continue;
             newest = written;
             source = number;
         }
-        m_animation = m_marks[source].animation;
+        m_animation = m_looked[source].marks.animation;
         m_newest = QFileInfo(numbered(m_pattern, source)).fileName();
         std::map<int, int> offsets; // how many pictures have each
-        for (const auto& [number, marks] : m_marks)
-            if (marks.number > 0 && marks.animation == m_animation) ++offsets[number - marks.number];
+        for (const auto& [number, looked] : m_looked)
+            if (const Marks& marks = looked.marks; marks.number > 0 && marks.animation == m_animation)
+                ++offsets[number - marks.number];
         if (!m_arguments.frames && !offsets.empty())
             m_offset = std::ranges::max_element(offsets, {}, &std::pair<const int, int>::second)->first;
         readEntry(numbered(m_pattern, source));
@@ -273,11 +283,9 @@ private:
         return false;
     }
 
-    std::optional<QString> obstacleOf(int index) const {
-        const QString path = pathOf(index);
-        const io::CheckedPng picture = io::checkedPng(path);
-        if (picture.damage) return picture.damage;
-        const QSize size = QImageReader(path, "png").size();
+    std::optional<QString> obstacleOf(int index, const Looked& looked) const {
+        if (looked.damage) return looked.damage;
+        const QSize size = QImageReader(pathOf(index), "png").size();
         if (size == m_size) return std::nullopt;
         return tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of a video must "
                   "have the same size.")
@@ -295,7 +303,7 @@ private:
                       "over, "
                       "or name the frames in --frames.")
                 .arg(m_newest);
-        const int expected = m_numbers[std::size_t(index)] - m_offset;
+        const int expected = numberOf(index) - m_offset;
         if (marks.number == 0 || marks.number == expected) return std::nullopt;
         return tr("The picture is frame %1 of its animation. Here, frame %2 should be.")
             .arg(marks.number)
@@ -304,7 +312,9 @@ private:
 
     QImage read(int index) {
         const QString path = pathOf(index);
-        if (const auto obstacle = obstacleOf(index)) return refused(path, *obstacle); // by now
+        const Looked now = lookedAt(path); // it may be another one by now
+        if (const auto obstacle = obstacleOf(index, now)) return refused(path, *obstacle);
+        if (const auto stranger = strangerAmong(now.marks, index)) return refused(path, *stranger);
         QImageReader reader(path, "png");
         reader.setAllocationLimit(0); // the video takes pictures of this size
         const QImage image = reader.read();
@@ -324,7 +334,7 @@ private:
     ProgressBar m_bar;
     std::vector<int> m_numbers; // of the pictures
     // What the newest one carries, and by how much the numbers of files exceed those they were drawn with.
-    std::map<int, Marks> m_marks; // of all pictures that are there
+    std::map<int, Looked> m_looked; // by number, all pictures that are there
     QString m_newest;
     QByteArray m_animation;
     int m_offset = 0;

@@ -60,6 +60,10 @@ bool isAfter(const Moment& moment, std::int64_t frame) {
     return moment.numerator > frame * moment.denominator;
 }
 
+bool isBefore(const Moment& a, const Moment& b) {
+    return a.numerator * b.denominator < b.numerator * a.denominator;
+}
+
 int frameCount(Loop loop, int length) {
     switch (loop) {
     case Loop::Cycle:

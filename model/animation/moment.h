@@ -26,6 +26,7 @@ Moment moment(std::int64_t numerator, std::int64_t denominator = 1);
 // maxDenominator.
 std::optional<Moment> parseMoment(std::string_view text);
 bool isAfter(const Moment& moment, std::int64_t frame);
+bool isBefore(const Moment& a, const Moment& b);
 
 // What comes after the last frame.
 enum class Loop {

@@ -75,10 +75,6 @@ template <int Dim> ifs::Verdict verdictOf(const Shape<Dim>& shape) {
     return ifs::classifyLinked<Dim>(ifs::activeMaps(shape.system)).verdict;
 }
 
-bool isEarlier(const animation::Moment& a, const animation::Moment& b) {
-    return a.numerator * b.denominator < b.numerator * a.denominator;
-}
-
 // None as well when stopped. The few that lie anywhere are tried before the many frames.
 std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts,
                                                  const std::stop_token& stop) {
@@ -88,7 +84,7 @@ std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const A
     std::optional<MomentWithoutAttractor> first;
     for (const auto& tried : {moments(facts, trials), frames})
         for (const animation::Moment& moment : tried) {
-            if (stop.stop_requested() || (first && !isEarlier(moment, first->moment))) break;
+            if (stop.stop_requested() || (first && !isBefore(moment, first->moment))) break;
             if (const auto verdict = lossAt(fractal, moment)) first = {moment, *verdict};
         }
     return first;

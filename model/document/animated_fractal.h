@@ -20,8 +20,8 @@ struct AnimationFacts {
     animation::Loop loop = animation::Loop::Off;
     int tracks = 0;
     std::size_t motions = 0;
-    std::vector<int>
-        cuts{}; // frames with another camera than the moment before, as where an endless zoom jumps back
+    // Frames with another camera than the moment before, as where an endless zoom jumps back.
+    std::vector<int> cuts{};
 };
 std::optional<AnimationFacts> animationFacts(const Fractal& fractal); // nullopt: nothing moves
 

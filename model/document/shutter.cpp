@@ -15,10 +15,6 @@ constexpr int circle = 360'000;        // thousandths of a degree
 constexpr int partsOfMotions = 8;      // pilots in the length of an animation with motions
 constexpr std::size_t maxPilots = 128; // before the middles come in between
 
-bool isBefore(const Moment& a, const Moment& b) {
-    return a.numerator * b.denominator < b.numerator * a.denominator;
-}
-
 // Which side of the frame the shutter sees: it does not open across a cut.
 enum class Side { Both, After, Before, Neither };
 
@@ -87,7 +83,7 @@ std::vector<int> keyFrames(const animation::Animation<Dim>& animation, const Ani
 
 // Ascending, each once, evenly thinned where there are very many.
 std::vector<Moment> inOrder(std::vector<Moment> moments) {
-    std::ranges::sort(moments, isBefore);
+    std::ranges::sort(moments, animation::isBefore);
     moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
     if (moments.size() <= maxPilots) return moments;
     std::vector<Moment> some;
@@ -137,7 +133,7 @@ std::vector<Moment> exposurePilots(const Fractal& fractal) {
 }
 
 BetweenPilots betweenPilots(const std::vector<Moment>& pilots, const Moment& moment) {
-    const auto next = std::ranges::lower_bound(pilots, moment, isBefore);
+    const auto next = std::ranges::lower_bound(pilots, moment, animation::isBefore);
     if (next == pilots.end()) return {pilots.size() - 1, pilots.size() - 1, 0};
     const auto after = std::size_t(next - pilots.begin());
     if (after == 0 || *next == moment) return {after, after, 0};

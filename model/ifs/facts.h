@@ -76,6 +76,7 @@ template <int Dim> struct Facts {
     bool isLate(LongFact fact) const { return std::ranges::find(late, fact) != late.end(); }
 };
 
+// How near a hull comes where nobody says: 1e-6 of the diagonal of the box, in the system's own units.
 template <int Dim> double usualHullTolerance(const BoundingBox<Dim>& box) {
     return 1e-6 * (box.max - box.min).stableNorm();
 }

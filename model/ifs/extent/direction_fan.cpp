@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/extent/direction_fan.h"
 
+#include "ifs/extent/polygon.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -22,10 +24,6 @@ template <int Dim> DirectionFan<Dim>::DirectionFan(int depth) {
 }
 
 namespace {
-
-double cross(const Vector<2>& a, const Vector<2>& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 // Counter-clockwise from e_1 on.
 bool comesFirst(const Vector<2>& a, const Vector<2>& b) {

@@ -69,6 +69,7 @@ private:
         double length; // |g_a + g_b|
     };
 
+    Combination between(const Vector<Dim>& v) const; // of the two neighbours among given directions
     void divide(std::size_t cell, const Cone& cone);
     Split widestAngle(const Cone& cone) const;
     std::uint32_t index(const Vector<Dim>& direction);
@@ -78,10 +79,8 @@ private:
     std::vector<Split> m_splits;
     std::vector<Cone> m_cones;
     std::vector<Vector<Dim>> m_directions;
-
-    Combination between(const Vector<Dim>& v) const;
-    std::vector<std::uint32_t>
-        m_around; // the given directions counter-clockwise; empty where cones are halved
+    // Those that were given, counter-clockwise; empty where cones are halved.
+    std::vector<std::uint32_t> m_around;
 };
 
 } // namespace ifs

@@ -22,8 +22,7 @@ public:
     // SHA-256, in hexadecimal digits.
     QByteArray hash(const document::Fractal& entry) const;
 
-    // Between the version of the pixels and everything else, of which requests of one animation differ in
-    // nothing.
+    // Comes first. nullopt, for what all frames of an animation have in common, adds nothing.
     void addFrame(std::optional<int> frame);
 
 private:
