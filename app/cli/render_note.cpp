@@ -29,6 +29,9 @@ QString sentenceOf(attractor::RenderNote note, bool isInSpace) {
         return tr("Whether the system has an attractor could not be decided.");
     case attractor::RenderNote::TooDeep:
         return tr("The view is smaller than numerical precision can resolve.");
+    case attractor::RenderNote::TooFar:
+        return tr("What lies far behind this small view may be drawn in the wrong order: depths there can no "
+                  "longer be told apart.");
     case attractor::RenderNote::FewerIterations:
         return tr("There would be more copies than can be drawn after so many "
                   "iterations; fewer iterations were made.");

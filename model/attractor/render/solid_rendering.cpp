@@ -22,7 +22,8 @@ RenderNote noteOf(const SolidScene& scene, const ifs::AffineMap<3>& cage) {
     const ifs::AffineMap<3> root =
         straightened(scene.view.toPixels * scene.system.fromBox(), scene.view).word;
     const double reach = root.translation.cwiseAbs().maxCoeff() + root.linear.cwiseAbs().maxCoeff();
-    return scene.range.isClamped || reach * 0x1p-48 > 1 ? RenderNote::TooDeep : RenderNote::None;
+    if (reach * 0x1p-48 > 1) return RenderNote::TooDeep;
+    return scene.range.isClamped ? RenderNote::TooFar : RenderNote::None;
 }
 
 } // namespace

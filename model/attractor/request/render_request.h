@@ -54,6 +54,7 @@ enum class RenderNote {
     NoAttractor,     // some word expands; points that leave a huge range are dropped
     Undecided,       // existence not settled; drawn with the same guard
     TooDeep,         // zoomed beyond the resolution of the arithmetic
+    TooFar,          // of a solid: what is farthest behind may be drawn in the wrong order
     Degenerate,      // the picture is flat in this placement
     FewerIterations, // Deterministic: fewer than asked for, Frame::iterations says how many
 };

@@ -344,6 +344,9 @@ private slots:
                     QVERIFY(rendering.draw());
                     QVERIFY(std::ranges::any_of(rendering.raster().keys,
                                                 [](std::uint32_t key) { return key != emptyKey; }));
+                    if (zoom == 1) QCOMPARE(rendering.note(), RenderNote::None);
+                    if (zoom == 1e10 && projection == OrbitCamera::Projection::Orthographic)
+                        QCOMPARE(rendering.note(), RenderNote::TooFar);
                     if (zoom == 1e16) QCOMPARE(rendering.note(), RenderNote::TooDeep);
                 }
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

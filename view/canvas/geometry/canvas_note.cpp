@@ -153,6 +153,7 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     case attractor::RenderNote::Undecided:
         return doubtful(*system);
     case attractor::RenderNote::TooDeep:
+    case attractor::RenderNote::TooFar: // only of solids
         return Notes::tr(
             "This is the limit of numerical precision: zoom out a little for an accurate picture.");
     case attractor::RenderNote::FewerIterations:
@@ -182,6 +183,9 @@ QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note
     case attractor::RenderNote::TooDeep:
         return Notes::tr(
             "This is the limit of numerical precision: zoom out a little for an accurate picture.");
+    case attractor::RenderNote::TooFar:
+        return Notes::tr("What lies far behind this small view may be drawn in the wrong order. Zoom out a "
+                         "little for an accurate picture.");
     case attractor::RenderNote::Degenerate:
         return Notes::tr(
             "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
