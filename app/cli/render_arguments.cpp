@@ -216,38 +216,46 @@ void checkPixels(const RenderArguments& arguments) {
              tr(".jpg and .webp have 8 bits per channel."));
 }
 
-// What this version cannot do, and what makes no sense for the format. Nothing is ignored silently.
+// What makes no sense for the format, whatever the entry. Nothing is ignored silently.
 void refuseUnsupported(const RenderArguments& arguments, Format format) {
-    if (format == Format::Svg || format == Format::Pdf) {
-        const QString reason = tr("vector graphics are made of shapes.");
-        refuseIf(arguments.points && styleOf(arguments) != io::ShapeStyle::Points, "--points",
-                 tr("vector graphics are made of copies; to draw points, use --svg points."));
-        refuseIf(arguments.depth && styleOf(arguments) == io::ShapeStyle::Points, "--depth",
-                 tr("points have no levels of copies."));
-        refuseIf(arguments.algorithm != "density", "--algorithm", reason);
-        refuseIf(arguments.iterations.has_value(), "--iterations", tr("for vector graphics, use --depth."));
-        refuseIf(arguments.gamma.has_value(), "--gamma", reason);
-        refuseIf(arguments.brightness.has_value(), "--brightness", reason);
-        refuseIf(arguments.contrast.has_value(), "--contrast", reason);
-        refuseIf(arguments.vibrancy.has_value(), "--vibrancy", reason);
-        refuseIf(arguments.supersample.has_value(), "--supersample", reason);
-        refuseIf(arguments.bits.has_value(), "--bits", reason);
-        refuseIf(arguments.quality.has_value(), "--quality", reason);
-        refuseIf(arguments.legend, "--legend", tr("it applies only to pictures made of pixels."));
-        refuseIf(arguments.dpi.has_value(), "--dpi", tr("vector graphics have no resolution."));
-    } else {
-        checkPixels(arguments);
+    checkPixels(arguments);
+    if (!isOfShapes(format)) {
         const QString reason = tr("it applies only to vector graphics (.svg and .pdf).");
         refuseIf(arguments.svg.has_value(), "--svg", reason);
         refuseIf(arguments.depth.has_value(), "--depth", reason);
     }
     const bool deterministic = arguments.algorithm == "deterministic";
     refuseIf(arguments.iterations && !deterministic, "--iterations",
-             tr("it applies only to --algorithm deterministic."));
+             isOfShapes(format) ? tr("for vector graphics, use --depth.")
+                                : tr("it applies only to --algorithm deterministic."));
     refuseIf(arguments.points && deterministic, "--points", tr("--algorithm deterministic has no points."));
 }
 
 } // namespace
+
+bool isOfShapes(Format format) {
+    return format == Format::Svg || format == Format::Pdf;
+}
+
+void checkShapes(const RenderArguments& arguments) {
+    const QString reason = tr("vector graphics are made of shapes.");
+    refuseIf(arguments.points && styleOf(arguments) != io::ShapeStyle::Points, "--points",
+             tr("vector graphics are made of copies; to draw points, use --svg points."));
+    refuseIf(arguments.depth && styleOf(arguments) == io::ShapeStyle::Points, "--depth",
+             tr("points have no levels of copies."));
+    refuseIf(arguments.algorithm != "density", "--algorithm", reason);
+    refuseIf(arguments.iterations.has_value(), "--iterations", tr("for vector graphics, use --depth."));
+    refuseIf(arguments.gamma.has_value(), "--gamma", reason);
+    refuseIf(arguments.brightness.has_value(), "--brightness", reason);
+    refuseIf(arguments.contrast.has_value(), "--contrast", reason);
+    refuseIf(arguments.vibrancy.has_value(), "--vibrancy", reason);
+    refuseIf(arguments.supersample.has_value(), "--supersample", reason);
+    refuseIf(arguments.bits.has_value(), "--bits", reason);
+    refuseIf(arguments.quality.has_value(), "--quality", reason);
+    refuseIf(arguments.legend, "--legend", tr("it applies only to pictures made of pixels."));
+    refuseIf(arguments.dpi.has_value(), "--dpi", tr("vector graphics have no resolution."));
+    shapesOf(arguments);
+}
 
 // What only entries in space understand; which the entry is, is not known yet.
 bool isViewInSpace(const std::string& text) {
@@ -262,7 +270,6 @@ Format checked(RenderArguments& arguments) {
     if (arguments.palette) arguments.readPalette = paletteArgument("--palette", *arguments.palette);
     if (arguments.iterations) arguments.steps = stepsOf(*arguments.iterations);
     const Format format = formatOf(arguments);
-    const bool isShapes = format == Format::Svg || format == Format::Pdf;
     refuseUnsupported(arguments, format);
     attractor::Appearance appearance;
     if (!isColourOfSolids(arguments)) applyAppearance(appearance, arguments);
@@ -275,8 +282,7 @@ Format checked(RenderArguments& arguments) {
     if (arguments.viewRotation) rotationArgument("--view-rotation", *arguments.viewRotation);
     if (arguments.margin) marginArgument("--margin", *arguments.margin);
     if (arguments.threads) integerArgument("--threads", *arguments.threads, 1, 1024);
-    if (arguments.points && !isShapes) countArgument("--points", *arguments.points, 1, maxPoints);
-    if (isShapes) shapesOf(arguments);
+    if (arguments.points) countArgument("--points", *arguments.points, 1, maxPoints);
     wholeArgument("--seed", arguments.seed);
     if (arguments.frame) momentArgument("--frame", *arguments.frame);
     refuseIf(isStrip(arguments) && depthOf(arguments) == io::PictureFormat::Depth::Bits16,
@@ -348,7 +354,8 @@ void addPixelOptions(CLI::App& command, RenderArguments& arguments) {
         "--bits", "8|16|32", arguments.bits,
         "Bits per channel: 8 or 16 in .png and .tiff, 8 in .jpg and .webp, 16 or 32 (floating point) in .exr",
         "8; 16 in .exr and for --look normals");
-    file.add("--dpi", "D", arguments.dpi, "Resolution stored in the picture, in dots per inch, 1 to 100000");
+    file.add("--dpi", "D", arguments.dpi, "Resolution stored in the picture, in dots per inch, 1 to 100000",
+             "none; 96 of a solid in .svg and .pdf");
 }
 
 void addExplanationOptions(CLI::App& command, RenderArguments& arguments) {

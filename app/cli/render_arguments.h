@@ -26,6 +26,7 @@ constexpr int maxInt = std::numeric_limits<int>::max();
 constexpr std::uint64_t maxPoints = std::numeric_limits<std::uint64_t>::max();
 
 enum class Format { Pixels, Svg, Pdf, Sum };
+bool isOfShapes(Format format); // but of a solid: a picture of pixels embedded in one
 
 // Numbers of iterations, from the first to the last.
 struct Steps {
@@ -86,6 +87,8 @@ Format checked(RenderArguments& arguments);
 
 void selectInstructions(const std::string& name); // --simd
 void refuseIf(bool given, const char* option, const QString& reason);
+// Of an entry in the plane as shapes: what makes no sense, or has a value out of its range.
+void checkShapes(const RenderArguments& arguments);
 attractor::Algorithm algorithmOf(const std::string& text);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);

@@ -56,7 +56,7 @@ io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format 
             document::linkedExtent(shown.fractal)
                 ? tr("--overlay hull cannot be used here: the maps are linked.")
                 : tr("--overlay hull cannot be used here: the system has no certified attractor.")};
-    if (format == Format::Svg || format == Format::Pdf) {
+    if (isOfShapes(format)) {
         checkDepth(shown.fractal, camera, arguments);
         const auto file = format == Format::Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
         return io::SvgExport{shown.fractal, camera, shapesOf(arguments), file};
@@ -191,6 +191,7 @@ private:
                                     .arg(printableLine(entry.name)));
         if (document::space(entry)) return drawInSpace(task, before, all);
         refuseSpaceOptions(m_arguments);
+        if (isOfShapes(m_format)) checkShapes(m_arguments);
         Shown shown = shownBy(entry, m_arguments);
         applyCage(shown.fractal, m_arguments);
         if (m_arguments.cage || m_arguments.restCage) shown.box.reset();
@@ -218,6 +219,9 @@ private:
         const io::SpaceExport picture =
             spaceExportOf(shownBy(*task.entry->fractal, m_arguments), m_arguments, task.input->name);
         if (m_format == Format::Sum) return drawSums(picture, task, before, all);
+        if (picture.page)
+            reportWarning(task.input->name, tr("A solid has no shapes: the file contains its picture in "
+                                               "pixels."));
         QByteArray png;
         const auto outcome = io::drawSpacePng(
             picture, png, [&](double fraction) { m_bar.show((before + fraction) / all); },

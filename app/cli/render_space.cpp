@@ -114,19 +114,26 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     if (look == LookInSpace::Depth) refuseNumbers(options);
 }
 
-void requirePixels(const RenderArguments& options, LookInSpace look) {
-    const QString output = fileNameOf(options.output);
-    const QString suffix =
-        options.format.empty() ? QFileInfo(output).suffix().toLower() : quoted(options.format);
-    if (suffix == u"sum") return;
-    const auto file = io::pictureFileOf(suffix);
-    if (!file)
+QString suffixOf(const RenderArguments& options) {
+    return options.format.empty() ? QFileInfo(fileNameOf(options.output)).suffix().toLower()
+                                  : quoted(options.format);
+}
+
+// What the picture is embedded in; nullopt: nothing.
+std::optional<io::ShapeFile> pageOf(const RenderArguments& options) {
+    const QString suffix = suffixOf(options);
+    if (suffix == u"svg") return io::ShapeFile::Svg;
+    if (suffix == u"pdf") return io::ShapeFile::Pdf;
+    return std::nullopt;
+}
+
+void refuseUnsupportedFile(const RenderArguments& options, LookInSpace look) {
+    const QString suffix = suffixOf(options);
+    if (look == LookInSpace::Depth && suffix != u"sum" && io::pictureFileOf(suffix) != io::PictureFile::Png)
         throw UsageError{
-            tr("A system in space can be drawn only as .png, .jpg, .webp, .tiff or .exr, and “%1” "
-               "is none of them.")
-                .arg(output)};
-    if (look == LookInSpace::Depth && file != io::PictureFile::Png)
-        throw UsageError{tr("--look depth can be drawn only as .png, and “%1” is not.").arg(output)};
+            tr("--look depth can be drawn only as .png, and “%1” is not.").arg(fileNameOf(options.output))};
+    refuseIf(pageOf(options) && is16Bit(options), "--bits 16",
+             tr("a picture in .svg and .pdf has 8 bits per channel."));
 }
 
 attractor::Orientation orientationOf(const RenderArguments& options) {
@@ -356,7 +363,7 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
     fractal = shown.fractal;
     picture.look = fractal.inSpace.look = lookOf(fractal, options);
     fractal.inSpace.clip = clipOf(fractal, options);
-    requirePixels(options, picture.look);
+    refuseUnsupportedFile(options, picture.look);
     picture.stereo = stereoOf(options);
     refuseUnsupported(options, picture.look);
     if (picture.look == LookInSpace::Depth || attractor::showsCloud(picture.look)) {
@@ -368,7 +375,8 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
             picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
     }
     picture.depth = depthOf(options);
-    const bool isForCompositing = picture.look == LookInSpace::Normals && !options.bits;
+    picture.page = pageOf(options);
+    const bool isForCompositing = picture.look == LookInSpace::Normals && !options.bits && !picture.page;
     if (isForCompositing && io::takes(pictureFileOf(options), io::PictureFormat::Depth::Bits16))
         picture.depth = io::PictureFormat::Depth::Bits16;
     picture.file = pictureFileOf(options);

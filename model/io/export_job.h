@@ -18,7 +18,6 @@
 
 namespace io {
 
-enum class ShapeFile { Svg, Pdf };
 struct SvgExport {
     document::Fractal fractal;
     attractor::Camera camera;

@@ -42,6 +42,8 @@ bool isUsable(const ShapeRecipe& recipe) {
 bool isUsable(const SpaceRecipe& recipe) {
     return attractor::isUsable(recipe.camera) && isWithin(recipe.size.width, 1, maxSide) &&
            isWithin(recipe.size.height, 1, maxSide) && takes(recipe.file, recipe.depth) &&
+           (!recipe.page ||
+            (recipe.file == PictureFile::Png && recipe.depth == PictureFormat::Depth::Bits8)) &&
            isWithin(recipe.supersample, 1, 4) && isWithin(recipe.dotsPerInch, 1, 9600);
 }
 
@@ -97,9 +99,9 @@ std::optional<QImage> preview(const BodyRecipe&, const document::Fractal&, const
 
 QStringList suffixes(const ExportRecipe& recipe) {
     if (const auto* body = std::get_if<BodyRecipe>(&recipe)) return {suffixOf(body->format)};
-    if (const auto* shapes = std::get_if<ShapeRecipe>(&recipe))
-        return {shapes->file == ShapeFile::Pdf ? QStringLiteral("pdf") : QStringLiteral("svg")};
-    return {};
+    const auto* shapes = std::get_if<ShapeRecipe>(&recipe);
+    const ShapeFile file = shapes ? shapes->file : *std::get<SpaceRecipe>(recipe).page;
+    return {file == ShapeFile::Pdf ? QStringLiteral("pdf") : QStringLiteral("svg")};
 }
 
 } // namespace
@@ -115,7 +117,8 @@ bool isUsable(const ExportRecipe& recipe) {
 bool isNamedFor(const ExportRecipe& recipe, const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (const auto* pixels = std::get_if<PixelRecipe>(&recipe)) return pictureFileOf(suffix) == pixels->file;
-    if (const auto* space = std::get_if<SpaceRecipe>(&recipe)) return pictureFileOf(suffix) == space->file;
+    if (const auto* space = std::get_if<SpaceRecipe>(&recipe); space && !space->page)
+        return pictureFileOf(suffix) == space->file;
     return suffixes(recipe).contains(suffix);
 }
 
@@ -148,6 +151,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     SpaceExport picture;
     picture.fractal = fractal;
     picture.file = recipe.file;
+    picture.page = recipe.page;
     if (recipe.isTransparent) picture.fractal.appearance.background.alpha = 0;
     picture.look = fractal.inSpace.look;
     picture.solid = document::solidAppearance(picture.fractal);

@@ -47,6 +47,7 @@ struct SpaceRecipe {
     attractor::OrbitCamera camera; // as on the screen; what is seen there stays in the picture
     attractor::RasterSize size;    // of the picture, both eyes side by side included
     PictureFile file = PictureFile::Png;
+    std::optional<ShapeFile> page;                    // that a PNG of 8 bits is embedded in
     PngFormat::Depth depth = PngFormat::Depth::Bits8; // one that the file takes
     Stereo stereo = Stereo::None;
     int supersample = 2;

@@ -178,8 +178,7 @@ QJsonObject jsonOf(const ShapeRecipe& recipe) {
                      {QStringLiteral("points"), recipe.points},
                      {QStringLiteral("cage"), recipe.cage == CageVisibility::Shown},
                      {QStringLiteral("transparent"), recipe.isTransparent}};
-    if (recipe.dotsPerInch != SvgFormat::pixelsOfSvg)
-        json.insert(QStringLiteral("dotsPerInch"), recipe.dotsPerInch);
+    if (recipe.dotsPerInch != pixelsOfSvg) json.insert(QStringLiteral("dotsPerInch"), recipe.dotsPerInch);
     return json;
 }
 
@@ -198,16 +197,18 @@ bool read(const QJsonObject& json, ShapeRecipe& recipe) {
 }
 
 QJsonObject jsonOf(const SpaceRecipe& recipe) {
-    return {{QStringLiteral("kind"), QStringLiteral("space")},
-            {QStringLiteral("camera"), cameraJson(recipe.camera)},
-            {QStringLiteral("width"), recipe.size.width},
-            {QStringLiteral("height"), recipe.size.height},
-            {QStringLiteral("file"), nameOf(pictureFiles, recipe.file)},
-            {QStringLiteral("depth"), nameOf(depths, recipe.depth)},
-            {QStringLiteral("stereo"), nameOf(stereos, recipe.stereo)},
-            {QStringLiteral("supersample"), recipe.supersample},
-            {QStringLiteral("dotsPerInch"), recipe.dotsPerInch},
-            {QStringLiteral("transparent"), recipe.isTransparent}};
+    QJsonObject json{{QStringLiteral("kind"), QStringLiteral("space")},
+                     {QStringLiteral("camera"), cameraJson(recipe.camera)},
+                     {QStringLiteral("width"), recipe.size.width},
+                     {QStringLiteral("height"), recipe.size.height},
+                     {QStringLiteral("file"), nameOf(pictureFiles, recipe.file)},
+                     {QStringLiteral("depth"), nameOf(depths, recipe.depth)},
+                     {QStringLiteral("stereo"), nameOf(stereos, recipe.stereo)},
+                     {QStringLiteral("supersample"), recipe.supersample},
+                     {QStringLiteral("dotsPerInch"), recipe.dotsPerInch},
+                     {QStringLiteral("transparent"), recipe.isTransparent}};
+    if (recipe.page) json.insert(QStringLiteral("page"), nameOf(shapeFiles, *recipe.page));
+    return json;
 }
 
 bool read(const QJsonObject& json, SpaceRecipe& recipe) {
@@ -220,6 +221,7 @@ bool read(const QJsonObject& json, SpaceRecipe& recipe) {
     fields.read("supersample", recipe.supersample);
     fields.read("dotsPerInch", recipe.dotsPerInch);
     fields.read("transparent", recipe.isTransparent);
+    if (json.contains(QLatin1String("page"))) fields.read("page", recipe.page.emplace(), shapeFiles);
     return fields.areRight() && read(json.value(QLatin1String("camera")).toObject(), recipe.camera);
 }
 

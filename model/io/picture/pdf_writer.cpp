@@ -3,11 +3,10 @@
 
 #include "document/fractal_geometry.h"
 #include "io/overlay/pdf_overlay.h"
+#include "io/picture/pdf_file.h"
 #include "io/picture/svg_shapes.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -17,12 +16,8 @@ namespace {
 
 constexpr int deepestNest = 10; // of forms; viewers give up beyond some 30
 
-// PDF knows no exponents.
 QByteArray text(double number) {
-    std::array<char, 400> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number == 0 ? 0.0 : number,
-                                   std::chars_format::fixed);
-    return {buffer.data(), end.ptr - buffer.data()};
+    return pdfNumber(number);
 }
 
 QByteArray text(const ifs::Vector<2>& point) {
@@ -43,17 +38,6 @@ QByteArray text(const attractor::Rgba& colour) {
     return share(colour.red) + ' ' + share(colour.green) + ' ' + share(colour.blue);
 }
 
-QByteArray text(const QString& string) {
-    QByteArray hex = "<FEFF";
-    for (const QChar c : string)
-        hex += QByteArray::number(c.unicode(), 16).rightJustified(4, '0');
-    return hex + '>';
-}
-
-QByteArray reference(int object) {
-    return QByteArray::number(object) + " 0 R";
-}
-
 // A thousandth of a pixel is finer than any printer.
 ifs::Vector<2> rounded(const ifs::Vector<2>& pixel) {
     return {std::round(pixel.x() * 1000) / 1000, std::round(pixel.y() * 1000) / 1000};
@@ -72,44 +56,6 @@ Ring mapped(const ifs::AffineMap<2>& map, Ring ring) {
     return ring;
 }
 
-// Numbered objects, and where each begins.
-class PdfFile {
-public:
-    int reserve() {
-        m_objects.append(QByteArray());
-        return int(m_objects.size());
-    }
-    void set(int object, const QByteArray& content) { m_objects[object - 1] = content; }
-    int add(const QByteArray& content) {
-        const int object = reserve();
-        set(object, content);
-        return object;
-    }
-    int addStream(const QByteArray& dictionary, const QByteArray& content) {
-        constexpr int header = 4; // Qt's own, before the zlib stream
-        const QByteArray packed = qCompress(content, 9).mid(header);
-        return add("<<" + dictionary + "/Filter/FlateDecode/Length " + QByteArray::number(packed.size()) +
-                   ">>\nstream\n" + packed + "\nendstream");
-    }
-
-    QByteArray bytes(int catalog, int information) const {
-        QByteArray bytes = "%PDF-1.5\n%\xe2\xe3\xcf\xd3\n";
-        QByteArray table;
-        for (qsizetype i = 0; i < m_objects.size(); ++i) {
-            table += QByteArray::number(bytes.size()).rightJustified(10, '0') + " 00000 n \n";
-            bytes += QByteArray::number(i + 1) + " 0 obj\n" + m_objects[i] + "\nendobj\n";
-        }
-        const QByteArray count = QByteArray::number(m_objects.size() + 1);
-        const QByteArray begin = QByteArray::number(bytes.size());
-        return bytes + "xref\n0 " + count + "\n0000000000 65535 f \n" + table + "trailer\n<</Size " + count +
-               "/Root " + reference(catalog) + "/Info " + reference(information) + ">>\nstartxref\n" + begin +
-               "\n%%EOF\n";
-    }
-
-private:
-    QByteArrayList m_objects;
-};
-
 // The forms of a structured picture. A form makes its copies from forms some levels below, not always from
 // the next ones, so that the nest stays flat.
 class Forms {
@@ -127,7 +73,7 @@ public:
     QByteArray resources() const { // without the brackets of their dictionary
         QByteArray list;
         for (const auto& [level, form] : m_forms)
-            list += "/L" + QByteArray::number(level) + ' ' + reference(form.object);
+            list += "/L" + QByteArray::number(level) + ' ' + pdfReference(form.object);
         return "/XObject<<" + list + ">>";
     }
 
@@ -164,7 +110,7 @@ private:
         }
         QByteArray list;
         for (const auto& [below, object] : used)
-            list += "/L" + QByteArray::number(below) + ' ' + reference(object);
+            list += "/L" + QByteArray::number(below) + ' ' + pdfReference(object);
         made.object = m_file.addStream("/Type/XObject/Subtype/Form/BBox[" + text(made.low) + ' ' +
                                            text(made.high) + "]/Resources<</XObject<<" + list + ">>>>",
                                        content);
@@ -209,8 +155,7 @@ class PageWriter {
 public:
     PageWriter(PdfFile& file, const PdfPage& page) : m_file(file), m_page(page) {}
 
-    // The page object, whose parent is `pages`.
-    int write(const ifs::CopyHierarchy& levels, int depth, int pages, const std::stop_token& stop) {
+    void write(const ifs::CopyHierarchy& levels, int depth, const std::stop_token& stop) {
         const auto& [fractal, camera, format] = m_page;
         const double pointsPerPixel = 72 / format.dotsPerInch;
         QByteArray resources;
@@ -230,9 +175,9 @@ public:
             resources += pdfMarkResources(marks);
         }
         const int content = m_file.addStream({}, m_content);
-        return m_file.add("<</Type/Page/Parent " + reference(pages) + "/MediaBox[0 0 " +
-                          text(pointsPerPixel * camera.width) + ' ' + text(pointsPerPixel * camera.height) +
-                          "]/Resources<<" + resources + ">>/Contents " + reference(content) + ">>");
+        m_file.addPage("/MediaBox[0 0 " + text(pointsPerPixel * camera.width) + ' ' +
+                       text(pointsPerPixel * camera.height) + "]/Resources<<" + resources + ">>/Contents " +
+                       pdfReference(content));
     }
 
 private:
@@ -301,21 +246,14 @@ private:
 
 PdfPicture pdfPicture(const std::vector<PdfPage>& pages, const std::stop_token& stop) {
     PdfFile file;
-    const int tree = file.reserve();
-    QByteArrayList kids;
     for (const PdfPage& page : pages) {
         const ShapeLevels levels = shapeLevels(page.fractal, page.camera);
         if (levels.failure) return {{}, levels.failure};
         const int depth = svgDepth(*levels.levels, page.format);
-        kids << reference(PageWriter(file, page).write(*levels.levels, depth, tree, stop));
+        PageWriter(file, page).write(*levels.levels, depth, stop);
         if (stop.stop_requested()) return {};
     }
-    file.set(tree,
-             "<</Type/Pages/Count " + QByteArray::number(kids.size()) + "/Kids[" + kids.join(' ') + "]>>");
-    const int catalog = file.add("<</Type/Catalog/Pages " + reference(tree) + ">>");
-    const QString title = pages.empty() ? QString() : pages.front().fractal.name;
-    const int information = file.add("<</Producer(Barycage)/Title " + text(title) + ">>");
-    return {file.bytes(catalog, information), {}};
+    return {file.bytes(pages.empty() ? QString() : pages.front().fractal.name), {}};
 }
 
 } // namespace io

@@ -122,6 +122,16 @@ ExportOutcome solidPixels(const SpaceExport& picture, std::span<Pixel> pixels, c
     return outcome;
 }
 
+std::unique_ptr<PictureWriter> writerFor(const SpaceExport& picture, QIODevice& device,
+                                         const PictureFormat& format) {
+    if (picture.page) return pageWriter({*picture.page, picture.fractal.name, picture.marks}, device, format);
+    return pictureWriter(picture.file, device, format);
+}
+
+bool paintsMarks(const SpaceExport& picture) {
+    return !picture.marks.empty() && !picture.page;
+}
+
 // What one eye sees.
 template <class Pixel>
 ExportOutcome eyePixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
@@ -145,7 +155,7 @@ ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, cons
                        const std::stop_token& stop) {
     if (picture.stereo == Stereo::None) {
         const ExportOutcome outcome = eyePixels(picture, pixels, progress, stop);
-        if (!picture.marks.empty()) {
+        if (paintsMarks(picture)) {
             QImage image = imageOver(pixels, picture.request.camera.size.width);
             paintOverlay(image, picture.marks, 0);
         }
@@ -180,7 +190,7 @@ ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Pr
     std::vector<Pixel> memory;
     const auto rows = withLegend<Pixel>(pixels, std::size_t(format.width), legend, 0, memory);
     format.width += legend.width();
-    const std::unique_ptr<PictureWriter> writer = pictureWriter(picture.file, device, format);
+    const std::unique_ptr<PictureWriter> writer = writerFor(picture, device, format);
     write(*writer, rows, format.width, outcome, progress, stop);
     return outcome;
 }
@@ -188,7 +198,7 @@ ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Pr
 // A single moment of a solid is written band by band.
 ExportOutcome writeSolidRows(const SpaceExport& picture, QIODevice& device, const Progress& progress,
                              const std::stop_token& stop) {
-    const std::unique_ptr<PictureWriter> writer = pictureWriter(picture.file, device, formatOf(picture));
+    const std::unique_ptr<PictureWriter> writer = writerFor(picture, device, formatOf(picture));
     return writeSolid(solidOf(picture), *writer, progress, stop);
 }
 
@@ -255,7 +265,7 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
     if (picture.look == LookInSpace::Depth)
         return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
     const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
-    const bool isWhole = !picture.marks.empty() || !picture.legend.isNull(); // before it is written
+    const bool isWhole = paintsMarks(picture) || !picture.legend.isNull(); // before it is written
     const std::uint64_t marked = isWhole ? pixels * sizeof(attractor::Rgba16) : 0;
     if (!attractor::showsCloud(picture.look)) return stereo + marked + memoryFor(solidOf(picture));
     const auto side = std::uint64_t(picture.request.appearance.supersample);
@@ -275,7 +285,7 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const 
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (picture.look == LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
-    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && picture.marks.empty() &&
+    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && !paintsMarks(picture) &&
                          picture.legend.isNull();
     if (!attractor::showsCloud(picture.look) && isPlain)
         return writeSolidRows(picture, buffer, progress, stop);

@@ -8,6 +8,7 @@
 #include "attractor/request/space_request.h"
 #include "document/fractal.h"
 #include "io/overlay/overlay_marks.h"
+#include "io/picture/picture_page.h"
 #include "io/picture/png_export.h"
 
 #include <QByteArray>
@@ -37,6 +38,8 @@ struct SpaceExport {
     PictureFile file = PictureFile::Png;           // of Depth: PNG
     std::optional<int> quality{};                  // as in PictureFormat
     OverlayMarks marks{};                          // drawn over it, but not over Depth or in stereo
+    std::optional<ShapeFile>
+        page{};      // that a PNG of 8 bits is embedded in, with the marks as shapes; not Depth
     QImage legend{}; // as high as the picture, to its right in the file, but not beside Depth
     // What of a cloud is drawn here, and what elsewhere. Not in stereo, nor with moments.
     std::optional<attractor::DividedPicture> divided{};

@@ -5,8 +5,8 @@
 #include "ifs/copies/copy_merging.h"
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/svg_overlay.h"
+#include "io/picture/svg_document.h"
 #include "io/picture/svg_shapes.h"
-#include "io/picture/svg_system.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
@@ -26,8 +26,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-const QString svg = QStringLiteral("http://www.w3.org/2000/svg");
-const QString xlink = QStringLiteral("http://www.w3.org/1999/xlink");
+const QString& svg = svgNamespace();
 
 QString text(double number) {
     return QString::fromLatin1(formatNumber(number));
@@ -54,14 +53,6 @@ template <typename Points> QString pointList(const Points& points) {
         list +=
             (list.isEmpty() ? QString() : QStringLiteral(" ")) + text(p.x()) + QLatin1Char(',') + text(p.y());
     return list;
-}
-
-// XML 1.0 knows no control characters but tab and line end.
-QString withoutControls(const QString& text) {
-    QString result;
-    for (const QChar c : text)
-        if (c.unicode() >= 0x20 ? c.unicode() < 0xfffe : c == u'\t' || c == u'\n') result += c;
-    return result;
 }
 
 // To a thousandth of a pixel.
@@ -131,11 +122,9 @@ public:
 
 private:
     template <typename Content> QByteArray picture(const Content& content) {
-        m_xml.setAutoFormatting(true);
-        m_xml.setAutoFormattingIndent(1);
-        m_xml.writeStartDocument();
-        startRoot();
-        writeMetadata();
+        startSvg(
+            m_xml,
+            {{m_camera.width, m_camera.height}, m_format.dotsPerInch, m_fractal.name, writeEntry(m_fractal)});
         content();
         if (m_format.cage == CageVisibility::Shown) writeCage();
         if (m_format.overlay != PictureOverlay()) writeOverlay();
@@ -157,35 +146,6 @@ private:
         m_xml.writeAttribute(QLatin1String(name), value);
     }
     void startElement(const char* name) { m_xml.writeStartElement(svg, QLatin1String(name)); }
-
-    QString length(int pixels) const {
-        if (m_format.dotsPerInch == SvgFormat::pixelsOfSvg) return QString::number(pixels);
-        // A sheet of paper has whole pixels only about: what tenths of a millimetre tell is told in them.
-        const double perMillimetre = m_format.dotsPerInch / 25.4;
-        const double tenths = std::round(10 * pixels / perMillimetre) / 10;
-        const double length = std::lround(tenths * perMillimetre) == pixels ? tenths : pixels / perMillimetre;
-        return QString::number(length, 'g', 7) + QStringLiteral("mm");
-    }
-
-    void startRoot() {
-        m_xml.writeDefaultNamespace(svg);
-        m_xml.writeNamespace(xlink, QStringLiteral("xlink"));
-        startElement("svg");
-        attribute("version", QStringLiteral("1.1"));
-        attribute("width", length(m_camera.width));
-        attribute("height", length(m_camera.height));
-        attribute("viewBox", QStringLiteral("0 0 %1 %2").arg(m_camera.width).arg(m_camera.height));
-        m_xml.writeTextElement(svg, QStringLiteral("title"), withoutControls(m_fractal.name));
-    }
-
-    void writeMetadata() {
-        startElement("metadata");
-        m_xml.writeNamespace(svgSystemNamespace(), QStringLiteral("barycage"));
-        m_xml.writeStartElement(svgSystemNamespace(), QStringLiteral("system"));
-        m_xml.writeCDATA(withoutControls(QString::fromUtf8(writeEntry(m_fractal))));
-        m_xml.writeEndElement();
-        m_xml.writeEndElement();
-    }
 
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
     // By the name that files have always given to it.
@@ -276,7 +236,7 @@ private:
     void writeCopy(const ifs::Copy& copy) {
         m_xml.writeEmptyElement(svg, QStringLiteral("use"));
         const QString of = copy.projection ? projectionId(*copy.projection) : levelId(copy.level);
-        m_xml.writeAttribute(xlink, QStringLiteral("href"), QLatin1Char('#') + of);
+        m_xml.writeAttribute(xlinkNamespace(), QStringLiteral("href"), QLatin1Char('#') + of);
         if (!(copy.map == ifs::AffineMap<2>{})) attribute("transform", text(copy.map));
     }
 

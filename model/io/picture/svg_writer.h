@@ -6,6 +6,7 @@
 #include "io/file/save_file.h"
 #include "io/overlay/cage_overlay.h"
 #include "io/overlay/picture_overlay.h"
+#include "io/picture/svg_document.h"
 
 #include <QByteArray>
 
@@ -31,11 +32,8 @@ struct SvgFormat {
     ShapeStyle style = ShapeStyle::Structured;
     std::uint64_t points = 20'000; // at most maxPoints
     std::uint64_t seed = 1;
-    PictureOverlay overlay{}; // over all of it
-    // Pixels of the camera an inch. Those of SVG and CSS are 96 an inch; with another number, the size of the
-    // file is in millimetres.
-    static constexpr double pixelsOfSvg = 96;
-    double dotsPerInch = pixelsOfSvg;
+    PictureOverlay overlay{};         // over all of it
+    double dotsPerInch = pixelsOfSvg; // pixels of the camera an inch
 };
 
 // What a picture of shapes would be: for the dialog, before anything is written.

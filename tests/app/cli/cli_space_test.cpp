@@ -29,6 +29,7 @@ private slots:
     void piecesThatAreMissingAreSaid();
     void aVeryWideAngleIsSaid();
     void overlaysAreDrawn();
+    void shapeFilesContainThePicture();
     void optionsThatMakeNoSenseAreRefused_data();
     void optionsThatMakeNoSenseAreRefused();
 
@@ -339,6 +340,21 @@ void CliSpaceTest::overlaysAreDrawn() {
     QVERIFY2(bent.err.contains("the cage bends the picture"), bent.err.constData());
 }
 
+void CliSpaceTest::shapeFilesContainThePicture() {
+    const QByteArray options = "render cube.ifs --size 80x60 --supersample 1 --overlay cage -o cube.";
+    for (const char* format : {"svg", "pdf"}) {
+        const Result result = run(options + format);
+        QCOMPARE(result.status, 0);
+        QVERIFY2(result.err.contains("warning: A solid has no shapes"), result.err.constData());
+    }
+    QVERIFY(read("cube.pdf").startsWith("%PDF-"));
+    const QByteArray svg = read("cube.svg");
+    QVERIFY(svg.contains("<polygon")); // the cage
+    // The same entry draws the same file again.
+    QCOMPARE(run("render cube.svg --size 80x60 --supersample 1 --overlay cage -o again.svg").status, 0);
+    QCOMPARE(read("again.svg"), svg);
+}
+
 void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::addColumn<QByteArray>("arguments");
     QTest::addColumn<QByteArray>("message");
@@ -368,7 +384,12 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::newRow("rotation") << QByteArray("cube.ifs -o a.png --view-rotation 9") << QByteArray("plane");
     QTest::newRow("algorithm") << QByteArray("cube.ifs -o a.png --algorithm chaos-game")
                                << QByteArray("plane");
-    QTest::newRow("svg") << QByteArray("cube.ifs -o a.svg") << QByteArray("only as .png");
+    QTest::newRow("svg kind") << QByteArray("cube.ifs -o a.svg --svg points") << QByteArray("--svg");
+    QTest::newRow("svg levels") << QByteArray("cube.ifs -o a.svg --depth 3") << QByteArray("--depth");
+    QTest::newRow("svg bits") << QByteArray("cube.ifs -o a.svg --bits 16") << QByteArray("8 bits");
+    QTest::newRow("svg of depths") << QByteArray("cube.ifs -o a.svg --look depth")
+                                   << QByteArray("only as .png");
+    QTest::newRow("plane svg") << QByteArray("systems.ifs -o a.svg --gamma 2") << QByteArray("shapes");
     QTest::newRow("points") << QByteArray("cube.ifs -o a.png --look depth --points 9")
                             << QByteArray("--points");
     QTest::newRow("bits") << QByteArray("cube.ifs -o a.png --look depth --bits 8") << QByteArray("16 bits");
@@ -396,7 +417,7 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused() {
     const Result result = run("render " + arguments);
     QCOMPARE(result.status, 2);
     QVERIFY2(result.err.contains(message), result.err.constData());
-    QVERIFY(!QFile::exists(path("a.png")));
+    QVERIFY(!QFile::exists(path("a.png")) && !QFile::exists(path("a.svg")));
 }
 
 QTEST_GUILESS_MAIN(CliSpaceTest)

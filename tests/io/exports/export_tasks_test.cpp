@@ -134,6 +134,13 @@ void ExportTasksTest::comesBack() {
         task.recipe = space;
         task.path = QStringLiteral("/somewhere/a.webp");
         QCOMPARE(taskIn(taskFile(task)).task, std::optional(task));
+        space.file = PictureFile::Png;
+        space.page = ShapeFile::Pdf;
+        task.recipe = space;
+        task.path = QStringLiteral("/somewhere/b.pdf");
+        QCOMPARE(taskIn(taskFile(task)).task, std::optional(task));
+        task.path = QStringLiteral("/somewhere/b.png"); // which is not a page
+        QVERIFY(taskIn(taskFile(task)).failure);
 
         task.recipe = BodyRecipe{MeshFormat::Glb, 1 + std::abs(number(random)), 8 + k, 0.1, true};
         task.path = QStringLiteral("/somewhere/a.GLB");

@@ -39,7 +39,8 @@ namespace {
 const QString exportKind = QStringLiteral("solid");
 // In the order of the list.
 const QStringList& suffixes() {
-    static const QStringList all = QStringLiteral("png jpg webp tiff exr stl obj glb ply scad").split(u' ');
+    static const QStringList all =
+        QStringLiteral("png jpg webp tiff exr svg pdf stl obj glb ply scad").split(u' ');
     return all;
 }
 
@@ -56,6 +57,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_format = new QComboBox(this);
     m_format->addItems({tr("Picture (.png)"), tr("Picture (.jpg)"), tr("Picture (.webp)"),
                         tr("Picture (.tiff)"), tr("Picture in linear light (.exr)"),
+                        tr("Picture in SVG (.svg)"), tr("Picture in PDF (.pdf)"),
                         tr("Mesh for 3D printing (.stl)"), tr("Mesh (.obj)"), tr("Mesh (.glb)"),
                         tr("Mesh (.ply)"), tr("OpenSCAD program (.scad)")});
     m_format->setWhatsThis(tr("A picture as the camera shows it, a watertight mesh that contains the "
@@ -176,6 +178,8 @@ SpaceExportDialog::Format SpaceExportDialog::format() const {
 std::optional<io::PictureFile> SpaceExportDialog::pictureFile() const {
     switch (format()) {
     case Format::Png:
+    case Format::Svg:
+    case Format::Pdf:
         return io::PictureFile::Png;
     case Format::Jpeg:
         return io::PictureFile::Jpeg;
@@ -188,6 +192,12 @@ std::optional<io::PictureFile> SpaceExportDialog::pictureFile() const {
     default:
         return std::nullopt;
     }
+}
+
+std::optional<io::ShapeFile> SpaceExportDialog::page() const {
+    if (format() == Format::Svg) return io::ShapeFile::Svg;
+    if (format() == Format::Pdf) return io::ShapeFile::Pdf;
+    return std::nullopt;
 }
 
 void SpaceExportDialog::setFormat(Format format) {
@@ -226,11 +236,12 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.camera = camera();
     picture.size = {m_size->pixels().width(), m_size->pixels().height()};
     picture.file = *pictureFile();
+    picture.page = page();
     picture.isTransparent = m_transparent->isChecked() && picture.file != io::PictureFile::Jpeg;
     picture.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
     picture.supersample = m_supersample->value();
     using enum io::PngFormat::Depth;
-    picture.depth = m_depth->currentIndex() == 1 ? Bits16 : Bits8;
+    picture.depth = m_depth->currentIndex() == 1 && !picture.page ? Bits16 : Bits8;
     if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
     picture.dotsPerInch = m_size->dotsPerInch();
     return picture;
@@ -262,7 +273,7 @@ void SpaceExportDialog::update() {
     const auto file = pictureFile();
     const bool isPicture = file.has_value();
     using enum io::PngFormat::Depth;
-    const bool hasDepths = file && io::takes(*file, Bits8) && io::takes(*file, Bits16);
+    const bool hasDepths = file && !page() && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
     const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
     m_form->setRowVisible(m_section, isPicture && !m_views.empty());
@@ -280,6 +291,7 @@ void SpaceExportDialog::check() {
     m_obstacle = obstacle();
     enableButtons();
     m_message->setText(m_obstacle      ? *m_obstacle
+                       : page()        ? tr("A solid has no shapes: the file contains its picture in pixels.")
                        : pictureFile() ? QString()
                        : isBody()      ? tr("A closed surface around the attractor, for a printer.")
                                   : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
@@ -292,7 +304,8 @@ io::Failure SpaceExportDialog::obstacle() const {
         return io::obstacleToSolid(m_fractal,
                                    io::exportOf(std::get<io::BodyRecipe>(*recipe()), m_fractal).options);
     if (!pictureFile()) return io::obstacleToSolid(m_fractal);
-    if (m_fractal.inSpace.look == attractor::LookInSpace::Depth && pictureFile() != io::PictureFile::Png)
+    if (m_fractal.inSpace.look == attractor::LookInSpace::Depth &&
+        (pictureFile() != io::PictureFile::Png || page()))
         return tr("Depths can be written only as PNG.");
     return std::nullopt;
 }

@@ -37,7 +37,7 @@ public:
                       QWidget* parent = nullptr);
     ~SpaceExportDialog() override;
 
-    enum class Format { Png, Jpeg, WebP, Tiff, Exr, Stl, Obj, Glb, Ply, OpenScad };
+    enum class Format { Png, Jpeg, WebP, Tiff, Exr, Svg, Pdf, Stl, Obj, Glb, Ply, OpenScad };
     void setFormat(Format format);
     void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
     // What the buttons do once a file is chosen.
@@ -56,6 +56,7 @@ private:
     void createBody();
     Format format() const;
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
+    std::optional<io::ShapeFile> page() const;          // that it is embedded in
     bool isBody() const { return !pictureFile() && format() != Format::OpenScad; }
     QString suffix() const;
     attractor::OrbitCamera camera() const;

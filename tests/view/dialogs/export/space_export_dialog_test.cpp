@@ -108,12 +108,21 @@ private slots:
                 QVERIFY(std::abs(qGreen(jpeg.pixel(x, y)) - qGreen(png.pixel(x, y))) < 48);
         for (const auto& [format, name, magic] :
              {std::tuple{Format::WebP, "a.webp", "RIFF"}, std::tuple{Format::Tiff, "a.tiff", "II*"},
-              std::tuple{Format::Exr, "a.exr", "\x76\x2f\x31\x01"}}) {
+              std::tuple{Format::Exr, "a.exr", "\x76\x2f\x31\x01"}, std::tuple{Format::Svg, "a.svg", "<?xml"},
+              std::tuple{Format::Pdf, "a.pdf", "%PDF"}}) {
             QVERIFY(exportedAs(format, QLatin1String(name)));
             QFile file(path(QLatin1String(name)));
             QVERIFY(file.open(QIODevice::ReadOnly));
             QVERIFY2(file.readAll().startsWith(magic), name);
         }
+    }
+
+    void vectorGraphicsContainPixels() {
+        m_dialog->setFormat(SpaceExportDialog::Format::Svg);
+        QVERIFY2(m_dialog->message().contains(QStringLiteral("in pixels")), qPrintable(m_dialog->message()));
+        QVERIFY(m_dialog->preview().isVisible());
+        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        QVERIFY(m_dialog->message().isEmpty());
     }
 
     void bodiesAreWrittenWithTheirFacts() {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QByteArrayList>
+#include <QString>
+
+// What a file in PDF is made of.
+namespace io {
+
+QByteArray pdfNumber(double number);       // without an exponent, which PDF does not know
+QByteArray pdfString(const QString& text); // in Unicode
+QByteArray pdfReference(int object);
+
+// Numbered objects. The first is the list of the pages.
+class PdfFile {
+public:
+    PdfFile();
+
+    int add(const QByteArray& content);                                         // the number of the object
+    int addStream(const QByteArray& dictionary, const QByteArray& content);     // which is compressed here
+    int addCompressed(const QByteArray& dictionary, const QByteArray& content); // by deflate, already
+    // `entries`: of the page’s dictionary, but for its kind and its parent.
+    void addPage(const QByteArray& entries);
+
+    QByteArray bytes(const QString& title) const;
+
+private:
+    QByteArrayList m_objects;
+    QByteArrayList m_pages;
+};
+
+} // namespace io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/overlay/overlay_marks.h"
+#include "io/raster/picture_writer.h"
+
+#include <QIODevice>
+#include <QString>
+
+#include <memory>
+
+namespace io {
+
+enum class ShapeFile { Svg, Pdf };
+
+// A file of vector graphics around a picture of pixels: the pixels as they are, and shapes over them.
+struct PicturePage {
+    ShapeFile file = ShapeFile::Svg;
+    QString title;
+    OverlayMarks marks; // in pixels of the picture
+};
+
+// Takes the rows of a picture of 8 bits per channel, not Grey. SVG contains the system as text; a dot per
+// inch is a pixel of SVG where the format has none. The device is open for writing and outlives the writer.
+std::unique_ptr<PictureWriter> pageWriter(PicturePage page, QIODevice& device, const PictureFormat& format);
+
+} // namespace io
