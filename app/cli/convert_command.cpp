@@ -6,6 +6,7 @@
 #include "interrupt.h"
 #include "messages.h"
 #include "output.h"
+#include "pdf_pages.h"
 #include "progress_bar.h"
 #include "solid_arguments.h"
 #include "symmetry_arguments.h"
@@ -13,13 +14,10 @@
 
 #include "document/edits/cage_edits.h"
 #include "document/edits/dimension_edits.h"
-#include "document/fractal_geometry.h"
 #include "io/exchange/point_cloud.h"
 #include "io/file/native_path.h"
 #include "io/fractint/fractint_strict.h"
 #include "io/fractint/fractint_writer.h"
-#include "io/picture/pdf_writer.h"
-#include "io/picture/svg_shapes.h"
 #include "io/solid/openscad.h"
 
 #include <QCoreApplication>
@@ -360,26 +358,11 @@ private:
         return {text.entries, std::max(status, write(output, text.bytes))};
     }
 
-    // One square page for every system that has an attractor.
     Written savePages(const Fractals& systems, const QString& output, const QString& inputName) {
-        constexpr int side = 700; // pixels, a good seven inches
-        std::vector<io::PdfPage> pages;
-        for (const auto& fractal : systems) {
-            attractor::Camera camera;
-            camera.width = camera.height = side;
-            const auto box = document::displayedBox(*fractal);
-            if (box) camera = attractor::fitted(camera, box->min, box->max);
-            io::PdfPage page{*fractal, camera, {}};
-            const auto failure = io::shapeLevels(page.fractal, page.camera).failure;
-            if (failure)
-                reportWarning(inputName, tr("“%1” was omitted: %2").arg(fractal->name, *failure));
-            else
-                pages.push_back(std::move(page));
-        }
-        if (pages.empty()) return {0, nothingLeft(inputName)};
-        const io::PdfPicture picture = io::pdfPicture(pages, m_stop);
+        const PdfPages pages = pdfPages(systems, inputName, m_stop);
         if (m_stop.stop_requested()) return {0, interrupted()};
-        return {qsizetype(pages.size()), write(output, picture.bytes)};
+        if (pages.count == 0) return {0, nothingLeft(inputName)};
+        return {pages.count, write(output, pages.bytes)};
     }
 
     // One file for every system.

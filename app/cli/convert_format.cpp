@@ -66,10 +66,9 @@ QString dimensionObstacle(const Format& format, const document::Fractal& fractal
                    : tr("“%1” was omitted: only systems in space have a solid; --lift makes one of it.")
                          .arg(fractal.name);
     const auto* text = std::get_if<TextFormat>(&format);
-    const bool isHeld = text ? io::holds(*text, fractal)
-                             : document::system2(fractal) || std::holds_alternative<io::PointFormat>(format);
-    return isHeld ? QString()
-                  : tr("“%1” was omitted: the format can store only systems in the plane.").arg(fractal.name);
+    return !text || io::holds(*text, fractal)
+               ? QString()
+               : tr("“%1” was omitted: the format can store only systems in the plane.").arg(fractal.name);
 }
 
 } // namespace cli

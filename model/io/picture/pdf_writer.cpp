@@ -244,13 +244,17 @@ private:
 
 } // namespace
 
+Failure addPage(PdfFile& file, const PdfPage& page, const std::stop_token& stop) {
+    const ShapeLevels levels = shapeLevels(page.fractal, page.camera);
+    if (levels.failure) return levels.failure;
+    PageWriter(file, page).write(*levels.levels, svgDepth(*levels.levels, page.format), stop);
+    return std::nullopt;
+}
+
 PdfPicture pdfPicture(const std::vector<PdfPage>& pages, const std::stop_token& stop) {
     PdfFile file;
     for (const PdfPage& page : pages) {
-        const ShapeLevels levels = shapeLevels(page.fractal, page.camera);
-        if (levels.failure) return {{}, levels.failure};
-        const int depth = svgDepth(*levels.levels, page.format);
-        PageWriter(file, page).write(*levels.levels, depth, stop);
+        if (const Failure failure = addPage(file, page, stop)) return {{}, failure};
         if (stop.stop_requested()) return {};
     }
     return {file.bytes(pages.empty() ? QString() : pages.front().fractal.name), {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/picture/pdf_file.h"
 #include "io/picture/svg_writer.h"
 
 namespace io {
@@ -18,5 +19,8 @@ struct PdfPicture {
     Failure failure;  // of the first page that cannot be
 };
 PdfPicture pdfPicture(const std::vector<PdfPage>& pages, const std::stop_token& stop = {});
+
+// The same as one more page of a file; a failure adds none.
+Failure addPage(PdfFile& file, const PdfPage& page, const std::stop_token& stop = {});
 
 } // namespace io

@@ -48,10 +48,6 @@ private:
     std::unique_ptr<PngWriter> m_writer;
 };
 
-Failure writeAll(QIODevice& device, const QByteArray& bytes) {
-    return device.write(bytes) == bytes.size() ? std::nullopt : Failure(device.errorString());
-}
-
 class PageWriter : public PictureWriter {
 public:
     Failure writeRows(std::span<const std::uint32_t> pixels) override {
@@ -70,16 +66,13 @@ public:
     }
 
 protected:
-    PageWriter(PicturePage page, QIODevice& device, const PictureFormat& format)
-        : m_page(std::move(page)), m_device(device), m_format(format) {}
+    explicit PageWriter(const PictureFormat& format) : m_format(format) {}
 
     virtual Failure writeRow(Row row) = 0;
     virtual Failure end() = 0;
 
     double dotsPerInch() const { return m_format.dotsPerInch.value_or(pixelsOfSvg); }
 
-    const PicturePage m_page;
-    QIODevice& m_device;
     const PictureFormat m_format;
 
 private:
@@ -90,7 +83,7 @@ private:
 class SvgPage final : public PageWriter {
 public:
     SvgPage(PicturePage page, QIODevice& device, const PictureFormat& format)
-        : PageWriter(std::move(page), device, format), m_xml(&device) {
+        : PageWriter(format), m_page(std::move(page)), m_device(device), m_xml(&device) {
         startSvg(m_xml, {{format.width, format.height}, dotsPerInch(), m_page.title, format.systemText});
     }
 
@@ -156,6 +149,8 @@ private:
 
     Failure written() const { return m_xml.hasError() ? Failure(m_device.errorString()) : std::nullopt; }
 
+    const PicturePage m_page;
+    QIODevice& m_device;
     QXmlStreamWriter m_xml;
     std::unique_ptr<PngBytes> m_strip;
     std::vector<std::uint32_t> m_last; // row of the strip before
@@ -177,8 +172,8 @@ QByteArray compressedRows(const QByteArray& png) {
 // Colours and opacity are two pictures.
 class PdfPage final : public PageWriter {
 public:
-    PdfPage(PicturePage page, QIODevice& device, const PictureFormat& format)
-        : PageWriter(std::move(page), device, format), m_colours(coloursOf(format)) {
+    PdfPage(OverlayMarks marks, PdfFile& file, const PictureFormat& format)
+        : PageWriter(format), m_marks(std::move(marks)), m_file(file), m_colours(coloursOf(format)) {
         if (format.pixels == Pixels::Transparent)
             m_opacities = std::make_unique<PngBytes>(opacitiesOf(format));
     }
@@ -218,40 +213,71 @@ private:
 
     Failure end() override {
         if (const Failure failure = m_colours.writer().finish()) return failure;
-        PdfFile file;
         QByteArray picture = dictionary("DeviceRGB", 3, 8);
         if (m_opacities) {
             if (const Failure failure = m_opacities->writer().finish()) return failure;
             const int mask =
-                file.addCompressed(dictionary("DeviceGray", 1, 16), compressedRows(m_opacities->bytes()));
+                m_file.addCompressed(dictionary("DeviceGray", 1, 16), compressedRows(m_opacities->bytes()));
             picture += "/SMask " + pdfReference(mask);
         }
-        const int image = file.addCompressed(picture, compressedRows(m_colours.bytes()));
+        addPage(m_file.addCompressed(picture, compressedRows(m_colours.bytes())));
+        return std::nullopt;
+    }
+
+    void addPage(int image) {
         const double points = 72 / dotsPerInch(); // a pixel
         const QByteArray width = QByteArray::number(m_format.width);
         const QByteArray height = QByteArray::number(m_format.height);
         const int content =
-            file.addStream({}, pdfNumber(points) + " 0 0 " + pdfNumber(-points) + " 0 " +
-                                   pdfNumber(points * m_format.height) + " cm\nq " + width + " 0 0 -" +
-                                   height + " 0 " + height + " cm /Picture Do Q\n" + pdfMarks(m_page.marks));
-        file.addPage("/MediaBox[0 0 " + pdfNumber(points * m_format.width) + ' ' +
-                     pdfNumber(points * m_format.height) + "]/Resources<</XObject<</Picture " +
-                     pdfReference(image) + ">>" + pdfMarkResources(m_page.marks) + ">>/Contents " +
-                     pdfReference(content));
-        return writeAll(m_device, file.bytes(m_page.title));
+            m_file.addStream({}, pdfNumber(points) + " 0 0 " + pdfNumber(-points) + " 0 " +
+                                     pdfNumber(points * m_format.height) + " cm\nq " + width + " 0 0 -" +
+                                     height + " 0 " + height + " cm /Picture Do Q\n" + pdfMarks(m_marks));
+        m_file.addPage("/MediaBox[0 0 " + pdfNumber(points * m_format.width) + ' ' +
+                       pdfNumber(points * m_format.height) + "]/Resources<</XObject<</Picture " +
+                       pdfReference(image) + ">>" + pdfMarkResources(m_marks) + ">>/Contents " +
+                       pdfReference(content));
     }
 
+    const OverlayMarks m_marks;
+    PdfFile& m_file;
     PngBytes m_colours;
     std::unique_ptr<PngBytes> m_opacities; // null: opaque
     std::vector<std::uint32_t> m_opaque;
     std::vector<std::uint16_t> m_alpha;
 };
 
+// A file of one page.
+class PdfDocument final : public PageWriter {
+public:
+    PdfDocument(PicturePage page, QIODevice& device, const PictureFormat& format)
+        : PageWriter(format),
+          m_title(std::move(page.title)),
+          m_device(device),
+          m_page(std::move(page.marks), m_file, format) {}
+
+private:
+    Failure writeRow(Row row) override { return m_page.writeRows(row); }
+    Failure end() override {
+        if (const Failure failure = m_page.finish()) return failure;
+        const QByteArray bytes = m_file.bytes(m_title);
+        return m_device.write(bytes) == bytes.size() ? std::nullopt : Failure(m_device.errorString());
+    }
+
+    const QString m_title;
+    QIODevice& m_device;
+    PdfFile m_file;
+    PdfPage m_page;
+};
+
 } // namespace
 
 std::unique_ptr<PictureWriter> pageWriter(PicturePage page, QIODevice& device, const PictureFormat& format) {
-    if (page.file == ShapeFile::Pdf) return std::make_unique<PdfPage>(std::move(page), device, format);
+    if (page.file == ShapeFile::Pdf) return std::make_unique<PdfDocument>(std::move(page), device, format);
     return std::make_unique<SvgPage>(std::move(page), device, format);
+}
+
+std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, const PictureFormat& format) {
+    return std::make_unique<PdfPage>(std::move(marks), file, format);
 }
 
 } // namespace io

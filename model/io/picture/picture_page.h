@@ -11,6 +11,8 @@
 
 namespace io {
 
+class PdfFile;
+
 enum class ShapeFile { Svg, Pdf };
 
 // A file of vector graphics around a picture of pixels: the pixels as they are, and shapes over them.
@@ -23,5 +25,7 @@ struct PicturePage {
 // Takes the rows of a picture of 8 bits per channel, not Grey. SVG contains the system as text; a dot per
 // inch is a pixel of SVG where the format has none. The device is open for writing and outlives the writer.
 std::unique_ptr<PictureWriter> pageWriter(PicturePage page, QIODevice& device, const PictureFormat& format);
+// The same as one more page of a file, which is there once the writer has finished.
+std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, const PictureFormat& format);
 
 } // namespace io

@@ -13,6 +13,7 @@
 #include <QBuffer>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -122,11 +123,7 @@ ExportOutcome solidPixels(const SpaceExport& picture, std::span<Pixel> pixels, c
     return outcome;
 }
 
-std::unique_ptr<PictureWriter> writerFor(const SpaceExport& picture, QIODevice& device,
-                                         const PictureFormat& format) {
-    if (picture.page) return pageWriter({*picture.page, picture.fractal.name, picture.marks}, device, format);
-    return pictureWriter(picture.file, device, format);
-}
+using MakeWriter = std::function<std::unique_ptr<PictureWriter>(const PictureFormat&)>;
 
 bool paintsMarks(const SpaceExport& picture) {
     return !picture.marks.empty() && !picture.page;
@@ -177,7 +174,7 @@ ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, cons
 }
 
 template <class Pixel>
-ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Progress& progress,
+ExportOutcome drawPixels(const SpaceExport& picture, const MakeWriter& makeWriter, const Progress& progress,
                          const std::stop_token& stop) {
     PictureFormat format = formatOf(picture);
     std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
@@ -190,16 +187,26 @@ ExportOutcome drawPixels(const SpaceExport& picture, QIODevice& device, const Pr
     std::vector<Pixel> memory;
     const auto rows = withLegend<Pixel>(pixels, std::size_t(format.width), legend, 0, memory);
     format.width += legend.width();
-    const std::unique_ptr<PictureWriter> writer = writerFor(picture, device, format);
+    const std::unique_ptr<PictureWriter> writer = makeWriter(format);
     write(*writer, rows, format.width, outcome, progress, stop);
     return outcome;
 }
 
 // A single moment of a solid is written band by band.
-ExportOutcome writeSolidRows(const SpaceExport& picture, QIODevice& device, const Progress& progress,
-                             const std::stop_token& stop) {
-    const std::unique_ptr<PictureWriter> writer = writerFor(picture, device, formatOf(picture));
-    return writeSolid(solidOf(picture), *writer, progress, stop);
+ExportOutcome writeSolidRows(const SpaceExport& picture, const MakeWriter& makeWriter,
+                             const Progress& progress, const std::stop_token& stop) {
+    return writeSolid(solidOf(picture), *makeWriter(formatOf(picture)), progress, stop);
+}
+
+ExportOutcome drawRows(const SpaceExport& picture, const MakeWriter& makeWriter, const Progress& progress,
+                       const std::stop_token& stop) {
+    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && !paintsMarks(picture) &&
+                         picture.legend.isNull();
+    if (!attractor::showsCloud(picture.look) && isPlain)
+        return writeSolidRows(picture, makeWriter, progress, stop);
+    return picture.depth == PngFormat::Depth::Bits16
+               ? drawPixels<attractor::Rgba16>(picture, makeWriter, progress, stop)
+               : drawPixels<std::uint32_t>(picture, makeWriter, progress, stop);
 }
 
 } // namespace
@@ -285,13 +292,19 @@ ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const 
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (picture.look == LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
-    const bool isPlain = picture.moments.empty() && picture.stereo == Stereo::None && !paintsMarks(picture) &&
-                         picture.legend.isNull();
-    if (!attractor::showsCloud(picture.look) && isPlain)
-        return writeSolidRows(picture, buffer, progress, stop);
-    return picture.depth == PngFormat::Depth::Bits16
-               ? drawPixels<attractor::Rgba16>(picture, buffer, progress, stop)
-               : drawPixels<std::uint32_t>(picture, buffer, progress, stop);
+    const auto writer = [&](const PictureFormat& format) {
+        return picture.page ? pageWriter({*picture.page, picture.fractal.name, picture.marks}, buffer, format)
+                            : pictureWriter(picture.file, buffer, format);
+    };
+    return drawRows(picture, writer, progress, stop);
+}
+
+ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress,
+                            std::stop_token stop) {
+    SpaceExport page = picture;
+    page.page = ShapeFile::Pdf; // marks are shapes
+    const auto writer = [&](const PictureFormat& format) { return pageWriter(page.marks, file, format); };
+    return drawRows(page, writer, progress, stop);
 }
 
 Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress, std::stop_token stop) {

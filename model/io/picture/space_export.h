@@ -62,6 +62,10 @@ std::uint64_t memoryFor(const SpaceExport& picture);
 ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
                            std::stop_token stop = {});
 
+// The same as one more page of a file, of 8 bits per channel and not of depths.
+ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress = {},
+                            std::stop_token stop = {});
+
 // The same picture in memory, 8 bits per channel, without texts; null when stopped. Depths are as one sees
 // them: near white, far black.
 Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress = {},

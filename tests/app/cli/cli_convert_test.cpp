@@ -216,7 +216,7 @@ void CliConvertTest::aBrokenEntryStopsNoOther_data() {
     };
     row("", "rest.flame", "<flame name=\"one\"", 2);
     row("", "rest.aifs", "@one:", 3);
-    row("", "rest.pdf", "%PDF", 2);
+    row("", "rest.pdf", "%PDF", 3);
     row("--strict", "strict.ifs", "one {\n", 3);
     row("--bake", "baked.ifs", "one {\n", 3);
     row("--entry bad --entry one", "chosen.ifs", "one {\n", 1);

@@ -353,6 +353,13 @@ void CliSpaceTest::shapeFilesContainThePicture() {
     // The same entry draws the same file again.
     QCOMPARE(run("render cube.svg --size 80x60 --supersample 1 --overlay cage -o again.svg").status, 0);
     QCOMPARE(read("again.svg"), svg);
+    // Beside a page of shapes.
+    write("both.ifs", "dust {\n .5 0 0 .5 0 0\n .4 0 0 .4 1 1\n}\n" + read("cube.ifs"));
+    const Result pages = run("convert both.ifs pages.pdf");
+    QCOMPARE(pages.status, 0);
+    QVERIFY2(pages.err.contains("warning: Solids have no shapes"), pages.err.constData());
+    QCOMPARE(read("pages.pdf").count("/Type/Page/"), 2);
+    QCOMPARE(read("pages.pdf").count("/Subtype/Image"), 1);
 }
 
 void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
