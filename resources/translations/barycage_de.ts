@@ -6753,6 +6753,10 @@
         <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
         <translation>So viele Teile liegen übereinander, dass Stücke dieses Körpers fehlen können. Die Darstellung „Wolke“ zeigt ihn ganz.</translation>
     </message>
+    <message>
+        <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
+        <translation>Was weit hinter diesem kleinen Ausschnitt liegt, kann in falscher Reihenfolge erscheinen. Verkleinern Sie ein wenig für ein wahres Bild.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
@@ -12621,6 +12625,18 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Voxel längs der längsten Seite: feinere Stufen, und mehr davon. Ein Körper hat höchstens %1 Millionen Voxel und %2 Millionen Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Bild in SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Bild in PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>A solid has no shapes: the file contains its picture in pixels.</source>
+        <translation>Ein Körper hat keine Formen: Die Datei enthält sein Bild in Pixeln.</translation>
     </message>
 </context>
 <context>

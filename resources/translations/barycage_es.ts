@@ -6753,6 +6753,10 @@
         <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
         <translation>Se superponen tantas piezas que pueden faltar partes de este sólido. El aspecto «Nube» lo muestra entero.</translation>
     </message>
+    <message>
+        <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
+        <translation>Lo que está muy por detrás de esta vista tan pequeña puede dibujarse en un orden incorrecto. Aleje un poco la vista para obtener una imagen fiel.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
@@ -12621,6 +12625,18 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Vóxeles a lo largo del lado más largo: escalones más finos, y más de ellos. Un sólido tiene como máximo %1 millones de vóxeles y %2 millones de triángulos.</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Imagen en SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Imagen en PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>A solid has no shapes: the file contains its picture in pixels.</source>
+        <translation>Un sólido no tiene formas: el archivo contiene su imagen en píxeles.</translation>
     </message>
 </context>
 <context>

@@ -6753,6 +6753,10 @@
         <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
         <translation>Tant de morceaux se superposent que des parties de ce solide peuvent manquer. L’aspect « Nuage » le montre en entier.</translation>
     </message>
+    <message>
+        <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
+        <translation>Ce qui se trouve loin derrière cette petite vue peut être dessiné dans le mauvais ordre. Faites un petit zoom arrière pour une image fidèle.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
@@ -12621,6 +12625,18 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses. Un solide a au plus %1 millions de voxels et %2 millions de triangles.</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Image en SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Image en PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>A solid has no shapes: the file contains its picture in pixels.</source>
+        <translation>Un solide n’a pas de formes&#x202f;: le fichier contient son image en pixels.</translation>
     </message>
 </context>
 <context>

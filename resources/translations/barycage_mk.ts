@@ -6766,6 +6766,10 @@
         <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
         <translation>Толку многу делови лежат еден врз друг што може да недостигаат парчиња од ова тело. Изгледот „Облак“ го покажува целото.</translation>
     </message>
+    <message>
+        <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
+        <translation>Она што е далеку зад овој мал приказ може да биде нацртано по погрешен редослед. Намалете го малку приказот за верна слика.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
@@ -12652,6 +12656,18 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Воксели по најдолгата страна: поситни скали, и повеќе од нив. Едно тело има најмногу %1 милиони воксели и %2 милиони триаголници.</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Слика во SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Слика во PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>A solid has no shapes: the file contains its picture in pixels.</source>
+        <translation>Телото нема форми: датотеката ја содржи неговата слика во пиксели.</translation>
     </message>
 </context>
 <context>
