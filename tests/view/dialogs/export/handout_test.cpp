@@ -85,6 +85,19 @@ private slots:
         QCOMPARE(formulaText(map, 1), QStringLiteral("w₁(x, y) = (−x + 0.3333, 0)"));
     }
 
+    void longFormulasAreBrokenBetweenTheirNumbers() {
+        const QString formula =
+            QStringLiteral("w₁(x, y, z) = (0.8x − 0.2y + 0.1z + 1, −0.25x + y, z)   p₁ = 0.3333");
+        for (const qsizetype width : {24, 40, 60, 100}) {
+            const auto fits = [width](const QString& text) { return text.size() <= width; };
+            const QStringList lines = onLines(formula, fits);
+            QVERIFY(std::ranges::all_of(lines, fits));
+            QVERIFY(lines.last().endsWith(QStringLiteral("p₁ = 0.3333")));
+            QCOMPARE(lines.join(u' ').simplified(), formula.simplified()); // nothing is left out
+            QCOMPARE(lines.size() == 1, formula.size() <= width);
+        }
+    }
+
     void pagesHoldAsManyAsTheyShould() {
         const std::vector<HandoutItem> items(7, item());
         for (const int perPage : {1, 2, 4, 6}) {
