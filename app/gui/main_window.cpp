@@ -440,6 +440,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
 
 void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
     MainWindow* unused = first;
+        if (session::showOther(path, unused)) continue;
     for (const QString& path : paths) {
         MainWindow* window = unused ? unused : new MainWindow;
         window->show();
