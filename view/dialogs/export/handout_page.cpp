@@ -192,15 +192,26 @@ private:
         return qsizetype(std::max(0.0, room.height() / (lineSpacing * m_line)));
     }
 
+    // The largest with which all lines fit, down to `minScale`. Widths of letters are not quite in proportion
+    // to their size.
+    void setFontFor(const QStringList& lines, double width) {
+        constexpr double step = 0.02;
+        const auto fits = [this, width](const QString& line) {
+            return QFontMetricsF(m_painter.font()).horizontalAdvance(line) <= width;
+        };
+        double scale = 1;
+        setFont(textShare);
+        while (scale > minScale && !std::ranges::all_of(lines, fits)) {
+            scale = std::max(minScale, scale - step);
+            setFont(textShare * scale);
+        }
+    }
+
     // As many as there is room for. Returns where they end.
     double paintTexts(const QRectF& room, QStringList lines) {
         const double height = lineSpacing * m_line;
         lines = lines.first(std::min(lines.size(), linesIn(room)));
-        setFont(textShare);
-        double widest = 1;
-        for (const QString& line : std::as_const(lines))
-            widest = std::max(widest, QFontMetricsF(m_painter.font()).horizontalAdvance(line));
-        setFont(textShare * std::clamp(room.width() / widest, minScale, 1.0));
+        setFontFor(lines, room.width());
         const QFontMetricsF metrics(m_painter.font());
         for (qsizetype k = 0; k < lines.size(); ++k)
             m_painter.drawText(QRectF(room.left(), room.top() + double(k) * height, room.width(), height),
