@@ -5,6 +5,7 @@
 #include "panels/collage/target_box.h"
 #include "panels/snapshots/snapshots.h"
 #include "save_question.h"
+#include "session.h"
 #include "widgets/file_dialogs.h"
 
 #include <QAbstractButton>
@@ -106,11 +107,11 @@ void FileCommands::chooseAndOpen() {
     if (!maybeSave()) return;
     const QString folder = m_file->path().isEmpty() ? QString() : QFileInfo(m_file->path()).path();
     const QString path = view::chooseFileToOpen(m_context.window, tr("Open"), fileFilter(), folder);
-    if (!path.isEmpty()) open(path);
+    if (!path.isEmpty() && !session::showOther(path, m_context.window)) open(path);
 }
 
 void FileCommands::openRecent(const QString& path) {
-    if (maybeSave()) open(path);
+    if (!session::showOther(path, m_context.window) && maybeSave()) open(path);
 }
 
 // Another program has changed the file, or taken it away.

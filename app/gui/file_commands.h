@@ -20,7 +20,7 @@ public:
 
     bool maybeSave();               // asks about unsaved changes; false: the user cancelled
     bool open(const QString& path); // reports what was read, or what failed
-    // These ask about unsaved changes first.
+    // These ask about unsaved changes first. A file that another window has is shown there.
     void startNew();
     void chooseAndOpen();
     void openRecent(const QString& path);

@@ -98,12 +98,12 @@ LessonCommands::LessonCommands(const MenuContext& context, const LessonParts& pa
 }
 
 void LessonCommands::createActions() {
-    QAction* play =
-        add({"play",
-             tr("&Play Lesson"),
-             {},
-             tr("Play the lesson in full screen, from the step you selected or from the beginning")},
-            [this] { this->play(); });
+    QAction* play = add(
+        {"play",
+         tr("&Play Lesson"),
+         {},
+         tr("Play the lesson in full screen, from the beginning or from the step you clicked in the list")},
+        [this] { this->play(); });
     QAction* next = add({nullptr, tr("&Next Step"), QKeySequence(Qt::Key_PageDown),
                          tr("Show the next step of the lesson being played")},
                         [this] { m_player->showStep(m_player->step() + 1); });

@@ -53,6 +53,7 @@
 #include "widgets/tooltip_text.h"
 #include "widgets/vertical_scroll_area.h"
 #include "widgets/whats_this.h"
+#include "window_place.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -66,7 +67,6 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QResizeEvent>
-#include <QScreen>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -74,7 +74,6 @@
 
 namespace {
 
-constexpr int cascade = 32;         // pixels from one window to the next
 constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
@@ -441,6 +440,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
 void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
     MainWindow* unused = first;
     for (const QString& path : paths) {
+        if (session::showOther(path, unused)) continue;
         MainWindow* window = unused ? unused : new MainWindow;
         window->show();
         unused = window->openPath(path) ? nullptr : window;
@@ -499,12 +499,7 @@ void MainWindow::restoreLayout() {
     resizeDocks(
         {findChild<QDockWidget*>(QStringLiteral("entries")), findChild<QDockWidget*>(QStringLiteral("maps"))},
         {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
-    if (!restoreGeometry(view::stored(QStringLiteral("window/geometry")).toByteArray()))
-        resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
-    // Both are to be seen. Of a window that is not shown yet only the inside is known, not the frame.
-    if (const QWidget* other = QApplication::activeWindow();
-        other && other->geometry().topLeft() == geometry().topLeft())
-        setGeometry(geometry().translated(cascade, cascade));
+    placeWindow(this, view::stored(QStringLiteral("window/geometry")).toByteArray());
     m_isAsItWasLeft = restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }

@@ -41,7 +41,7 @@ public:
 
     bool openPath(const QString& path); // says what went wrong
     // Each in a window of its own, the first in `first` when there is one. What cannot be opened leaves its
-    // window to the next.
+    // window to the next; what is open already has one, which is shown.
     static void openEach(const QStringList& paths, MainWindow* first = nullptr);
     void openRecent(const QString& path); // asks about unsaved changes first
     void chooseAndOpen();                 // likewise

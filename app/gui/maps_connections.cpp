@@ -12,20 +12,26 @@
 #include <QTableView>
 
 #include <algorithm>
+#include <optional>
 
 namespace {
+
+// Of the selected rows, the one that the form shows; nullopt: none is selected.
+std::optional<std::size_t> shownRow(const view::MapsPanel& maps, const std::vector<ifs::MapId>& selected) {
+    if (selected.empty()) return std::nullopt;
+    const ifs::MapId current = maps.model()->idAt(maps.table()->currentIndex().row());
+    const bool isCurrent = std::ranges::find(selected, current) != selected.end();
+    const auto rows = maps.model()->rowsOf({isCurrent ? current : selected.front()});
+    return rows.empty() ? std::nullopt : std::optional(std::size_t(rows.front()));
+}
 
 // Of several rows the window into space holds the map that the form shows; Weave swings all of them.
 void holdSelected(const view::MapsPanel& maps, Stage* stage) {
     const std::vector<ifs::MapId> selected = maps.selectedMaps();
-    if (selected.empty()) return;
-    const ifs::MapId current = maps.model()->idAt(maps.table()->currentIndex().row());
-    const bool isCurrent = std::ranges::find(selected, current) != selected.end();
-    const auto rows = maps.model()->rowsOf({isCurrent ? current : selected.front()});
-    if (rows.empty()) return;
-    stage->space()->holdMap(std::size_t(rows.front()), selected);
+    const std::optional<std::size_t> row = shownRow(maps, selected);
+    stage->space()->holdMap(row, selected);
     for (view::SpaceView* other : stage->views()->others())
-        other->holdMap(std::size_t(rows.front()), selected);
+        other->holdMap(row, selected);
 }
 
 void connectSpace(view::MapsPanel* maps, Stage* stage, const document::Document& document) {

@@ -3,14 +3,22 @@
 
 #include "desktop/settings.h"
 #include "io/file/slow_disk.h"
+#include "window_messages.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QVariant>
+
+#include <algorithm>
 
 namespace session {
 
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+};
 
 const QString key = QStringLiteral("session/files");
 constexpr char toReopen[] = "filesToReopen"; // a property of the application
@@ -26,6 +34,20 @@ QList<SessionWindow*> shown() {
     QList<SessionWindow*> found = windows();
     erase_if(found, [](const SessionWindow* window) { return !window->isVisible(); });
     return found;
+}
+
+bool isSameFile(const QString& a, const QString& b) {
+    const auto areOne = [a, b] {
+        const QString file = QFileInfo(a).canonicalFilePath();
+        return !file.isEmpty() && file == QFileInfo(b).canonicalFilePath();
+    };
+    return a == b || io::answerSoon(areOne).value_or(false);
+}
+
+void bringForward(SessionWindow& window) {
+    window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
+    window.raise();
+    window.activateWindow();
 }
 
 // Stores the files they had, also those that were saved on the way, and returns them; nullopt when one stays
@@ -46,6 +68,19 @@ QList<SessionWindow*> windows() {
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (auto* window = qobject_cast<SessionWindow*>(widget)) found << window;
     return found;
+}
+
+bool showOther(const QString& path, const QWidget* window) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const QList<SessionWindow*> others = shown();
+    const auto found = std::ranges::find_if(others, [&](const SessionWindow* other) {
+        return other != window && !other->path().isEmpty() && isSameFile(other->path(), absolute);
+    });
+    if (found == others.end()) return false;
+    bringForward(**found);
+    if (auto* messages = (*found)->findChild<WindowMessages*>())
+        messages->say(Text::tr("%1 is already open in this window.").arg(QFileInfo(path).fileName()));
+    return true;
 }
 
 QStringList files() {

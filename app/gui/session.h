@@ -23,6 +23,9 @@ public:
 namespace session {
 
 QList<SessionWindow*> windows();
+// Brings another window than this one to the front if it has the file, whatever its path is called. That
+// window says why. false: none has it.
+bool showOther(const QString& path, const QWidget* window);
 QStringList files(); // of the last run, without those that are known to be gone
 
 // Stores the files of the open windows for the next run. Call it while a window closes.

@@ -7,7 +7,7 @@ if [ $# -lt 4 ]; then
 Usage: submit-animation.sh FILE ENTRY OUT TASKS [OPTION OF animate]...
 For example: submit-animation.sh wind.ifs wind wind.mp4 24 --size 1920x1080 --points 1e9 --shutter 180
 The frames are written to OUT.frames/######.png; where OUT is itself NAME.####.png, to these files, and no
-video is made. The same command finishes work that was interrupted.
+video is made. --fps is the rate of the video. The same command finishes work that was interrupted.
 Options of sbatch can be set in its variables, such as SBATCH_PARTITION and SBATCH_TIMELIMIT.
 TEXT
   exit 2
@@ -16,25 +16,45 @@ here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 file=$(readlink -f -- "$1") entry=$2 output=$(realpath -m -- "$3") tasks=$4
 shift 4
 wanted=all # frames, which the options may choose
-previous=
-for option in "$@"; do
-  [ "$previous" != --frames ] || wanted=$option
-  [ "$option" = "${option#--frames=}" ] || wanted=${option#--frames=}
-  previous=$option
+drawing=() # options of animate
+rate=()    # that of encode: frames have none
+while [ $# -gt 0 ]; do
+  case $1 in
+  --fps=*) rate=("$1") ;;
+  --fps)
+    rate=("$1" "${2:?A rate must follow --fps, such as 24.}")
+    shift
+    ;;
+  --frames=*)
+    wanted=${1#--frames=}
+    drawing+=("$1")
+    ;;
+  --frames)
+    wanted=${2:?Numbers must follow --frames, such as 1-240.}
+    drawing+=("$1" "$2")
+    shift
+    ;;
+  *) drawing+=("$1") ;;
+  esac
+  shift
 done
 case $output in
 *.png) frames=$output ;;
 *) frames=$output.frames/######.png ;;
 esac
+if [ "$frames" = "$output" ] && [ ${#rate[@]} -gt 0 ]; then
+  echo "--fps applies only to videos, and '$output' stands for pictures." >&2
+  exit 2
+fi
 folder=$(dirname -- "$frames")
 mkdir -p -- "$folder"
 array=$(sbatch --parsable --output="$folder/slurm-%A-%a.log" --array="0-$((tasks - 1))" \
-  "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "$@")
+  "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "${drawing[@]}")
 array=${array%%;*} # without the name of the cluster
 if [ "$frames" = "$output" ]; then
   echo "Drawing: job $array, $tasks tasks. See them with: squeue -j $array"
   exit
 fi
 video=$(sbatch --parsable --output="$folder/slurm-%j.log" --dependency="afterok:$array" --kill-on-invalid-dep=yes \
-  "$here/encode.sh" "$frames" "$output" --frames "$wanted")
+  "$here/encode.sh" "$frames" "$output" --frames "$wanted" "${rate[@]}")
 echo "Drawing: job $array, $tasks tasks. Video: job ${video%%;*}. See them with: squeue -j $array,${video%%;*}"

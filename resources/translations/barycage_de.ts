@@ -2538,8 +2538,8 @@
         <translation>Das Ziel im Feld „Collage“ wird nicht mit der Datei gespeichert.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Die Lektion auf dem ganzen Bildschirm abspielen, vom gewählten Schritt an oder von Anfang an</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Die Lektion auf dem ganzen Bildschirm abspielen, von Anfang an oder ab dem Schritt, den Sie in der Liste angeklickt haben</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -2604,6 +2604,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Die Ecken des Käfigs ziehen</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 ist in diesem Fenster bereits geöffnet.</translation>
     </message>
 </context>
 <context>
@@ -9795,8 +9799,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>%1. Eine Lektion ist eine Liste von Schritten. Zu jedem gehören ein Text und ein Zustand des Fensters: der Eintrag, was von ihm zu sehen ist, das Werkzeug, Farben und Umrisse.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Die Lektion auf dem ganzen Bildschirm abspielen, vom gewählten Schritt an oder von Anfang an</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Die Lektion auf dem ganzen Bildschirm abspielen, von Anfang an oder ab dem Schritt, den Sie in der Liste angeklickt haben</translation>
     </message>
     <message>
         <source>Save the lesson as a text that refers to its fractals</source>

@@ -2538,8 +2538,8 @@
         <translation>El objetivo del panel «Collage» no se guarda con el archivo.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Reproducir la lección en toda la pantalla, desde el paso que eligió o desde el principio</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Reproducir la lección en toda la pantalla, desde el principio o desde el paso en el que hizo clic en la lista</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -2604,6 +2604,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Arrastrar los vértices de la jaula</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 ya está abierto en esta ventana.</translation>
     </message>
 </context>
 <context>
@@ -9795,8 +9799,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>%1. Una lección es una lista de pasos. Cada uno tiene un texto y el estado de la ventana que le corresponde: la entrada, lo que se ve de ella, la herramienta, los colores y los contornos.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Reproducir la lección en toda la pantalla, desde el paso que eligió o desde el principio</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Reproducir la lección en toda la pantalla, desde el principio o desde el paso en el que hizo clic en la lista</translation>
     </message>
     <message>
         <source>Save the lesson as a text that refers to its fractals</source>

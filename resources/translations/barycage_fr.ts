@@ -2538,8 +2538,8 @@
         <translation>La cible du panneau « Collage » n’est pas enregistrée avec le fichier.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Jouer la leçon sur tout l’écran, à partir de l’étape choisie ou du début</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Jouer la leçon sur tout l’écran, depuis le début ou à partir de l’étape sur laquelle vous avez cliqué dans la liste</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -2604,6 +2604,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Faire glisser les coins de la cage</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 est déjà ouvert dans cette fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -9795,8 +9799,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>%1. Une leçon est une liste d’étapes. Chacune a un texte et l’état de la fenêtre qui lui correspond : l’entrée, ce qu’on en voit, l’outil, les couleurs et les contours.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Jouer la leçon sur tout l’écran, à partir de l’étape choisie ou du début</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Jouer la leçon sur tout l’écran, depuis le début ou à partir de l’étape sur laquelle vous avez cliqué dans la liste</translation>
     </message>
     <message>
         <source>Save the lesson as a text that refers to its fractals</source>

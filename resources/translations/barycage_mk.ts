@@ -2546,8 +2546,8 @@
         <translation>Целта во панелот „Колаж“ не се зачувува со датотеката.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Пушти ја лекцијата на целиот екран, од избраниот чекор или од почеток</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Пушти ја лекцијата на целиот екран, од почеток или од чекорот на кој кликнавте во списокот</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -2612,6 +2612,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Влечи ги темињата на кафезот</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 веќе е отворена во овој прозорец.</translation>
     </message>
 </context>
 <context>
@@ -9822,8 +9826,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>%1. Лекцијата е список од чекори. Секој има текст и состојба на прозорецот што му припаѓа: записот, што се гледа од него, алатката, боите и контурите.</translation>
     </message>
     <message>
-        <source>Play the lesson in full screen, from the step you selected or from the beginning</source>
-        <translation>Пушти ја лекцијата на целиот екран, од избраниот чекор или од почеток</translation>
+        <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
+        <translation>Пушти ја лекцијата на целиот екран, од почеток или од чекорот на кој кликнавте во списокот</translation>
     </message>
     <message>
         <source>Save the lesson as a text that refers to its fractals</source>

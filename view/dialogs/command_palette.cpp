@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/command_palette.h"
 
+#include "dialogs/command_delegate.h"
 #include "widgets/menu_placeholder.h"
 #include "widgets/tooltip_text.h"
 
@@ -13,10 +14,12 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPainter>
 #include <QPixmap>
 #include <QRegularExpression>
 #include <QSet>
 #include <QStandardItemModel>
+#include <QStyleOptionFrame>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -203,6 +206,8 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
     m_search->setClearButtonEnabled(true);
     m_search->installEventFilter(this);
     m_list->setModel(m_model);
+    m_list->setItemDelegate(new CommandDelegate(m_list));
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setIconSize({18, 18});
     m_list->setSpacing(1);
     QPixmap empty(m_list->iconSize());
@@ -257,11 +262,12 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
         if (in == SearchIn::Descriptions && !matchesCommand(title + u' ' + action->statusTip(), text))
             continue;
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        QStringList shown{action->isCheckable() && action->isChecked() ? title + QStringLiteral(" ✓")
-                                                                       : title};
-        if (!keys.isEmpty()) shown << keys;
+        const QString name =
+            action->isCheckable() && action->isChecked() ? title + QStringLiteral(" ✓") : title;
         auto* item = new QStandardItem(action->icon().isNull() ? m_noIcon : action->icon(),
-                                       shown.join(QStringLiteral("    ")));
+                                       keys.isEmpty() ? name : name + QStringLiteral("    ") + keys);
+        item->setData(name, CommandDelegate::NameRole);
+        item->setData(keys, CommandDelegate::KeysRole);
         item->setData(int(i), actionRole);
         item->setToolTip(tooltipText(action->statusTip())); // perhaps the path of a file
         item->setEnabled(enabled);
@@ -281,6 +287,16 @@ void CommandPalette::run() {
         shown->raise();
     }
     if (!isPanel || !action->isChecked()) action->trigger(); // nobody asks for a panel to close it
+}
+
+// Its colour is that of the window behind it: it has the frame of a menu.
+void CommandPalette::paintEvent(QPaintEvent* event) {
+    QDialog::paintEvent(event);
+    QPainter painter(this);
+    QStyleOptionFrame frame;
+    frame.initFrom(this);
+    frame.lineWidth = style()->pixelMetric(QStyle::PM_MenuPanelWidth, &frame, this);
+    style()->drawPrimitive(QStyle::PE_FrameMenu, &frame, &painter, this);
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

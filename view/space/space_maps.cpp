@@ -60,10 +60,11 @@ std::size_t SpaceMaps::count() const {
 }
 
 std::optional<std::size_t> SpaceMaps::selected() const {
-    return m_isActive && count() > 0 ? std::optional(std::min(m_selected, count() - 1)) : std::nullopt;
+    if (!m_isActive || !m_selected || count() == 0) return std::nullopt;
+    return std::min(*m_selected, count() - 1);
 }
 
-bool SpaceMaps::select(std::size_t index, std::vector<ifs::MapId> among) {
+bool SpaceMaps::select(std::optional<std::size_t> index, std::vector<ifs::MapId> among) {
     std::ranges::sort(among);
     const bool isAnother = std::exchange(m_selected, index) != index;
     return std::exchange(m_among, among) != among || isAnother;
@@ -103,7 +104,7 @@ void SpaceMaps::pick(std::size_t index, bool adds) {
 }
 
 SpaceMaps::KeyOutcome SpaceMaps::keyPress(const QKeyEvent& event, document::Document& document) {
-    if (!selected()) return {};
+    if (!m_isActive || count() == 0) return {};
     const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
     const int digit = event.key() - Qt::Key_1;
     if (modifiers == Qt::AltModifier && digit >= 0 && digit < 9) {
@@ -115,11 +116,12 @@ SpaceMaps::KeyOutcome SpaceMaps::keyPress(const QKeyEvent& event, document::Docu
         std::vector<ifs::MapId> all;
         for (const auto& map : document::system3(document.fractal())->maps)
             all.push_back(map.id);
-        return {true, select(*selected(), std::move(all)), {}};
+        return {true, select(selected().value_or(0), std::move(all)), {}};
     }
     const bool deletes = event.key() == Qt::Key_Delete;
     if (modifiers != Qt::NoModifier || (!deletes && event.key() != Qt::Key_Insert)) return {};
     const std::vector<std::size_t> indices = selection();
+    if (indices.empty()) return {};
     const document::Rows rows(indices.begin(), indices.end());
     const QString locked = deletes ? document::lockObstacle(document.fractal(), indices) : QString();
     const auto next =

@@ -29,8 +29,8 @@ SpaceCageItem::Faces facesOfTetrahedron();
 
 class SpaceMapDrag;
 
-// The maps of the current entry in space as the images of its tetrahedron. One of them is held: by its four
-// corners and, as the fifth handle, by its middle, which moves it as a whole.
+// The maps of the current entry in space as the images of its tetrahedron. One of them may be held: by its
+// four corners and, as the fifth handle, by its middle, which moves it as a whole.
 class SpaceMaps {
     Q_DECLARE_TR_FUNCTIONS(SpaceMaps)
 
@@ -46,8 +46,8 @@ public:
     std::size_t count() const;
     // The map that is held; nullopt while there is none.
     std::optional<std::size_t> selected() const;
-    // Holds a map, among others that are selected; false when that is so already.
-    bool select(std::size_t index, std::vector<ifs::MapId> among = {});
+    // Holds a map, among others that are selected, or none; false when that is so already.
+    bool select(std::optional<std::size_t> index, std::vector<ifs::MapId> among = {});
     std::vector<std::size_t> selection() const; // with the map that is held
     std::vector<ifs::MapId> selectedIds() const;
     // A click on a map that is not held. It holds one of several selected maps without giving up the others;
@@ -86,7 +86,7 @@ private:
     SpaceOutlinesItem& m_all;
     SpaceCageItem& m_held;
     std::vector<Dot> m_dots; // corners of the maps that are not held
-    std::size_t m_selected = 0;
+    std::optional<std::size_t> m_selected = 0;
     std::vector<ifs::MapId> m_among;
     bool m_isActive = false;
 };

@@ -150,7 +150,7 @@ void SpaceView::setBranchChoice(BranchChoice* choice) {
     });
 }
 
-void SpaceView::holdMap(std::size_t index, std::vector<ifs::MapId> among) {
+void SpaceView::holdMap(std::optional<std::size_t> index, std::vector<ifs::MapId> among) {
     if (!m_maps.select(index, std::move(among))) return;
     layOut();
     emit mapsSelected();

@@ -33,7 +33,8 @@ public:
     void setBranchChoice(BranchChoice* choice); // which branch; without one, none can be chosen
     void setStereo(attractor::Stereo stereo);   // side by side, nothing is held on the canvas
     std::optional<std::size_t> heldMap() const { return m_maps.selected(); } // while it holds maps
-    void holdMap(std::size_t index, std::vector<ifs::MapId> among = {}); // `among`: others that are selected
+    // Or none; `among`: others that are selected.
+    void holdMap(std::optional<std::size_t> index, std::vector<ifs::MapId> among = {});
     std::vector<std::size_t> selectedMaps() const { return m_maps.selection(); } // with the held one
     std::vector<ifs::MapId> selectedIds() const { return m_maps.selectedIds(); }
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }

@@ -26,6 +26,23 @@ RenderNote noteOf(const SolidScene& scene, const ifs::AffineMap<3>& cage) {
     return scene.range.isClamped ? RenderNote::TooFar : RenderNote::None;
 }
 
+// In pieces: memory that is touched for the first time takes a second for every few gigabytes, in which
+// somebody may stop. Then there is none.
+bool makeRoom(DepthRaster& raster, const RasterSize& size, const std::stop_token& stop) {
+    constexpr std::size_t piece = 1U << 22;
+    raster.width = std::max(0, size.width);
+    raster.height = std::max(0, size.height);
+    const std::size_t wanted =
+        static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    raster.keys.resize(std::min(raster.keys.size(), wanted));
+    raster.keys.reserve(wanted);
+    while (raster.keys.size() < wanted && !stop.stop_requested())
+        raster.keys.resize(std::min(wanted, raster.keys.size() + piece));
+    if (raster.keys.size() == wanted) return true;
+    raster = {};
+    return false;
+}
+
 } // namespace
 
 struct SolidRendering::State {
@@ -46,9 +63,7 @@ bool SolidRendering::State::draw(int firstRow, int endRow, const std::stop_token
     constexpr int rows = kernels::KeyBand::maxRows;
     const RasterSize size = request.camera.size;
     work = {};
-    raster.width = std::max(0, size.width);
-    raster.height = std::max(0, size.height);
-    raster.keys.resize(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+    if (!makeRoom(raster, size, stop)) return false;
     raster.near = 0;
     raster.far = 1;
     const bool drawable = !scene.system.maps.empty() && isUsable(request.camera);

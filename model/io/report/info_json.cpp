@@ -329,11 +329,11 @@ std::vector<const char*> keysOf(ifs::LongFact fact) {
 }
 
 template <int Dim>
-void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& system, const QString& name,
-                 const InfoSubject& subject) {
+void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& system,
+                 const document::Entry& entry, const InfoSubject& subject) {
     // Addresses number the maps as the expanded system lists them.
     const std::vector<double> probabilities = ifs::probabilities(system);
-    const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), name, subject);
+    const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), entry, subject);
     json.key("maps");
     json.beginArray();
     for (std::size_t i = 0; i < system.maps.size(); ++i)
@@ -450,9 +450,9 @@ template <int Dim> void writeLinks(JsonWriter& json, const ifs::IteratedFunction
 }
 
 template <int Dim>
-void writeShape(JsonWriter& json, const document::Shape<Dim>& shape, const QString& name,
+void writeShape(JsonWriter& json, const document::Shape<Dim>& shape, const document::Entry& entry,
                 const InfoSubject& subject) {
-    writeSystem(json, shape.system, name, subject);
+    writeSystem(json, shape.system, entry, subject);
     writeSymmetry(json, shape.system.symmetry);
     writeLinks(json, shape.system);
     writeCage(json, shape.cage);
@@ -474,9 +474,9 @@ void writeAnimation(JsonWriter& json, const document::Fractal& fractal) {
 }
 
 // All facts are those of the moment asked for; the animation is that of the entry.
-void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubject& subject) {
+void writeEntry(JsonWriter& json, const document::Entry& entry, const InfoSubject& subject) {
     const document::Fractal fractal =
-        subject.moment ? document::frameAt(entry, *subject.moment).fractal : entry;
+        subject.moment ? document::frameAt(*entry.fractal, *subject.moment).fractal : *entry.fractal;
     const int dimension = document::dimension(fractal);
     json.beginObject();
     json.member("name", fractal.name);
@@ -484,9 +484,9 @@ void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubj
     dimension == 0 ? json.null() : json.value(dimension);
     json.member("loaded", dimension != 0);
     if (const auto* plane = document::plane(fractal)) {
-        writeShape(json, *plane, fractal.name, subject);
+        writeShape(json, *plane, entry, subject);
     } else if (const auto* space = document::space(fractal)) {
-        writeShape(json, *space, fractal.name, subject);
+        writeShape(json, *space, entry, subject);
     } else {
         for (const char* key : {"maps",
                                 "attractor",
@@ -520,7 +520,7 @@ void writeEntry(JsonWriter& json, const document::Fractal& entry, const InfoSubj
         json.beginArray();
         json.endArray();
     }
-    writeAnimation(json, entry);
+    writeAnimation(json, *entry.fractal);
     json.endObject();
 }
 
@@ -556,25 +556,21 @@ void writeProblem(JsonWriter& json, const document::Problem& problem) {
     json.endObject();
 }
 
-} // namespace
-
-namespace {
-
 // `write` writes the entry of an index.
 template <class Write> QByteArray report(const InfoSubject& subject, Write write) {
     JsonWriter json;
     json.beginObject();
     json.member("file", subject.fileName);
     json.member("format", subject.format);
-    json.key("problems");
-    json.beginArray();
-    for (const auto& problem : subject.problems)
-        writeProblem(json, problem);
-    json.endArray();
     json.key("entries");
     json.beginArray();
     for (qsizetype i = 0; i < subject.entries.size(); ++i)
         write(json, i);
+    json.endArray();
+    json.key("problems"); // perhaps found meanwhile
+    json.beginArray();
+    for (const auto& problem : subject.problems)
+        writeProblem(json, problem);
     json.endArray();
     json.endObject();
     return json.text();
@@ -582,10 +578,15 @@ template <class Write> QByteArray report(const InfoSubject& subject, Write write
 
 } // namespace
 
-QByteArray infoJson(const InfoSubject& subject) {
+QByteArray infoJson(const InfoSubject& given) {
+    InfoSubject subject = given;
+    subject.remark = [&](const document::Problem& problem) {
+        subject.problems << problem;
+        if (given.remark) given.remark(problem);
+    };
     return report(subject, [&](JsonWriter& json, qsizetype i) {
         if (subject.begun) subject.begun(i);
-        writeEntry(json, *subject.entries[i].fractal, subject);
+        writeEntry(json, subject.entries[i], subject);
     });
 }
 

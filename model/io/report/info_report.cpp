@@ -26,7 +26,7 @@ template <int Dim> double bearableError(const ifs::Facts<Dim>& facts, std::optio
 } // namespace
 
 template <int Dim>
-ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const QString& entry,
+ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const document::Entry& entry,
                          const InfoSubject& subject) {
     ifs::FactLimits limits = subject.limits;
     if (subject.end) {
@@ -37,7 +37,9 @@ ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const Q
     const auto& wanted = subject.hullTolerance;
     if (subject.remark && facts.hull && facts.hull->error > bearableError(facts, wanted)) {
         document::Problem problem;
-        problem.entry = entry;
+        problem.entry = entry.fractal->name;
+        problem.line = entry.source ? entry.source->line : 0;
+        problem.column = problem.line > 0 ? 1 : 0;
         problem.message =
             QCoreApplication::translate("Text", "The convex hull has an error of up to %1: the tolerance %2 "
                                                 "was not reached.")
@@ -48,8 +50,10 @@ ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const Q
     return facts;
 }
 
-template ifs::Facts<2> factsFor(const ifs::IteratedFunctionSystem<2>&, const QString&, const InfoSubject&);
-template ifs::Facts<3> factsFor(const ifs::IteratedFunctionSystem<3>&, const QString&, const InfoSubject&);
+template ifs::Facts<2> factsFor(const ifs::IteratedFunctionSystem<2>&, const document::Entry&,
+                                const InfoSubject&);
+template ifs::Facts<3> factsFor(const ifs::IteratedFunctionSystem<3>&, const document::Entry&,
+                                const InfoSubject&);
 
 std::vector<std::optional<ifs::BoundingBox<2>>> partsOf(const ifs::IteratedFunctionSystem<2>& system,
                                                         const ifs::Facts<2>& facts) {

@@ -29,9 +29,9 @@ struct InfoSubject {
     std::function<void(const document::Problem&)> remark = {}; // what was asked for and not reached
 };
 
-// The facts, with a remark where the hull is not as near as it was asked to be.
+// The facts of the system of an entry, with a remark where the hull is not as near as it was asked to be.
 template <int Dim>
-ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const QString& entry,
+ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const document::Entry& entry,
                          const InfoSubject& subject);
 
 // The boxes of the parts of linked maps by the maps that make them, from the facts of the expanded system: no

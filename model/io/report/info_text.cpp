@@ -349,10 +349,10 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
 }
 
 template <int Dim>
-void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const QString& name,
+void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, const document::Entry& entry,
                const InfoSubject& subject) {
     const std::vector<double> probabilities = ifs::probabilities(system);
-    const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), name, subject);
+    const ifs::Facts<Dim> facts = factsFor(ifs::expanded(system), entry, subject);
     const double size = facts.box ? sizeOf(facts) : 0;
     for (std::size_t i = 0; i < system.maps.size(); ++i)
         lines.add(Text::tr("map %1").arg(i + 1), mapLine(system.maps[i], probabilities[i], size));
@@ -427,9 +427,9 @@ template <int Dim> void addLinks(Lines& lines, const ifs::IteratedFunctionSystem
 }
 
 template <int Dim>
-void addShape(Lines& lines, const document::Shape<Dim>& shape, const QString& name,
+void addShape(Lines& lines, const document::Shape<Dim>& shape, const document::Entry& entry,
               const InfoSubject& subject) {
-    addSystem(lines, shape.system, name, subject);
+    addSystem(lines, shape.system, entry, subject);
     addLinks(lines, shape.system);
     if (shape.cage) {
         lines.add(Text::tr("cage at rest"), list(shape.cage->rest));
@@ -484,11 +484,11 @@ void addEntry(Lines& lines, const document::Entry& entry, const InfoSubject& sub
         subject.moment ? document::frameAt(*entry.fractal, *subject.moment).fractal : *entry.fractal;
     if (const auto* plane = document::plane(fractal)) {
         lines.title(titleOf(fractal));
-        addShape(lines, *plane, fractal.name, subject);
+        addShape(lines, *plane, entry, subject);
         addAnimation(lines, *entry.fractal);
     } else if (const auto* space = document::space(fractal)) {
         lines.title(titleOf(fractal));
-        addShape(lines, *space, fractal.name, subject);
+        addShape(lines, *space, entry, subject);
         addAnimation(lines, *entry.fractal);
     } else {
         lines.title(Text::tr("%1 — could not be read").arg(fractal.name));

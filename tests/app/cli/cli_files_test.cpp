@@ -381,8 +381,15 @@ void CliFilesTest::aHullThatIsNotReachedIsSaid() {
     QVERIFY2(out.err.contains("“Fern”: The convex hull has an error of up to ") &&
                  out.err.contains("the tolerance 1e-18 was not reached"),
              out.err.constData());
-    QVERIFY(
-        run("info systems.ifs --entry fern --json --hull-tolerance 1e-18").err.contains("was not reached"));
+    constexpr int line = 7; // of the entry
+    QVERIFY2(out.err.startsWith("systems.ifs:7:1: warning: "), out.err.constData());
+    const Result json = run("info systems.ifs --entry fern --json --hull-tolerance 1e-18");
+    QVERIFY(json.err.contains("was not reached"));
+    const QJsonArray problems = QJsonDocument::fromJson(json.out)[QLatin1String("problems")].toArray();
+    QCOMPARE(problems.size(), 1);
+    QVERIFY(problems[0][QLatin1String("message")].toString().contains(QStringLiteral("was not reached")));
+    QCOMPARE(problems[0][QLatin1String("entry")].toString(), QStringLiteral("Fern"));
+    QCOMPARE(problems[0][QLatin1String("line")].toInt(), line);
     // Nor is the usual tolerance for a round hull in space.
     write("fern3.ifs",
           "fern3 (3D) {\n 0 0 0 0 .18 0 0 0 0 0 0 0 .01\n .85 0 0 0 .85 .1 0 -.1 .85 0 1.6 0 .85\n"

@@ -31,6 +31,7 @@ class MapsConnectionsTest : public WindowFixture {
 private slots:
     void theCanvasHoldsTheSelectedRow();
     void theTableSelectsTheHeldMap();
+    void nothingIsHeldWithoutASelection();
     void weaveSwingsAllSelectedRows();
     void deletedAndDuplicatedMapsStayInStep();
     void clicksSelectMoreMaps();
@@ -88,6 +89,29 @@ void MapsConnectionsTest::theTableSelectsTheHeldMap() {
     QCOMPARE(held(), std::size_t(2));
     QCOMPARE(rows(), Rows{2});
     QCOMPARE(panel()->table()->currentIndex().row(), 2);
+}
+
+void MapsConnectionsTest::nothingIsHeldWithoutASelection() {
+    showCube();
+    view::SpaceView* space = stage()->space();
+    QTRY_COMPARE(space->mapItem().count(), std::size_t(5));
+    stage()->views()->showFour(true);
+    panel()->table()->clearSelection();
+    QVERIFY(!space->heldMap());
+    for (const view::SpaceView* other : stage()->views()->others())
+        QVERIFY(!other->heldMap());
+    QCOMPARE(space->mapItem().count(), std::size_t(0)); // no handles
+    QVERIFY(!m_window->findChild<view::BranchBar*>()->swing()->isEnabled());
+    press(space, Qt::Key_Delete);
+    QCOMPARE(panel()->model()->rowCount(), 8);
+    stage()->views()->showFour(false);
+    QVERIFY(!space->heldMap());
+    press(space, Qt::Key_4, Qt::AltModifier);
+    QCOMPARE(held(), std::size_t(3));
+    QCOMPARE(rows(), Rows{3});
+    panel()->table()->clearSelection();
+    press(space, Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(rows().size(), std::size_t(8));
 }
 
 void MapsConnectionsTest::weaveSwingsAllSelectedRows() {

@@ -454,6 +454,18 @@ private slots:
         }
     }
 
+    // Of the raster of a large picture, which takes seconds to be cleared.
+    void noRoomIsMadeForWhatIsNotWanted() {
+        SolidRendering rendering(spaceRequest(systems::menger(), 3000, 2000));
+        std::stop_source source;
+        source.request_stop();
+        QVERIFY(!rendering.draw(source.get_token()));
+        QVERIFY(rendering.raster().keys.empty());
+        QCOMPARE(rendering.raster().width, 0);
+        QVERIFY(rendering.draw());
+        QCOMPARE(rendering.raster().keys.size(), std::size_t(3000) * 2000);
+    }
+
 private:
     using Clock = std::chrono::steady_clock;
 

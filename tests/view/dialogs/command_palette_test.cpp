@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "dialogs/command_delegate.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/shortcuts_dialog.h"
 #include "support/patient_tries.h"
@@ -172,6 +173,32 @@ private slots:
         QTest::keyClick(palette.windowHandle(), Qt::Key_Return);
         QCOMPARE(equal.count(), 1);
         QVERIFY(dock->isVisible());
+    }
+
+    // The end of the name, and its keys at the right edge.
+    void longNamesFitIntoTheList() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&Menu"));
+        const QString path = QStringLiteral("a very long name of a menu ").repeated(6);
+        QAction* action = menu->addMenu(path)->addAction(QStringLiteral("Command"));
+        action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+F9")));
+        view::CommandPalette palette(view::actionsOf(&bar));
+        palette.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&palette));
+        auto* list = palette.findChild<QListView*>();
+        const QModelIndex item = list->model()->index(0, 0);
+        QVERIFY(item.data().toString().endsWith(QStringLiteral("Command    Ctrl+Shift+F9")));
+        QVERIFY(list->viewport()->rect().contains(list->visualRect(item)));
+        QCOMPARE(list->horizontalScrollBar()->maximum(), 0);
+        const auto seen = [&] { return list->viewport()->grab(list->visualRect(item)).toImage(); };
+        const QImage before = seen();
+        list->model()->setData(item, QStringLiteral("Ctrl+Shift+F8"), view::CommandDelegate::KeysRole);
+        QVERIFY(seen() != before);
+        list->model()->setData(item, QStringLiteral("Ctrl+Shift+F9"), view::CommandDelegate::KeysRole);
+        QVERIFY(seen() == before);
+        const QString name = item.data(view::CommandDelegate::NameRole).toString();
+        list->model()->setData(item, name.chopped(1) + u'!', view::CommandDelegate::NameRole);
+        QVERIFY(seen() != before);
     }
 
     void everyKeyIsSeenWhole_data() {

@@ -10,9 +10,11 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace view {
 
@@ -23,6 +25,9 @@ struct Text {
 };
 
 constexpr double lineSpacing = 1.15;
+constexpr double textShare = 0.72; // of the height of a line, where the text is not too wide for that
+constexpr double minScale = 0.6;   // of a text that is; what is still too wide is broken
+constexpr double brokenScale = 0.75;
 constexpr int maxRows = 12;        // of an empty table
 constexpr double gridLines = 900;  // the grid is as dense as on a canvas of so many pixels
 constexpr double cageMargin = 0.3; // of the cage's size, around it on the grid
@@ -85,7 +90,8 @@ public:
             else
                 paintCage(picture, *item.fractal);
             if (document::space(*item.fractal))
-                text.setTop(paintTexts(text, cornersOf(*item.fractal)) + m_line);
+                text.setTop(paintTexts(text, joined(broken(cornersOf(*item.fractal), text.width()))) +
+                            m_line);
             paintEmptyTable(text, *item.fractal);
             return;
         }
@@ -137,7 +143,8 @@ private:
             const auto displayed = document::effectiveSpaceSystem(fractal);
             const QStringList corners = m_options.showsMaps ? cornersOf(fractal) : QStringList();
             QRectF rest = room;
-            if (!corners.isEmpty()) rest.setTop(paintTexts(room, corners) + m_line / 2);
+            if (!corners.isEmpty())
+                rest.setTop(paintTexts(room, joined(broken(corners, room.width()))) + m_line / 2);
             paintMaps(rest, formulas<3>(displayed ? *displayed : *system));
             return;
         }
@@ -145,31 +152,66 @@ private:
         paintMaps(room, formulas<2>(displayed ? *displayed : *document::system2(fractal)));
     }
 
+    // The lines of each text: one or, if any of the texts would be too wide, as many as it takes.
+    QList<QStringList> broken(const QStringList& texts, double width) {
+        const auto fitAt = [&](double scale) {
+            setFont(textShare * scale);
+            return [metrics = QFontMetricsF(m_painter.font()), width](const QString& text) {
+                return metrics.horizontalAdvance(text) <= width;
+            };
+        };
+        const bool areNarrow = std::ranges::all_of(texts, fitAt(minScale));
+        const auto fits = fitAt(brokenScale);
+        QList<QStringList> lines;
+        for (const QString& text : texts)
+            lines << (areNarrow ? QStringList(text) : onLines(text, fits));
+        return lines;
+    }
+
+    static QStringList joined(const QList<QStringList>& texts) {
+        QStringList lines;
+        for (const QStringList& text : texts)
+            lines << text;
+        return lines;
+    }
+
     // Those that do not fit are counted.
-    void paintMaps(const QRectF& room, QStringList formulas) {
+    void paintMaps(const QRectF& room, const QStringList& formulas) {
+        const QList<QStringList> maps = broken(formulas, room.width());
         const qsizetype fit = linesIn(room);
-        if (formulas.size() > fit) {
-            const qsizetype more = formulas.size() - std::max<qsizetype>(0, fit - 1);
-            formulas = formulas.first(formulas.size() - more);
-            formulas << Text::tr("%n more maps", nullptr, int(more));
-        }
-        paintTexts(room, formulas);
+        const qsizetype usable = joined(maps).size() <= fit ? fit : std::max<qsizetype>(0, fit - 1);
+        QStringList lines;
+        qsizetype shown = 0;
+        while (shown < maps.size() && lines.size() + maps[shown].size() <= usable)
+            lines << maps[shown++];
+        if (shown < maps.size()) lines << Text::tr("%n more maps", nullptr, int(maps.size() - shown));
+        paintTexts(room, lines);
     }
 
     qsizetype linesIn(const QRectF& room) const {
         return qsizetype(std::max(0.0, room.height() / (lineSpacing * m_line)));
     }
 
+    // The largest with which all lines fit, down to `minScale`. Widths of letters are not quite in proportion
+    // to their size.
+    void setFontFor(const QStringList& lines, double width) {
+        constexpr double step = 0.02;
+        const auto fits = [this, width](const QString& line) {
+            return QFontMetricsF(m_painter.font()).horizontalAdvance(line) <= width;
+        };
+        double scale = 1;
+        setFont(textShare);
+        while (scale > minScale && !std::ranges::all_of(lines, fits)) {
+            scale = std::max(minScale, scale - step);
+            setFont(textShare * scale);
+        }
+    }
+
     // As many as there is room for. Returns where they end.
     double paintTexts(const QRectF& room, QStringList lines) {
         const double height = lineSpacing * m_line;
         lines = lines.first(std::min(lines.size(), linesIn(room)));
-        setFont(0.72);
-        double widest = 1;
-        for (const QString& line : std::as_const(lines))
-            widest = std::max(widest, QFontMetricsF(m_painter.font()).horizontalAdvance(line));
-        constexpr double minScale = 0.6;
-        setFont(0.72 * std::clamp(room.width() / widest, minScale, 1.0));
+        setFontFor(lines, room.width());
         const QFontMetricsF metrics(m_painter.font());
         for (qsizetype k = 0; k < lines.size(); ++k)
             m_painter.drawText(QRectF(room.left(), room.top() + double(k) * height, room.width(), height),
@@ -329,6 +371,24 @@ template <int Dim> QString formulaText(const ifs::AffineMap<Dim>& map, std::size
 }
 template QString formulaText(const ifs::AffineMap<2>& map, std::size_t number);
 template QString formulaText(const ifs::AffineMap<3>& map, std::size_t number);
+
+QStringList onLines(const QString& formula, const std::function<bool(const QString&)>& fits) {
+    static const QRegularExpression breaks(QStringLiteral("(?<=, )|(?= [+−] )|(?=   \\S)"));
+    static const QRegularExpression firstLetter(QStringLiteral("\\S")), endBlanks(QStringLiteral(" +$"));
+    const qsizetype begin = formula.indexOf(QStringLiteral(" = ")); // behind the arguments
+    QStringList pieces = formula.sliced(std::max<qsizetype>(0, begin)).split(breaks);
+    pieces.first().prepend(formula.first(std::max<qsizetype>(0, begin)));
+    QStringList lines{pieces.takeFirst()};
+    for (const QString& piece : std::as_const(pieces)) {
+        if (fits(lines.last() + piece))
+            lines.last() += piece;
+        else
+            lines << QStringLiteral("    ") + piece.sliced(piece.indexOf(firstLetter));
+    }
+    for (QString& line : lines)
+        line.remove(endBlanks);
+    return lines;
+}
 
 QStringList cornerTexts(const ifs::ControlCage<3>& cage) {
     constexpr std::size_t perLine = 2;

@@ -39,6 +39,9 @@ void paintHandout(QPainter& painter, const QRectF& page, std::span<const Handout
 
 // "w₁(x, y) = (0.5x + 0.25, 0.5y)", to four digits, without what is 0. Number counts from 1.
 template <int Dim> QString formulaText(const ifs::AffineMap<Dim>& map, std::size_t number);
+// The formula on as many lines as it takes for each to fit, where that is possible: broken behind a comma or
+// in front of a sign or of the probability, never in the middle of a number. Further lines are indented.
+QStringList onLines(const QString& formula, const std::function<bool(const QString&)>& fits);
 // "v₁ = (0, 0, 1)   v₂ = (1, 0, 0)": where the corners are now, to four digits, two on a line.
 QStringList cornerTexts(const ifs::ControlCage<3>& cage);
 

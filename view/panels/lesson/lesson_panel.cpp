@@ -98,7 +98,7 @@ void LessonPanel::createFields() {
     m_text->setToolTip(tr("Shown beside the picture; leave a line empty to begin a paragraph"));
     m_text->setTabChangesFocus(true);
     m_play->setToolTip(
-        tr("Play the lesson in full screen, from the step you selected or from the beginning"));
+        tr("Play the lesson in full screen, from the beginning or from the step you clicked in the list"));
     m_save->setToolTip(tr("Save the lesson as a text that refers to its fractals"));
     connect(m_title, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setTitle);
     connect(m_stepTitle, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setStepTitle);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_columns.h"
 
+#include "panels/maps/maps_delegate.h"
+
 #include <QEvent>
 #include <QHeaderView>
 #include <QScrollBar>
@@ -15,18 +17,23 @@ namespace view {
 
 namespace {
 
-constexpr int narrowest = 30; // of a number column
+constexpr int narrowest = 30;        // of a number column
+constexpr int narrowestInSpace = 20; // where there are twice as many
 constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
 constexpr double narrowestFigures = 0.72; // of their usual width
 
-// The digits that must be shown are drawn narrower, as in a drag, rather than left out of sight.
+// The digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; what is
+// between the numbers stays.
 void squeeze(std::vector<int>& widths, int room) {
-    const double share = double(room) / std::accumulate(widths.begin(), widths.end(), 0);
+    constexpr int gap = 2 * MapsDelegate::numberMargin;
+    const int gaps = int(widths.size()) * gap;
+    const int figures = std::accumulate(widths.begin(), widths.end(), -gaps);
+    const double share = std::max(double(room - gaps) / figures, narrowestFigures);
     for (int& width : widths)
-        width = int(width * std::max(share, narrowestFigures));
+        width = gap + int((width - gap) * share);
 }
 
 } // namespace
@@ -45,7 +52,8 @@ bool MapsColumns::eventFilter(QObject* watched, QEvent* event) {
 int MapsColumns::widthOf(int column) const {
     const QString name = m_model->headerData(column, Qt::Horizontal).toString();
     const QAbstractItemView* view = m_table; // where the hint is public
-    return std::max({narrowest, view->sizeHintForColumn(column),
+    return std::max({m_model->dimension() == 3 ? narrowestInSpace : narrowest,
+                     view->sizeHintForColumn(column),
                      m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
 }
 

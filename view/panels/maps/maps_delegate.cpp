@@ -21,7 +21,6 @@ namespace view {
 namespace {
 
 constexpr int margin = 4; // left and right of a cell's text
-constexpr int numberMargin = 3;
 
 struct NumberParts {
     QString whole;
@@ -64,6 +63,15 @@ QColor textColour(const QStyleOptionViewItem& option) {
 
 bool isMark(int column) {
     return column == MapsModel::Enabled || column == MapsModel::Lock;
+}
+
+// Where a row of a matrix in space begins, or the shift, or the weight behind it.
+bool beginsGroup(const MapsModel& model, int column) {
+    constexpr int letters = 12, inRow = 3;
+    if (model.dimension() != 3) return false;
+    for (const int first : {int(MapsModel::A), model.columnOf(MapsModel::EffectiveA)})
+        if (column > first && column < first + letters && (column - first) % inRow == 0) return true;
+    return column == model.columnOf(MapsModel::Weight);
 }
 
 QColor faded(QColor colour, float opacity) {
@@ -253,18 +261,20 @@ void MapsDelegate::paintPicture(QPainter& painter, const QStyleOptionViewItem& o
 void MapsDelegate::paintNumber(QPainter& painter, const QStyleOptionViewItem& option,
                                const QModelIndex& index, const QString& text) const {
     const QRect inside = option.rect.adjusted(numberMargin, 0, -numberMargin, 0);
-    const QRect narrow = inside.adjusted(-numberMargin, 0, 0, 0);
+    if (beginsGroup(*m_model, index.column()))
+        painter.fillRect(QRect(option.rect.topLeft(), QSize(1, option.rect.height())),
+                         faded(textColour(option), 0.25F));
     if (const QString typed = m_model->typedText(index);
-        !typed.isEmpty() && option.fontMetrics.horizontalAdvance(typed) <= inside.width() + numberMargin) {
-        painter.drawText(narrow, Qt::AlignRight | Qt::AlignVCenter, typed);
+        !typed.isEmpty() && option.fontMetrics.horizontalAdvance(typed) <= inside.width()) {
+        painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, typed);
         return;
     }
     const int decimals = index.data(MapsModel::DecimalsRole).toInt();
     const int fraction = fractionWidth(option.fontMetrics, decimals);
-    const QRect whole = inside.adjusted(-numberMargin, 0, -fraction, 0);
+    const QRect whole = inside.adjusted(0, 0, -fraction, 0);
     const NumberParts parts = split(text);
     if (option.fontMetrics.horizontalAdvance(parts.whole) > whole.width())
-        return paintFitting(painter, narrow, index.data(Qt::EditRole).toDouble());
+        return paintFitting(painter, inside, index.data(Qt::EditRole).toDouble());
     painter.drawText(whole, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, parts.whole);
     painter.drawText(QRect(whole.right() + 1, inside.top(), fraction + numberMargin, inside.height()),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, parts.fraction);

@@ -16,6 +16,8 @@ class MapsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
+    static constexpr int numberMargin = 3; // left and right of a number
+
     MapsDelegate(MapsModel* model, QObject* parent);
 
     void setThumbnails(MapThumbnails* thumbnails) { m_thumbnails = thumbnails; } // of the maps' colours

@@ -43,6 +43,20 @@ document::Fractal tetrahedron() {
     return fractal;
 }
 
+// Numbers of as many digits as they have; of the probabilities of the first two maps, the last digits differ.
+template <int Dim> HandoutItem withLongNumbers(document::Fractal fractal, double first, double second) {
+    auto& system = std::get<document::Shape<Dim>>(fractal.shape).system;
+    for (auto& map : system.maps) {
+        map.map.linear.fill(-1.0 / 7);
+        map.map.translation.fill(-0.1234);
+        map.weight = 0.2;
+    }
+    system.maps.back().weight = 0.8 - 0.2 * double(system.maps.size() - 2);
+    system.maps[0].weight = first;
+    system.maps[1].weight = second;
+    return {std::make_shared<const document::Fractal>(fractal), item().picture};
+}
+
 // How many pixels of a page are of that colour: red for the picture, else dark.
 int count(const QImage& page, bool isRed) {
     int all = 0;
@@ -83,6 +97,34 @@ private slots:
         map.linear << -1, 0, 0, 0;
         map.translation << 1.0 / 3, 0;
         QCOMPARE(formulaText(map, 1), QStringLiteral("w₁(x, y) = (−x + 0.3333, 0)"));
+    }
+
+    void longFormulasAreBrokenBetweenTheirNumbers() {
+        const QString formula =
+            QStringLiteral("w₁(x, y, z) = (0.8x − 0.2y + 0.1z + 1, −0.25x + y, z)   p₁ = 0.3333");
+        for (const qsizetype width : {24, 40, 60, 100}) {
+            const auto fits = [width](const QString& text) { return text.size() <= width; };
+            const QStringList lines = onLines(formula, fits);
+            QVERIFY(std::ranges::all_of(lines, fits));
+            QVERIFY(lines.last().endsWith(QStringLiteral("p₁ = 0.3333")));
+            QCOMPARE(lines.join(u' ').simplified(), formula.simplified()); // nothing is left out
+            QCOMPARE(lines.size() == 1, formula.size() <= width);
+        }
+    }
+
+    void probabilitiesAreNotCut() {
+        for (const int perPage : {1, 2, 4, 6}) {
+            HandoutOptions options;
+            options.perPage = perPage;
+            const auto page = [&](double first, double second) {
+                return pagesOf({withLongNumbers<2>(*item().fractal, first, second)}, options).front();
+            };
+            QVERIFY2(page(0.1111, 0.1112) != page(0.1112, 0.1111), qPrintable(QString::number(perPage)));
+            const auto solid = [&](double first, double second) {
+                return pagesOf({withLongNumbers<3>(tetrahedron(), first, second)}, options).front();
+            };
+            QVERIFY2(solid(0.1111, 0.1112) != solid(0.1112, 0.1111), qPrintable(QString::number(perPage)));
+        }
     }
 
     void pagesHoldAsManyAsTheyShould() {

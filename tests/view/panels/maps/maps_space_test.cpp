@@ -177,6 +177,44 @@ private slots:
         QVERIFY(m_document->fractal() == before);
     }
 
+    // Numbers that take all their room do not run together.
+    void numbersAreApart() {
+        document::Fractal thirds = m_document->fractal();
+        for (auto& map : document::system3(thirds)->maps) {
+            map.map.linear.fill(-1.0 / 3);
+            map.map.translation.fill(0);
+        }
+        m_document->edit(QStringLiteral("thirds"), thirds);
+        const QTableView* table = m_panel->table();
+        const QImage seen = m_panel->table()->viewport()->grab().toImage();
+        const auto isEmpty = [&](int x, const QRect& cell) {
+            for (int y = cell.top() + 2; y < cell.bottom() - 1; ++y)
+                if (seen.pixel(x, y) != seen.pixel(x, cell.top() + 2)) return false;
+            return true;
+        };
+        int looked = 0;
+        for (int column = MapsModel::A; column < MapsModel::A + 12; ++column) {
+            const QRect cell = table->visualRect(m_panel->model()->index(1, column));
+            if (cell.right() >= seen.width()) break;
+            for (const int x : {cell.left() + 1, cell.right() - 1, cell.right()})
+                QVERIFY2(isEmpty(x, cell), qPrintable(QString::number(column)));
+            ++looked;
+        }
+        QVERIFY(looked >= 8);
+    }
+
+    // The rows of the matrix and the shift are told apart by lines.
+    void theRowsOfTheMatrixAreApart() {
+        const QTableView* table = m_panel->table();
+        const QImage seen = m_panel->table()->viewport()->grab().toImage();
+        for (int k = 0; k < 9; ++k) {
+            const QRect cell = table->visualRect(m_panel->model()->index(1, MapsModel::A + k));
+            const bool isLine =
+                seen.pixel(cell.topLeft() + QPoint(0, 2)) != seen.pixel(cell.topLeft() + QPoint(1, 2));
+            QCOMPARE(isLine, k == 3 || k == 6);
+        }
+    }
+
     void theEffectiveCodeFollowsTheCage() {
         document::Fractal placed = m_document->fractal();
         document::space(placed)->cage->current = {{1, 0, 0}, {9, 0, 1}, {0, 7, 0}, {2, 0, 8}};
