@@ -6,6 +6,7 @@
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
+#include "dialogs/export/export_progress.h"
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/print_fractal.h"
 #include "dialogs/export/space_export_dialog.h"
@@ -118,9 +119,21 @@ void FileMenu::fillRecent() {
     m_recent->addAction(tr("Clear List"), this, [] { recent_files::clear(); });
 }
 
+namespace {
+
+// So that there is one dialog, for the fractal as it is now; one that exports goes on.
+template <class Dialog> void closeIdle(const QWidget& window) {
+    for (auto* dialog : window.findChildren<Dialog*>())
+        if (!dialog->template findChild<view::ExportProgress*>()->isUnderWay()) dialog->close();
+}
+
+} // namespace
+
 void FileMenu::exportPicture() {
     if (auto* transformation = context().stage->transformation(); transformation->isPainted())
         return transformation->chooseExport(); // what is shown
+    closeIdle<view::SpaceExportDialog>(*context().window);
+    closeIdle<view::ExportDialog>(*context().window);
     if (context().stage->showsSpace()) {
         auto* space = new view::SpaceExportDialog(
             context().document, context().stage->space()->navigation().camera(), context().window);

@@ -12479,10 +12479,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Bit für jeden Kanal. Tiefen haben immer 16.</translation>
     </message>
     <message>
-        <source>&amp;Colours:</source>
-        <translation>F&amp;arben:</translation>
-    </message>
-    <message>
         <source>&amp;Transparent background</source>
         <translation>&amp;Transparenter Hintergrund</translation>
     </message>
@@ -12505,10 +12501,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>Für beide Augen: zwei Bilder nebeneinander, oder eines in Rot und Cyan.</translation>
-    </message>
-    <message>
-        <source>St&amp;ereo:</source>
-        <translation>Stere&amp;o:</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12641,6 +12633,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
         <translation>Ein Körper hat keine Formen: Die Datei enthält sein Bild in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours:</source>
+        <translation>Far&amp;ben:</translation>
+    </message>
+    <message>
+        <source>Stere&amp;o:</source>
+        <translation>Stere&amp;o:</translation>
     </message>
 </context>
 <context>

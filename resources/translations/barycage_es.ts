@@ -12479,10 +12479,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Bits por canal. Las profundidades siempre tienen 16.</translation>
     </message>
     <message>
-        <source>&amp;Colours:</source>
-        <translation>&amp;Colores:</translation>
-    </message>
-    <message>
         <source>&amp;Transparent background</source>
         <translation>Fondo trans&amp;parente</translation>
     </message>
@@ -12505,10 +12501,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>Para ambos ojos: dos imágenes una al lado de la otra, o una en rojo y cian.</translation>
-    </message>
-    <message>
-        <source>St&amp;ereo:</source>
-        <translation>Es&amp;téreo:</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12641,6 +12633,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
         <translation>Un sólido no tiene formas: el archivo contiene su imagen en píxeles.</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours:</source>
+        <translation>Co&amp;lores:</translation>
+    </message>
+    <message>
+        <source>Stere&amp;o:</source>
+        <translation>Es&amp;téreo:</translation>
     </message>
 </context>
 <context>

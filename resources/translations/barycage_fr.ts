@@ -12479,10 +12479,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Bits par canal. Les profondeurs en ont toujours 16.</translation>
     </message>
     <message>
-        <source>&amp;Colours:</source>
-        <translation>&amp;Couleurs :</translation>
-    </message>
-    <message>
         <source>&amp;Transparent background</source>
         <translation>Fond trans&amp;parent</translation>
     </message>
@@ -12505,10 +12501,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>Pour les deux yeux : deux images côte à côte, ou une seule en rouge et cyan.</translation>
-    </message>
-    <message>
-        <source>St&amp;ereo:</source>
-        <translation>St&amp;éréo :</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12641,6 +12633,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
         <translation>Un solide n’a pas de formes&#x202f;: le fichier contient son image en pixels.</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours:</source>
+        <translation>Cou&amp;leurs&#x202f;:</translation>
+    </message>
+    <message>
+        <source>Stere&amp;o:</source>
+        <translation>Stéré&amp;o&#x202f;:</translation>
     </message>
 </context>
 <context>

@@ -12510,10 +12510,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Битови за секој канал. Длабочините секогаш имаат 16.</translation>
     </message>
     <message>
-        <source>&amp;Colours:</source>
-        <translation>&amp;Бои:</translation>
-    </message>
-    <message>
         <source>&amp;Transparent background</source>
         <translation>&amp;Проѕирна позадина</translation>
     </message>
@@ -12536,10 +12532,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>За двете очи: две слики една до друга, или една во црвено и цијан.</translation>
-    </message>
-    <message>
-        <source>St&amp;ereo:</source>
-        <translation>&amp;Стерео:</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12672,6 +12664,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
         <translation>Телото нема форми: датотеката ја содржи неговата слика во пиксели.</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours:</source>
+        <translation>&amp;Бои:</translation>
+    </message>
+    <message>
+        <source>Stere&amp;o:</source>
+        <translation>&amp;Стерео:</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +128,23 @@ std::optional<SmallCopy> largestCopy(const System2& shown, const std::stop_token
     return best;
 }
 
+// In colours of the palette, where it has others: by density, or a solid by address.
+Fractal showingPalette(Fractal entry) {
+    using attractor::ColourBy;
+    using attractor::LookInSpace;
+    using attractor::SolidColour;
+    const LookInSpace look = entry.inSpace.look;
+    ColourBy& colour = entry.appearance.colourBy;
+    if (!space(entry) || look == LookInSpace::Cloud) {
+        if (colour == ColourBy::Map || colour == ColourBy::Plain) colour = ColourBy::Density;
+    } else if (!attractor::showsCloud(look)) {
+        const SolidColour shown = solidColour(entry);
+        if (shown == SolidColour::Map || shown == SolidColour::Plain)
+            entry.inSpace.colourBy = SolidColour::Address;
+    }
+    return entry;
+}
+
 } // namespace
 
 std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
@@ -175,8 +193,9 @@ std::optional<Fractal> withBreathing(const Fractal& entry, const std::stop_token
 }
 
 std::optional<Fractal> withPaletteCycle(const Fractal& entry) {
+    const Fractal shown = showingPalette(entry);
     return ofItsDimension(
-        entry, [&]<int Dim>(const Shape<Dim>&) { return withMotion<Dim>(entry, animation::PaletteCycle{}); });
+        shown, [&]<int Dim>(const Shape<Dim>&) { return withMotion<Dim>(shown, animation::PaletteCycle{}); });
 }
 
 std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis,

@@ -2,8 +2,10 @@
 #include "document/edits/motion_edits.h"
 
 #include "attractor/render/renderer.h"
+#include "attractor/space_systems.h"
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "document/space_geometry.h"
 #include "ifs/canonical_systems.h"
 
 #include <QtTest>
@@ -67,6 +69,7 @@ private slots:
     void loopsKeepTheirAttractorAndClose();
     void motionsKeepTheLoopOfKeys();
     void nothingMovesWithoutMaps();
+    void thePaletteIsSeen();
     void windSwaysAboutTheLowestPoint();
     void endlessZoomsEndWhereTheyBegan();
     void endlessZoomsTurnAndMirror_data();
@@ -101,6 +104,27 @@ void MotionEditsTest::motionsKeepTheLoopOfKeys() {
     animation.look = {{0, lookOf(keyed), {}}};
     QVERIFY(animationFacts(*withOrbit(keyed))->loop == animation::Loop::ThereAndBack);
     QVERIFY(animationFacts(*withBreathing(keyed))->loop == animation::Loop::ThereAndBack);
+}
+
+void MotionEditsTest::thePaletteIsSeen() {
+    Fractal solid;
+    solid.shape = Shape<3>{systems::menger()};
+    QVERIFY(solidColour(solid) == attractor::SolidColour::Plain);
+    const Fractal cycled = *withPaletteCycle(solid);
+    QVERIFY(solidColour(cycled) == attractor::SolidColour::Address);
+    const auto paletteAt = [&](int frame) {
+        return solidAppearance(frameAt(cycled, animation::moment(frame)).fractal).palette;
+    };
+    QVERIFY(!(paletteAt(0) == paletteAt(animationFacts(cycled)->length / 3)));
+    solid.inSpace.colourBy = attractor::SolidColour::Height;
+    QVERIFY(solidColour(*withPaletteCycle(solid)) == attractor::SolidColour::Height);
+    Fractal flat = maple();
+    for (const auto& [before, after] : {std::pair{attractor::ColourBy::Map, attractor::ColourBy::Density},
+                                        {attractor::ColourBy::Plain, attractor::ColourBy::Density},
+                                        {attractor::ColourBy::Address, attractor::ColourBy::Address}}) {
+        flat.appearance.colourBy = before;
+        QVERIFY(withPaletteCycle(flat)->appearance.colourBy == after);
+    }
 }
 
 void MotionEditsTest::nothingMovesWithoutMaps() {

@@ -17,12 +17,14 @@ QString key(const QString& kind, const char* what) {
 } // namespace
 
 LastExport lastExport(const QString& kind) {
-    return {stored(key(kind, "format")).toString(), stored(key(kind, "size")).toString()};
+    return {stored(key(kind, "format")).toString(), stored(key(kind, "size")).toString(),
+            stored(key(kind, "more")).toString()};
 }
 
 void rememberExport(const QString& kind, const LastExport& last, const QString& path) {
     store(key(kind, "format"), last.format);
     store(key(kind, "size"), last.size);
+    if (!last.more.isEmpty()) store(key(kind, "more"), last.more);
     store(key(kind, "folder"), QFileInfo(path).absolutePath());
 }
 

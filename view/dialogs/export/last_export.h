@@ -11,6 +11,7 @@ namespace view {
 struct LastExport {
     QString format;
     QString size;
+    QString more{}; // what else is remembered; empty: as it is
 };
 
 LastExport lastExport(const QString& kind);

@@ -10,6 +10,7 @@
 #include "dialogs/export/start_export.h"
 #include "document/space_geometry.h"
 #include "document/unique_names.h"
+#include "io/exports/recipe_json.h"
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
 #include "widgets/file_dialogs.h"
@@ -23,6 +24,8 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
@@ -98,6 +101,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     const LastExport last = lastExport(exportKind);
     m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
     m_size->choose(last.size);
+    showBody(last.more);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &SpaceExportDialog::showPreview);
     connect(m_transparent, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
@@ -129,14 +133,14 @@ void SpaceExportDialog::createPicture() {
     m_depth->addItems({tr("8 bits"), tr("16 bits")});
     if (m_fractal.inSpace.look == attractor::LookInSpace::Normals) m_depth->setCurrentIndex(1);
     m_depth->setWhatsThis(tr("Bits per channel. Depths always have 16."));
-    m_form->addRow(tr("&Colours:"), m_depth);
+    m_form->addRow(tr("Co&lours:"), m_depth);
     m_transparent = new QCheckBox(tr("&Transparent background"), this);
     m_transparent->setWhatsThis(tr("Makes the surroundings of the solid transparent."));
     m_form->addRow(QString(), m_transparent);
     m_stereo = new QComboBox(this);
     m_stereo->addItems({tr("One picture"), tr("Both eyes, side by side"), tr("Red and cyan glasses")});
     m_stereo->setWhatsThis(tr("For both eyes: two pictures side by side, or one in red and cyan."));
-    m_form->addRow(tr("St&ereo:"), m_stereo);
+    m_form->addRow(tr("Stere&o:"), m_stereo);
 }
 
 void SpaceExportDialog::createBody() {
@@ -169,6 +173,28 @@ void SpaceExportDialog::createBody() {
     connect(m_longest, &QDoubleSpinBox::valueChanged, this, &SpaceExportDialog::check);
     connect(m_resolution, &QSpinBox::valueChanged, this, &SpaceExportDialog::check);
     connect(m_wall, &QDoubleSpinBox::valueChanged, this, &SpaceExportDialog::check);
+}
+
+// As remembered by bodyText().
+void SpaceExportDialog::showBody(const QString& text) {
+    const auto recipe = io::recipeIn(QJsonDocument::fromJson(text.toUtf8()).object());
+    const auto* body = recipe && io::isUsable(*recipe) ? std::get_if<io::BodyRecipe>(&*recipe) : nullptr;
+    if (!body) return;
+    m_longest->setValue(body->longest);
+    m_resolution->setValue(body->resolution);
+    m_wall->setValue(body->wall);
+    m_fill->setChecked(body->fillsCavities);
+}
+
+QString SpaceExportDialog::bodyText() const {
+    if (!isBody()) return {};
+    return QString::fromUtf8(QJsonDocument(io::recipeJson(*recipe())).toJson(QJsonDocument::Compact));
+}
+
+void SpaceExportDialog::say(const QString& sentence) {
+    m_message->setText(sentence);
+    if (!isVisible()) return;
+    if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) resize(width(), needed);
 }
 
 SpaceExportDialog::Format SpaceExportDialog::format() const {
@@ -330,7 +356,7 @@ QString SpaceExportDialog::chosenFile() {
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     const QString path =
         chooseFileToSave(this, tr("Export"), suggestedPath(exportKind, fileName), filter, suffix());
-    if (!path.isEmpty()) rememberExport(exportKind, {suffix(), m_size->choice()}, path);
+    if (!path.isEmpty()) rememberExport(exportKind, {suffix(), m_size->choice(), bodyText()}, path);
     return path;
 }
 
@@ -338,7 +364,7 @@ void SpaceExportDialog::addToQueue(const QString& path) {
     const std::optional<io::ExportRecipe> wanted = recipe();
     if (!m_queue || !wanted || path.isEmpty() || m_obstacle) return;
     const Enqueued added = enqueue(*m_queue, m_fractal, *wanted, path);
-    m_message->setText(added.sentence);
+    say(added.sentence);
     if (added.isAdded) emit queued();
 }
 
@@ -375,12 +401,11 @@ void SpaceExportDialog::finish(const io::ExportOutcome& outcome, const QString& 
     enableButtons();
     m_close->setText(tr("&Close"));
     if (outcome.stopped)
-        m_message->setText(tr("Export stopped; nothing was written."));
+        say(tr("Export stopped; nothing was written."));
     else if (outcome.failure)
-        m_message->setText(*outcome.failure);
+        say(*outcome.failure);
     else
-        m_message->setText(tr("Written to %1.").arg(path) +
-                           (m_summary.isEmpty() ? QString() : u'\n' + m_summary));
+        say(tr("Written to %1.").arg(path) + (m_summary.isEmpty() ? QString() : u'\n' + m_summary));
     if (!outcome.stopped && !outcome.failure) emit exported(path);
 }
 

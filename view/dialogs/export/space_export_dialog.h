@@ -54,6 +54,9 @@ signals:
 private:
     void createPicture();
     void createBody();
+    void showBody(const QString& text);
+    QString bodyText() const;          // its settings; empty of a picture
+    void say(const QString& sentence); // with room for it
     Format format() const;
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
     std::optional<io::ShapeFile> page() const;          // that it is embedded in

@@ -135,6 +135,21 @@ void LastExportTest::solids() {
     QCOMPARE(format(*dialog)->currentIndex(), int(view::SpaceExportDialog::Format::Jpeg));
     QCOMPARE(pixels(*dialog), QSize(30, 20));
     QCOMPARE(exportAs(*dialog, {}), path("menger.jpg"));
+    // The settings of a mesh stay, whatever is exported in between.
+    const auto resolution = [&]() -> QSpinBox* {
+        for (auto* found : dialog->findChildren<QSpinBox*>())
+            if (found->maximum() == io::SolidOptions::maxResolution) return found;
+        return nullptr;
+    };
+    dialog->setFormat(view::SpaceExportDialog::Format::Stl);
+    resolution()->setValue(16);
+    exportAs(*dialog, path("a.stl"));
+    QTRY_VERIFY(QFileInfo::exists(path("a.stl")));
+    dialog->setFormat(view::SpaceExportDialog::Format::Jpeg);
+    exportAs(*dialog, path("b.jpg"));
+    QTRY_VERIFY(QFileInfo::exists(path("b.jpg")));
+    dialog = solid();
+    QCOMPARE(resolution()->value(), 16);
 }
 
 void LastExportTest::animations() {
