@@ -12608,7 +12608,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Sect&amp;ion:</source>
-        <translation>Aus&amp;schnitt:</translation>
+        <translation>Ausschn&amp;itt:</translation>
     </message>
     <message>
         <source>A closed surface around the attractor, for a printer.</source>
@@ -12636,7 +12636,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Co&amp;lours:</source>
-        <translation>Far&amp;ben:</translation>
+        <translation>Fa&amp;rben:</translation>
     </message>
     <message>
         <source>Stere&amp;o:</source>

@@ -12639,7 +12639,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Sect&amp;ion:</source>
-        <translation>&amp;Исечок:</translation>
+        <translation>Исе&amp;чок:</translation>
     </message>
     <message>
         <source>A closed surface around the attractor, for a printer.</source>
