@@ -3,6 +3,7 @@
 
 #include "bridges/construction.h"
 #include "canvas/marks/map_numbers.h"
+#include "desktop/settings.h"
 #include "document/edits/cage_edits.h"
 #include "document/space_geometry.h"
 #include "saved_views_menu.h"
@@ -84,15 +85,7 @@ void ViewMenu::addCamera() {
                               [&space, to = view.direction] { space.lookFrom(to); }),
                     &document::spaceObstacle);
     menu->addSeparator();
-    QAction* perspective = menu->addToggle({nullptr,
-                                            tr("&Perspective"),
-                                            {},
-                                            tr("Make distant parts look smaller (5 on the keypad)"),
-                                            "space/perspective",
-                                            false},
-                                           [&space](bool on) { space.setPerspective(on); });
-    connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
-    disableWhen(perspective, &document::spaceObstacle);
+    addPerspective(*menu);
     view::FourViews* solid = context().stage->views();
     QAction* four = menu->addToggle({nullptr,
                                      tr("Four &Views"),
@@ -112,6 +105,21 @@ void ViewMenu::addCamera() {
         [solid](bool on) { solid->setUpAxis(on ? attractor::UpAxis::Z : attractor::UpAxis::Y); });
     disableWhen(zUp, &document::spaceObstacle);
     addStereo(*menu);
+}
+
+// Checked while the view is in perspective. What is stored is the choice, which a view along an axis keeps.
+void ViewMenu::addPerspective(ActionMenu& menu) {
+    const QString setting = QStringLiteral("space/perspective");
+    view::SpaceNavigation& space = context().stage->space()->navigation();
+    QAction* perspective = menu.addToggle(
+        {nullptr, tr("&Perspective"), {}, tr("Make distant parts look smaller (5 on the keypad)")},
+        [&space, setting](bool on) {
+            space.setPerspective(on);
+            view::store(setting, space.isPerspectiveChosen());
+        });
+    connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
+    perspective->setChecked(view::stored(setting, false).toBool());
+    disableWhen(perspective, &document::spaceObstacle);
 }
 
 // One or none of them.

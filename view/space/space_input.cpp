@@ -436,6 +436,7 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
     } else if (m_isFixed) {
         m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * factor * toVector(way)));
     } else {
+        m_navigation.leaveAxisView();
         const attractor::OrbitCamera& camera = m_navigation.camera();
         m_navigation.orbit(camera, camera.target, degreesPerKey * way.x(), -degreesPerKey * way.y());
         reportDirection();

@@ -56,6 +56,7 @@ public:
     bool isPerspective() const;
     void leaveAxisView(); // one orbits now
     void setPerspective(bool on);
+    bool isPerspectiveChosen() const { return m_isPerspectiveChosen; } // whatever is shown for now
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
@@ -70,6 +71,8 @@ signals:
 private:
     void set(const attractor::OrbitCamera& camera, bool isMoving);
     void fitAgain();
+    void choosePerspective(bool on);
+    void project(); // as it is chosen
 
     document::Document* m_document;
     SolidBridge* m_bridge;
@@ -79,9 +82,10 @@ private:
     attractor::UpAxis m_up = attractor::UpAxis::Y;
     attractor::Stereo m_stereo = attractor::Stereo::None;
     bool m_isTrackball = false;
-    bool m_wasPerspective = false; // before a view along an axis
-    bool m_isFitted = true;        // follows the size of the window until the user moves the view
-    animation::Moment m_fitted;    // so that a resized window shows it again, whichever is shown
+    bool m_isPerspectiveChosen = false;
+    bool m_isAlongAxis = false; // and orthographic for as long
+    bool m_isFitted = true;     // follows the size of the window until the user moves the view
+    animation::Moment m_fitted; // so that a resized window shows it again, whichever is shown
 };
 
 } // namespace view
