@@ -87,13 +87,14 @@ void ViewMenu::addCamera() {
     menu->addSeparator();
     addPerspective(*menu);
     view::FourViews* solid = context().stage->views();
-    QAction* four = menu->addToggle({nullptr,
-                                     tr("Four &Views"),
-                                     {},
-                                     tr("Show the solid from the top, the front and the right as well"),
-                                     "space/fourViews",
-                                     false},
-                                    [solid](bool on) { solid->showFour(on); });
+    QAction* four =
+        menu->addToggle({nullptr,
+                         tr("Four &Views"),
+                         {},
+                         tr("Show the solid from the top, the front and the right, and in perspective"),
+                         "space/fourViews",
+                         false},
+                        [solid](bool on) { solid->showFour(on); });
     disableWhen(four, &document::spaceObstacle);
     QAction* zUp = menu->addToggle(
         {nullptr,
@@ -107,7 +108,8 @@ void ViewMenu::addCamera() {
     addStereo(*menu);
 }
 
-// Checked while the view is in perspective. What is stored is the choice, which a view along an axis keeps.
+// Checked while the view is in perspective. What is stored is the choice, whatever views along an axis and
+// Four Views show for a while.
 void ViewMenu::addPerspective(ActionMenu& menu) {
     const QString setting = QStringLiteral("space/perspective");
     view::SpaceNavigation& space = context().stage->space()->navigation();

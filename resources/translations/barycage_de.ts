@@ -2094,10 +2094,6 @@
         <translation>&amp;Vier Ansichten</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Den Körper auch von oben, von vorne und von rechts zeigen</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Legt das Kontrolldreieck mit drei Klicks fest, im Raum das Tetraeder mit vier</translation>
     </message>
@@ -2604,6 +2600,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Die Ecken des Käfigs ziehen</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Den Körper von oben, von vorne, von rechts und perspektivisch zeigen</translation>
     </message>
 </context>
 <context>

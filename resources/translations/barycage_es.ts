@@ -2094,10 +2094,6 @@
         <translation>Cuatro &amp;vistas</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Mostrar el sólido también desde arriba, de frente y desde la derecha</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Define el triángulo de control con tres clics; en el espacio, el tetraedro con cuatro</translation>
     </message>
@@ -2604,6 +2600,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Arrastrar los vértices de la jaula</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Mostrar el sólido desde arriba, de frente, desde la derecha y en perspectiva</translation>
     </message>
 </context>
 <context>

@@ -2094,10 +2094,6 @@
         <translation>Quatre &amp;vues</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Montrer aussi le solide de dessus, de face et de droite</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Définit le triangle de contrôle par trois clics, dans l’espace le tétraèdre par quatre</translation>
     </message>
@@ -2604,6 +2600,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Faire glisser les coins de la cage</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Montrer le solide de dessus, de face, de droite et en perspective</translation>
     </message>
 </context>
 <context>

@@ -2102,10 +2102,6 @@
         <translation>Четири &amp;погледи</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Прикажи го телото и одозгора, однапред и оддесно</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Го одредува контролниот триаголник со три клика, во просторот тетраедарот со четири</translation>
     </message>
@@ -2612,6 +2608,10 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Влечи ги темињата на кафезот</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Прикажи го телото одозгора, однапред, оддесно и во перспектива</translation>
     </message>
 </context>
 <context>

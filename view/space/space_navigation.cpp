@@ -181,11 +181,17 @@ void SpaceNavigation::setPerspective(bool on) {
 
 void SpaceNavigation::choosePerspective(bool on) {
     m_isPerspectiveChosen = on;
+    m_isPerspectiveLent = false;
     m_isAlongAxis = false;
 }
 
+void SpaceNavigation::lendPerspective(bool on) {
+    m_isPerspectiveLent = on;
+    project();
+}
+
 void SpaceNavigation::project() {
-    const bool on = m_isPerspectiveChosen && !m_isAlongAxis;
+    const bool on = m_isPerspectiveLent || (m_isPerspectiveChosen && !m_isAlongAxis);
     if (on == isPerspective()) return;
     using Projection = attractor::OrbitCamera::Projection;
     attractor::OrbitCamera changed = m_camera;

@@ -57,6 +57,7 @@ public:
     void leaveAxisView(); // one orbits now
     void setPerspective(bool on);
     bool isPerspectiveChosen() const { return m_isPerspectiveChosen; } // whatever is shown for now
+    void lendPerspective(bool on); // also along an axis, until it is taken back or the projection is chosen
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
@@ -83,6 +84,7 @@ private:
     attractor::Stereo m_stereo = attractor::Stereo::None;
     bool m_isTrackball = false;
     bool m_isPerspectiveChosen = false;
+    bool m_isPerspectiveLent = false;
     bool m_isAlongAxis = false; // and orthographic for as long
     bool m_isFitted = true;     // follows the size of the window until the user moves the view
     animation::Moment m_fitted; // so that a resized window shows it again, whichever is shown
