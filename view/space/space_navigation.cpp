@@ -156,6 +156,12 @@ void SpaceNavigation::lookFrom(const attractor::Direction& direction) {
     glideTo(attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up));
 }
 
+AxisBall::End SpaceNavigation::lookAlong(AxisBall::End end) {
+    if (AxisBall::looksFrom(m_camera, end)) end.isPositive = !end.isPositive;
+    lookFrom(AxisBall::towards(end, m_up));
+    return end;
+}
+
 void SpaceNavigation::fixDirection(const attractor::Direction& direction) {
     m_glide.stop();
     attractor::OrbitCamera turned =

@@ -38,6 +38,8 @@ public:
     void zoomAt(const QPointF& position, double factor);
     void resetZoom(); // 100 %: one unit at the target is a hundred pixels
     void lookFrom(const attractor::Direction& direction);
+    // From that end of an axis, or from the other one where that is so already; returns the one it is.
+    AxisBall::End lookAlong(AxisBall::End end);
     // By that many degrees from `before`, as the user likes to turn.
     void orbit(const attractor::OrbitCamera& before, const ifs::Vector<3>& pivot, double right, double up,
                bool isMoving = false);
