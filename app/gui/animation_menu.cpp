@@ -56,9 +56,11 @@ void AnimationMenu::addPlaying() {
         play->setIcon(view::icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
         play->setText(playing ? tr("&Pause") : tr("&Play"));
     });
-    for (QAbstractScrollArea* canvas :
-         std::initializer_list<QAbstractScrollArea*>{context().stage->plane(), context().stage->space()})
-        connect(new view::SpaceTap(canvas), &view::SpaceTap::tapped, this, toggle);
+    view::SpaceView* space = context().stage->space();
+    connect(new view::SpaceTap(context().stage->plane()), &view::SpaceTap::tapped, this, toggle);
+    connect(new view::SpaceTap(space), &view::SpaceTap::tapped, this, [space, toggle] {
+        if (!space->ball().focused()) toggle(); // there, Space looks along an axis
+    });
     add({nullptr, tr("P&revious Frame"), QKeySequence(tr(",")), tr("Move the playhead back one frame")},
         [&timeline] { timeline.setFrame(timeline.frame() - 1); });
     add({nullptr, tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},

@@ -3,6 +3,7 @@
 
 #include "bridges/construction.h"
 #include "canvas/marks/map_numbers.h"
+#include "desktop/settings.h"
 #include "document/edits/cage_edits.h"
 #include "document/space_geometry.h"
 #include "saved_views_menu.h"
@@ -84,23 +85,16 @@ void ViewMenu::addCamera() {
                               [&space, to = view.direction] { space.lookFrom(to); }),
                     &document::spaceObstacle);
     menu->addSeparator();
-    QAction* perspective = menu->addToggle({nullptr,
-                                            tr("&Perspective"),
-                                            {},
-                                            tr("Make distant parts look smaller (5 on the keypad)"),
-                                            "space/perspective",
-                                            false},
-                                           [&space](bool on) { space.setPerspective(on); });
-    connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
-    disableWhen(perspective, &document::spaceObstacle);
+    addPerspective(*menu);
     view::FourViews* solid = context().stage->views();
-    QAction* four = menu->addToggle({nullptr,
-                                     tr("Four &Views"),
-                                     {},
-                                     tr("Show the solid from the top, the front and the right as well"),
-                                     "space/fourViews",
-                                     false},
-                                    [solid](bool on) { solid->showFour(on); });
+    QAction* four =
+        menu->addToggle({nullptr,
+                         tr("Four &Views"),
+                         {},
+                         tr("Show the solid from the top, the front and the right, and in perspective"),
+                         "space/fourViews",
+                         false},
+                        [solid](bool on) { solid->showFour(on); });
     disableWhen(four, &document::spaceObstacle);
     QAction* zUp = menu->addToggle(
         {nullptr,
@@ -112,6 +106,22 @@ void ViewMenu::addCamera() {
         [solid](bool on) { solid->setUpAxis(on ? attractor::UpAxis::Z : attractor::UpAxis::Y); });
     disableWhen(zUp, &document::spaceObstacle);
     addStereo(*menu);
+}
+
+// Checked while the view is in perspective. What is stored is the choice, whatever views along an axis and
+// Four Views show for a while.
+void ViewMenu::addPerspective(ActionMenu& menu) {
+    const QString setting = QStringLiteral("space/perspective");
+    view::SpaceNavigation& space = context().stage->space()->navigation();
+    QAction* perspective = menu.addToggle(
+        {nullptr, tr("&Perspective"), {}, tr("Make distant parts look smaller (5 on the keypad)")},
+        [&space, setting](bool on) {
+            space.setPerspective(on);
+            view::store(setting, space.isPerspectiveChosen());
+        });
+    connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
+    perspective->setChecked(view::stored(setting, false).toBool());
+    disableWhen(perspective, &document::spaceObstacle);
 }
 
 // One or none of them.

@@ -28,6 +28,7 @@ private:
     void addZoom();
     void addRotation();
     void addCamera();
+    void addPerspective(ActionMenu& menu);
     void addStereo(ActionMenu& menu);
     void addOverlays();
     void addSnapping();

@@ -2094,10 +2094,6 @@
         <translation>&amp;Vier Ansichten</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Den Körper auch von oben, von vorne und von rechts zeigen</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Legt das Kontrolldreieck mit drei Klicks fest, im Raum das Tetraeder mit vier</translation>
     </message>
@@ -2608,6 +2604,10 @@
     <message>
         <source>%1 is already open in this window.</source>
         <translation>%1 ist in diesem Fenster bereits geöffnet.</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Den Körper von oben, von vorne, von rechts und perspektivisch zeigen</translation>
     </message>
 </context>
 <context>
@@ -12148,6 +12148,30 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Change the stop colour</source>
         <translation>Die Farbe der Marke ändern</translation>
     </message>
+    <message>
+        <source>Ball of axes, after the last handle: choose an end</source>
+        <translation>Achsenkugel, nach dem letzten Griff: ein Ende wählen</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Ball of axes: look along the axis, then from behind</source>
+        <translation>Achsenkugel: entlang der Achse blicken, dann von hinten</translation>
+    </message>
+    <message>
+        <source>Enter or Space</source>
+        <translation>Eingabe oder Leertaste</translation>
+    </message>
+    <message>
+        <source>Ball of axes: turn the view, return to the canvas</source>
+        <translation>Achsenkugel: die Ansicht drehen, zurück zur Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Shift + arrow keys, Esc</source>
+        <translation>Umschalt + Pfeiltasten, Esc</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -12824,10 +12848,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Der Körper und sein Tetraeder. Ziehen Sie eine Ecke: X, Y oder Z hält sie auf einer Achse, mit Umschalt in einer Ebene, und das Rad schiebt sie fort. Ziehen Sie anderswo, um die Ansicht zu drehen; das Rad zoomt am Zeiger, die mittlere Taste verschiebt. Ein Doppelklick auf den Körper macht den Punkt zur Mitte der Drehung.</translation>
     </message>
     <message>
-        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
-        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Leinwand.</translation>
-    </message>
-    <message>
         <source>Vertex %1 at %2, %3, %4</source>
         <translation>Ecke %1 bei %2, %3, %4</translation>
     </message>
@@ -12870,6 +12890,26 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The middle of the branch at %1, %2, %3</source>
         <translation>Die Mitte des Astes bei %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner and to the ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke und zur Achsenkugel, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Leinwand.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, positive end of %1.</source>
+        <translation>Achsenkugel, positives Ende von %1.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, negative end of %1.</source>
+        <translation>Achsenkugel, negatives Ende von %1.</translation>
+    </message>
+    <message>
+        <source>The view looks from there; Enter looks from behind.</source>
+        <translation>Die Ansicht blickt von dort; die Eingabetaste blickt von hinten.</translation>
+    </message>
+    <message>
+        <source>Enter looks from there, the arrow keys choose another end.</source>
+        <translation>Die Eingabetaste blickt von dort, die Pfeiltasten wählen ein anderes Ende.</translation>
     </message>
 </context>
 <context>

@@ -2094,10 +2094,6 @@
         <translation>Cuatro &amp;vistas</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Mostrar el sólido también desde arriba, de frente y desde la derecha</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Define el triángulo de control con tres clics; en el espacio, el tetraedro con cuatro</translation>
     </message>
@@ -2608,6 +2604,10 @@
     <message>
         <source>%1 is already open in this window.</source>
         <translation>%1 ya está abierto en esta ventana.</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Mostrar el sólido desde arriba, de frente, desde la derecha y en perspectiva</translation>
     </message>
 </context>
 <context>
@@ -12148,6 +12148,30 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Change the stop colour</source>
         <translation>Cambiar el color de la parada</translation>
     </message>
+    <message>
+        <source>Ball of axes, after the last handle: choose an end</source>
+        <translation>Bola de los ejes, tras el último tirador: elegir un extremo</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>teclas de flecha</translation>
+    </message>
+    <message>
+        <source>Ball of axes: look along the axis, then from behind</source>
+        <translation>Bola de los ejes: mirar a lo largo del eje, después desde detrás</translation>
+    </message>
+    <message>
+        <source>Enter or Space</source>
+        <translation>Intro o Espacio</translation>
+    </message>
+    <message>
+        <source>Ball of axes: turn the view, return to the canvas</source>
+        <translation>Bola de los ejes: girar la vista, volver al lienzo</translation>
+    </message>
+    <message>
+        <source>Shift + arrow keys, Esc</source>
+        <translation>Mayús + teclas de flecha, Esc</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -12824,10 +12848,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>El sólido y su tetraedro. Arrastre una esquina: X, Y o Z la mantiene en un eje, con Mayús en un plano, y la rueda la aleja. Arrastre en otro lugar para girar la vista; la rueda amplía en el puntero y el botón central desplaza. Haga doble clic en el sólido para girar alrededor de ese punto.</translation>
     </message>
     <message>
-        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
-        <translation>El atractor y su tetraedro de control. Tab pasa de esquina en esquina, las flechas mueven la esquina enfocada o giran la vista, F6 sale del lienzo.</translation>
-    </message>
-    <message>
         <source>Vertex %1 at %2, %3, %4</source>
         <translation>Vértice %1 en %2, %3, %4</translation>
     </message>
@@ -12870,6 +12890,26 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The middle of the branch at %1, %2, %3</source>
         <translation>El centro de la rama en %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner and to the ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>El atractor y su tetraedro de control. Tab pasa de esquina en esquina y a la bola de los ejes, las flechas mueven la esquina enfocada o giran la vista, F6 sale del lienzo.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, positive end of %1.</source>
+        <translation>Bola de los ejes, extremo positivo de %1.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, negative end of %1.</source>
+        <translation>Bola de los ejes, extremo negativo de %1.</translation>
+    </message>
+    <message>
+        <source>The view looks from there; Enter looks from behind.</source>
+        <translation>La vista mira desde ahí; Intro mira desde detrás.</translation>
+    </message>
+    <message>
+        <source>Enter looks from there, the arrow keys choose another end.</source>
+        <translation>Intro mira desde ahí, las flechas eligen otro extremo.</translation>
     </message>
 </context>
 <context>

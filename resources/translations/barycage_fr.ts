@@ -2094,10 +2094,6 @@
         <translation>Quatre &amp;vues</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Montrer aussi le solide de dessus, de face et de droite</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Définit le triangle de contrôle par trois clics, dans l’espace le tétraèdre par quatre</translation>
     </message>
@@ -2608,6 +2604,10 @@
     <message>
         <source>%1 is already open in this window.</source>
         <translation>%1 est déjà ouvert dans cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Montrer le solide de dessus, de face, de droite et en perspective</translation>
     </message>
 </context>
 <context>
@@ -12148,6 +12148,30 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Change the stop colour</source>
         <translation>Changer la couleur du repère</translation>
     </message>
+    <message>
+        <source>Ball of axes, after the last handle: choose an end</source>
+        <translation>Boule des axes, après la dernière poignée&#x202f;: choisir une extrémité</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>touches fléchées</translation>
+    </message>
+    <message>
+        <source>Ball of axes: look along the axis, then from behind</source>
+        <translation>Boule des axes&#x202f;: regarder le long de l’axe, puis de derrière</translation>
+    </message>
+    <message>
+        <source>Enter or Space</source>
+        <translation>Entrée ou Espace</translation>
+    </message>
+    <message>
+        <source>Ball of axes: turn the view, return to the canvas</source>
+        <translation>Boule des axes&#x202f;: tourner la vue, revenir au canevas</translation>
+    </message>
+    <message>
+        <source>Shift + arrow keys, Esc</source>
+        <translation>Maj + touches fléchées, Échap</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -12824,10 +12848,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Le solide et son tétraèdre. Faites glisser un coin : X, Y ou Z le garde sur un axe, avec Maj dans un plan, et la molette l’éloigne. Faites glisser ailleurs pour tourner la vue ; la molette zoome au pointeur, le bouton du milieu déplace. Double-cliquez sur le solide pour tourner autour de ce point.</translation>
     </message>
     <message>
-        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
-        <translation>L’attracteur et son tétraèdre de contrôle. Tab passe de coin en coin, les flèches déplacent le coin qui a le focus ou tournent la vue, F6 quitte le canevas.</translation>
-    </message>
-    <message>
         <source>Vertex %1 at %2, %3, %4</source>
         <translation>Sommet %1 en %2, %3, %4</translation>
     </message>
@@ -12870,6 +12890,26 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The middle of the branch at %1, %2, %3</source>
         <translation>Le milieu de la branche en %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner and to the ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>L’attracteur et son tétraèdre de contrôle. Tab passe de coin en coin et à la boule des axes, les flèches déplacent le coin qui a le focus ou tournent la vue, F6 quitte le canevas.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, positive end of %1.</source>
+        <translation>Boule des axes, extrémité positive de %1.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, negative end of %1.</source>
+        <translation>Boule des axes, extrémité négative de %1.</translation>
+    </message>
+    <message>
+        <source>The view looks from there; Enter looks from behind.</source>
+        <translation>La vue regarde de là&#x202f;; Entrée regarde de derrière.</translation>
+    </message>
+    <message>
+        <source>Enter looks from there, the arrow keys choose another end.</source>
+        <translation>Entrée regarde de là, les flèches choisissent une autre extrémité.</translation>
     </message>
 </context>
 <context>

@@ -2102,10 +2102,6 @@
         <translation>Четири &amp;погледи</translation>
     </message>
     <message>
-        <source>Show the solid from the top, the front and the right as well</source>
-        <translation>Прикажи го телото и одозгора, однапред и оддесно</translation>
-    </message>
-    <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Го одредува контролниот триаголник со три клика, во просторот тетраедарот со четири</translation>
     </message>
@@ -2616,6 +2612,10 @@
     <message>
         <source>%1 is already open in this window.</source>
         <translation>%1 веќе е отворена во овој прозорец.</translation>
+    </message>
+    <message>
+        <source>Show the solid from the top, the front and the right, and in perspective</source>
+        <translation>Прикажи го телото одозгора, однапред, оддесно и во перспектива</translation>
     </message>
 </context>
 <context>
@@ -12179,6 +12179,30 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Change the stop colour</source>
         <translation>Смени ја бојата на маркерот</translation>
     </message>
+    <message>
+        <source>Ball of axes, after the last handle: choose an end</source>
+        <translation>Топка на оските, по последната рачка: избор на крај</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>стрелките</translation>
+    </message>
+    <message>
+        <source>Ball of axes: look along the axis, then from behind</source>
+        <translation>Топка на оските: поглед по оската, потоа од назад</translation>
+    </message>
+    <message>
+        <source>Enter or Space</source>
+        <translation>Enter или Space</translation>
+    </message>
+    <message>
+        <source>Ball of axes: turn the view, return to the canvas</source>
+        <translation>Топка на оските: вртење на погледот, враќање на платното</translation>
+    </message>
+    <message>
+        <source>Shift + arrow keys, Esc</source>
+        <translation>Shift + стрелките, Esc</translation>
+    </message>
 </context>
 <context>
     <name>view::SliceRows</name>
@@ -12855,10 +12879,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Телото и неговиот тетраедар. Влечете агол: X, Y или Z го држи на оска, со Shift во рамнина, а тркалцето го оддалечува. Влечете на друго место за да го завртите погледот; тркалцето зумира кај покажувачот, а средното копче поместува. Кликнете двапати на телото за вртење околу таа точка.</translation>
     </message>
     <message>
-        <source>The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
-        <translation>Атракторот и неговиот контролен тетраедар. Tab оди од агол на агол, стрелките го поместуваат аголот во фокус или го вртат погледот, F6 го напушта платното.</translation>
-    </message>
-    <message>
         <source>Vertex %1 at %2, %3, %4</source>
         <translation>Теме %1 кај %2, %3, %4</translation>
     </message>
@@ -12901,6 +12921,26 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The middle of the branch at %1, %2, %3</source>
         <translation>Средината на гранката е во %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>The attractor and its control tetrahedron. Tab moves from corner to corner and to the ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
+        <translation>Атракторот и неговиот контролен тетраедар. Tab оди од агол на агол и на топката на оските, стрелките го поместуваат аголот во фокус или го вртат погледот, F6 го напушта платното.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, positive end of %1.</source>
+        <translation>Топка на оските, позитивен крај на %1.</translation>
+    </message>
+    <message>
+        <source>Ball of axes, negative end of %1.</source>
+        <translation>Топка на оските, негативен крај на %1.</translation>
+    </message>
+    <message>
+        <source>The view looks from there; Enter looks from behind.</source>
+        <translation>Погледот е оттаму; Enter гледа од назад.</translation>
+    </message>
+    <message>
+        <source>Enter looks from there, the arrow keys choose another end.</source>
+        <translation>Enter гледа оттаму, стрелките избираат друг крај.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "attractor/kernels/kernels.h"
 #include "attractor/light/tone_map.h"
 #include "attractor/render/renderer.h"
+#include "attractor/space_systems.h"
 #include "attractor/systems.h"
 #include "bench/addresses_bench.h"
 #include "bench/canvas_drag.h"
@@ -13,6 +14,7 @@
 #include "bench/geometry_bench.h"
 #include "bench/light_bench.h"
 #include "bench/noise_bench.h"
+#include "bench/orbit_bench.h"
 #include "bench/plain_rivals.h"
 #include "bench/space_bench.h"
 #include "bench/start_bench.h"
@@ -32,6 +34,7 @@
 #include <iostream>
 #include <malloc.h>
 #include <map>
+#include <numeric>
 #include <random>
 #include <sstream>
 #include <string_view>
@@ -293,9 +296,28 @@ void addGeometry(std::vector<Metric>& metrics, bool quick) {
     }
 }
 
+// On as many threads as the machine has.
+void addOrbit(std::vector<Metric>& metrics, bool quick) {
+    for (const auto& [label, system] :
+         {std::pair{"menger", systems::menger()}, std::pair{"fern3", systems::fern3()}}) {
+        orbit_bench::Orbit orbit = orbit_bench::measure(system, quick ? 100 : 300);
+        const double moves = static_cast<double>(orbit.steps.size());
+        const double step = std::accumulate(orbit.steps.begin(), orbit.steps.end(), 0.0) / moves;
+        std::vector<double>& times = orbit.milliseconds;
+        std::sort(times.begin(), times.end());
+        const auto add = [&](const char* what, double value, const char* target) {
+            metrics.push_back({std::string("space.orbit.") + what + "." + label, value, target});
+        };
+        add("p50", times[times.size() / 2], "reported");
+        add("p99", times[times.size() * 99 / 100], "<= 16.7");
+        add("step", step, "reported");
+    }
+}
+
 void addSpace(std::vector<Metric>& metrics, bool quick) {
     for (const space::Ratio& ratio : space::measure(quick ? 12 : 40))
         metrics.push_back({ratio.name, ratio.value, ratio.target});
+    addOrbit(metrics, quick);
 }
 
 void addAddresses(std::vector<Metric>& metrics, bool quick) {

@@ -26,7 +26,13 @@ public:
 
     bool covers(const QPointF& position) const;
     std::optional<End> endAt(const QPointF& position) const; // the nearest to the eye
+    End front() const { return m_spots.back().end; }         // of all, the nearest to the eye
+    // The nearest to `from` on the screen in the direction of an arrow key; nullopt where that leads off the
+    // ball.
+    std::optional<End> beside(const End& from, const QPointF& direction) const;
     void setHovered(std::optional<End> end);
+    void setFocused(std::optional<End> end); // that the keyboard has chosen
+    std::optional<End> focused() const { return m_focused; }
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -42,9 +48,16 @@ private:
         QPointF centre;
         double depth = 0; // away from the eye, −1 … 1
     };
+    QColor colourOf(const End& end) const;
+    void paintSpot(QPainter& painter, const Spot& at, const QColor& ground) const;
+    void paintFocus(QPainter& painter) const;
+    static void paintDisc(QPainter& painter, const Spot& at, const QColor& rim, const QColor& fill);
+    static void paintName(QPainter& painter, const Spot& at);
+
     QPointF m_centre;
     std::array<Spot, 6> m_spots; // the farthest first
     std::optional<End> m_hovered;
+    std::optional<End> m_focused;
 };
 
 } // namespace view

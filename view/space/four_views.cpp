@@ -67,6 +67,7 @@ void FourViews::showFour(bool four) {
     if (four == m_areFourShown) return;
     m_areFourShown = four;
     cancelGesture();
+    m_main->navigation().lendPerspective(four);
     if (four) {
         makeOthers();
     } else { // hidden ones would be drawn all the same

@@ -12,7 +12,8 @@ class QGridLayout;
 namespace view {
 
 // The window into space, alone or as one of four: from the top, from the front and from the right beside the
-// view that orbits. What is dragged in one moves in all.
+// view that orbits, which is then in perspective unless the user chooses otherwise. What is dragged in one
+// moves in all.
 class FourViews : public QWidget {
     Q_OBJECT
 

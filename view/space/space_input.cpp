@@ -49,7 +49,8 @@ SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation
       m_definition(items.definition),
       m_slice(items.slice),
       m_symmetry(items.symmetry),
-      m_ball(items.ball) {}
+      m_ball(items.ball),
+      m_ballFocus(m_ball, navigation) {}
 
 void SpaceInput::press(const QMouseEvent& event) {
     if (!isIdle()) {
@@ -57,6 +58,7 @@ void SpaceInput::press(const QMouseEvent& event) {
         return;
     }
     m_pointer = event.position();
+    if (!m_ball.covers(m_pointer)) m_ballFocus.leave();
     const bool pans =
         event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && m_isSpaceHeld);
     if (pans) {
@@ -356,10 +358,7 @@ void SpaceInput::release(const QMouseEvent& event) {
         if (done.hasMoved) {
             m_navigation.moveTo(m_navigation.camera());
         } else if (done.end) {
-            const bool isThere = AxisBall::looksFrom(m_navigation.camera(), *done.end);
-            m_navigation.lookFrom(
-                AxisBall::towards({done.end->axis, isThere ? !done.end->isPositive : done.end->isPositive},
-                                  m_navigation.upAxis()));
+            m_navigation.lookAlong(*done.end);
         } else if (done.button == Qt::RightButton) {
             emit menuRequested(event.globalPosition().toPoint());
         } else if (m_branch.isActive()) {
@@ -410,11 +409,16 @@ bool SpaceInput::needsKey(const QKeyEvent& event) const {
     if (!isIdle()) return isAxisKey(event) || event.key() == Qt::Key_Escape;
     if (m_definition.isActive() && (event.key() == Qt::Key_Escape || event.key() == Qt::Key_Backspace))
         return true;
-    return event.key() == Qt::Key_Space || !arrowDirection(event.key()).isNull() ||
+    return m_ballFocus.needsKey(event) || event.key() == Qt::Key_Space ||
+           !arrowDirection(event.key()).isNull() ||
            (isOnKeypad(event) && event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9);
 }
 
 bool SpaceInput::keyPress(const QKeyEvent& event) {
+    if (isIdle() && m_ballFocus.keyPress(event)) {
+        emit changed();
+        return true;
+    }
     if (event.key() == Qt::Key_Escape && cancelGesture()) return true;
     if (event.key() == Qt::Key_Backspace && m_definition.isActive()) {
         m_definition.takeBack();
@@ -430,12 +434,14 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
     }
     const QPointF way = arrowDirection(event.key());
     if (way.isNull() || !isIdle()) return false;
-    const double factor = event.modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
+    const bool isFast = event.modifiers().testFlag(Qt::ShiftModifier) && !m_ballFocus.isHere();
+    const double factor = isFast ? 10 : 1; // on the ball, Shift alone makes the keys turn the view
     if (m_focused && *m_focused < held().vertices().size()) { // a branch that was let go has none
         nudge(factor * way);
     } else if (m_isFixed) {
         m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * factor * toVector(way)));
     } else {
+        m_navigation.leaveAxisView();
         const attractor::OrbitCamera& camera = m_navigation.camera();
         m_navigation.orbit(camera, camera.target, degreesPerKey * way.x(), -degreesPerKey * way.y());
         reportDirection();
@@ -500,21 +506,26 @@ bool SpaceInput::cancelDrag() {
     return true;
 }
 
-bool SpaceInput::focusVertex(bool next) {
+bool SpaceInput::moveFocus(bool next) {
     const std::size_t count = m_isEnabled ? held().count() : 0;
     const auto map = m_maps.selected();
     if (next && map && m_focused && *m_focused + 1 == count && *map + 1 < m_maps.count()) {
         m_maps.select(*map + 1); // and its first corner
         showSelected();
     }
-    const std::size_t vertex = m_focused ? (next ? *m_focused + 1 : *m_focused - 1) : (next ? 0 : count - 1);
-    m_focused = vertex < count ? std::optional(vertex) : std::nullopt;
+    const std::size_t stops = count + (m_ballFocus.canTake() ? 1 : 0); // the ball is the last
+    const std::optional<std::size_t> from = m_ballFocus.isHere() ? count : m_focused;
+    const std::size_t stop = from ? (next ? *from + 1 : *from - 1) : (next ? 0 : stops - 1);
+    m_focused = stop < count ? std::optional(stop) : std::nullopt;
+    m_ballFocus.leave();
+    if (stop >= count && stop < stops) m_ballFocus.take();
     emit changed();
-    return m_focused.has_value();
+    return stop < stops;
 }
 
 void SpaceInput::forgetFocus() {
     cancelGesture();
+    m_ballFocus.leave();
     m_focused.reset();
     m_hovered.reset();
     m_face.reset();
@@ -538,6 +549,7 @@ void SpaceInput::showMarks(bool hasFocus) {
     m_slice.setHeld(isIdle() && !m_hovered && isOnSlice(m_pointer), isSlicing);
     m_cage.setFaceMark(m_face);
     held().setMarks(m_hovered, pressed, hasFocus ? m_focused : std::nullopt);
+    m_ball.setFocused(hasFocus ? m_ballFocus.end() : std::nullopt);
     m_ball.setHovered(isIdle() && !m_isFixed ? m_ball.endAt(m_pointer) : std::nullopt);
 }
 

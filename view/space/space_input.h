@@ -2,6 +2,7 @@
 #pragma once
 
 #include "canvas/items/symmetry_item.h"
+#include "space/axis_ball_focus.h"
 #include "space/slice_item.h"
 #include "space/space_branch.h"
 #include "space/space_cage_item.h"
@@ -54,7 +55,7 @@ public:
     void keyRelease(const QKeyEvent& event);
     bool cancelGesture();          // a definition, too; false when none was under way
     bool cancelDrag();             // false when nothing was dragged
-    bool focusVertex(bool next);   // the next or previous one; false past the last
+    bool moveFocus(bool next);     // to the next or previous vertex; after the last, the ball; false past it
     void forgetFocus();            // of another fractal
     void setEnabled(bool enabled); // handles and ball can be held
     void fixDirection();           // nothing turns the view: a drag pans instead
@@ -149,6 +150,7 @@ private:
     SliceItem& m_slice;
     SymmetryItem& m_symmetry;
     AxisBall& m_ball;
+    AxisBallFocus m_ballFocus;
     std::variant<std::monostate, Orbiting, Panning, Dragging, Slicing> m_gesture;
     QPointF m_pointer{-1, -1};  // when it is elsewhere
     bool m_isPointRead = false; // what was reported last is under the pointer

@@ -45,12 +45,14 @@ void SpaceNavigation::moveTo(const attractor::OrbitCamera& camera, bool isMoving
     m_isFitted = false;
     const bool isOtherProjection = camera.projection != m_camera.projection;
     set(camera, isMoving);
-    if (isOtherProjection) emit perspectiveChanged(isPerspective());
+    if (!isOtherProjection) return;
+    choosePerspective(isPerspective());
+    emit perspectiveChanged(isPerspective());
 }
 
 void SpaceNavigation::followKeys(attractor::OrbitCamera camera, bool isMoving) {
     camera.size = m_camera.size;
-    m_wasPerspective = false; // it is the keys' view now
+    choosePerspective(camera.projection == attractor::OrbitCamera::Projection::Perspective);
     moveTo(camera, isMoving);
 }
 
@@ -149,14 +151,15 @@ void SpaceNavigation::setUpAxis(attractor::UpAxis up) {
 }
 
 void SpaceNavigation::lookFrom(const attractor::Direction& direction) {
-    attractor::OrbitCamera turned =
-        attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up);
-    if (isPerspective()) {
-        turned.projection = attractor::OrbitCamera::Projection::Orthographic;
-        m_wasPerspective = true;
-        emit perspectiveChanged(false);
-    }
-    glideTo(turned);
+    m_isAlongAxis = true;
+    project(); // first: who hears of it may set the same projection, which is then no choice
+    glideTo(attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up));
+}
+
+AxisBall::End SpaceNavigation::lookAlong(AxisBall::End end) {
+    if (AxisBall::looksFrom(m_camera, end)) end.isPositive = !end.isPositive;
+    lookFrom(AxisBall::towards(end, m_up));
+    return end;
 }
 
 void SpaceNavigation::fixDirection(const attractor::Direction& direction) {
@@ -168,7 +171,8 @@ void SpaceNavigation::fixDirection(const attractor::Direction& direction) {
 }
 
 void SpaceNavigation::leaveAxisView() {
-    if (std::exchange(m_wasPerspective, false)) setPerspective(true);
+    m_isAlongAxis = false;
+    project();
 }
 
 bool SpaceNavigation::isPerspective() const {
@@ -177,10 +181,27 @@ bool SpaceNavigation::isPerspective() const {
 
 void SpaceNavigation::setPerspective(bool on) {
     if (on == isPerspective()) return;
+    choosePerspective(on);
+    project();
+}
+
+void SpaceNavigation::choosePerspective(bool on) {
+    m_isPerspectiveChosen = on;
+    m_isPerspectiveLent = false;
+    m_isAlongAxis = false;
+}
+
+void SpaceNavigation::lendPerspective(bool on) {
+    m_isPerspectiveLent = on;
+    project();
+}
+
+void SpaceNavigation::project() {
+    const bool on = m_isPerspectiveLent || (m_isPerspectiveChosen && !m_isAlongAxis);
+    if (on == isPerspective()) return;
     using Projection = attractor::OrbitCamera::Projection;
     attractor::OrbitCamera changed = m_camera;
     changed.projection = on ? Projection::Perspective : Projection::Orthographic;
-    m_wasPerspective = false;
     m_glide.stop();
     set(changed, false);
     emit perspectiveChanged(on);

@@ -38,6 +38,8 @@ public:
     void zoomAt(const QPointF& position, double factor);
     void resetZoom(); // 100 %: one unit at the target is a hundred pixels
     void lookFrom(const attractor::Direction& direction);
+    // From that end of an axis, or from the other one where that is so already; returns the one it is.
+    AxisBall::End lookAlong(AxisBall::End end);
     // By that many degrees from `before`, as the user likes to turn.
     void orbit(const attractor::OrbitCamera& before, const ifs::Vector<3>& pivot, double right, double up,
                bool isMoving = false);
@@ -56,6 +58,8 @@ public:
     bool isPerspective() const;
     void leaveAxisView(); // one orbits now
     void setPerspective(bool on);
+    bool isPerspectiveChosen() const { return m_isPerspectiveChosen; } // whatever is shown for now
+    void lendPerspective(bool on); // also along an axis, until it is taken back or the projection is chosen
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
@@ -70,6 +74,8 @@ signals:
 private:
     void set(const attractor::OrbitCamera& camera, bool isMoving);
     void fitAgain();
+    void choosePerspective(bool on);
+    void project(); // as it is chosen
 
     document::Document* m_document;
     SolidBridge* m_bridge;
@@ -79,9 +85,11 @@ private:
     attractor::UpAxis m_up = attractor::UpAxis::Y;
     attractor::Stereo m_stereo = attractor::Stereo::None;
     bool m_isTrackball = false;
-    bool m_wasPerspective = false; // before a view along an axis
-    bool m_isFitted = true;        // follows the size of the window until the user moves the view
-    animation::Moment m_fitted;    // so that a resized window shows it again, whichever is shown
+    bool m_isPerspectiveChosen = false;
+    bool m_isPerspectiveLent = false;
+    bool m_isAlongAxis = false; // and orthographic for as long
+    bool m_isFitted = true;     // follows the size of the window until the user moves the view
+    animation::Moment m_fitted; // so that a resized window shows it again, whichever is shown
 };
 
 } // namespace view

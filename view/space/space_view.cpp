@@ -191,15 +191,20 @@ void SpaceView::setUpWidget() {
     describeFocus();
 }
 
+// Setting it is announced, also where it does not change.
 void SpaceView::describeFocus() {
+    const QString text = focusText();
+    if (text != accessibleDescription()) setAccessibleDescription(text);
+}
+
+QString SpaceView::focusText() const {
+    if (const auto end = m_ball->focused()) return ballText(*end);
     const auto vertex = m_input.focusedVertex();
     const auto& vertices = (holdsMap() ? m_mapItem : m_cageItem)->vertices();
-    if (!vertex || *vertex >= vertices.size()) {
-        setAccessibleDescription(tr(
-            "The attractor and its control tetrahedron. Tab moves from corner to corner, the arrow keys move "
-            "the corner in focus or turn the view, F6 leaves the canvas."));
-        return;
-    }
+    if (!vertex || *vertex >= vertices.size())
+        return tr("The attractor and its control tetrahedron. Tab moves from corner to corner and to the "
+                  "ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the "
+                  "canvas.");
     double size = 0;
     for (const ifs::Vector<3>& corner : vertices)
         size = std::max(size, corner.norm());
@@ -212,8 +217,16 @@ void SpaceView::describeFocus() {
         map ? tr("Map %4, its middle at %1, %2, %3") : tr("The middle of the branch at %1, %2, %3");
     QString text = holdsMap() && *vertex == SpaceMaps::middle ? middle : corner.arg(*vertex + 1);
     text = text.arg(at.x(), 0, 'g', 6).arg(at.y(), 0, 'g', 6).arg(at.z(), 0, 'g', 6);
-    if (map) text = text.arg(*map + 1);
-    setAccessibleDescription(text);
+    return map ? text.arg(*map + 1) : text;
+}
+
+QString SpaceView::ballText(const AxisBall::End& end) const {
+    const QString chosen =
+        end.isPositive ? tr("Ball of axes, positive end of %1.") : tr("Ball of axes, negative end of %1.");
+    const QString next = AxisBall::looksFrom(m_navigation.camera(), end)
+                             ? tr("The view looks from there; Enter looks from behind.")
+                             : tr("Enter looks from there, the arrow keys choose another end.");
+    return chosen.arg(QChar(u'X' + end.axis)) + u' ' + next;
 }
 
 void SpaceView::followDocument(const document::Change& change) {
@@ -302,7 +315,7 @@ void SpaceView::layOut() {
     m_note->avoid({}, m_ball->isVisible() ? m_ball->boundingRect() : QRectF());
     m_mapOutlines->setVisible(isShown && holdsMap());
     m_mapItem->setVisible(isShown && holdsMap());
-    if (!isShown) return;
+    if (!isShown) return refreshMarks(); // what is hidden has no focus
     m_outlines->layOut(camera);
     layOutSlice();
     m_symmetry->setMarks(symmetryLayout(m_document->fractal(), camera));
@@ -460,7 +473,7 @@ void SpaceView::focusOutEvent(QFocusEvent* event) {
 }
 
 bool SpaceView::focusNextPrevChild(bool next) {
-    return m_input.focusVertex(next) || QGraphicsView::focusNextPrevChild(next);
+    return m_input.moveFocus(next) || QGraphicsView::focusNextPrevChild(next);
 }
 
 } // namespace view

@@ -93,6 +93,8 @@ private:
     void applyStyle();
     void refreshMarks();
     void describeFocus();
+    QString focusText() const;
+    QString ballText(const AxisBall::End& end) const;
     void showMenu(const QPoint& global);
 
     document::Document* m_document;

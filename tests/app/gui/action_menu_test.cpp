@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "canvas/canvas_view.h"
+#include "desktop/settings.h"
 #include "dialogs/command_palette.h"
 #include "document/animated_fractal.h"
 #include "document/edits/cage_edits.h"
@@ -8,6 +9,7 @@
 #include "document/recurring_branches.h"
 #include "session_fixture.h"
 #include "space/space_view.h"
+#include "stage.h"
 #include "welcome.h"
 
 #include <QAbstractButton>
@@ -39,6 +41,7 @@ private slots:
     void menusHaveEveryLetterOnce();
     void whatIsDisabledSaysWhy();
     void toolsOfThePlaneAreNotOfferedInSpace();
+    void perspectiveIsStoredAsChosen();
     void weaveLeavesItsFocusToTheCanvas();
     void aKeyThatNobodyClaimsEnds();
     void otherDimensionsAreOneStep_data();
@@ -353,6 +356,26 @@ void ActionMenuTest::weaveLeavesItsFocusToTheCanvas() {
     QTRY_COMPARE(QApplication::focusWidget(), weave);
     canvas->selectMaps({});
     QTRY_COMPARE(QApplication::focusWidget(), canvas);
+}
+
+// A view along an axis is orthographic for a while, and not what the next window begins with.
+void ActionMenuTest::perspectiveIsStoredAsChosen() {
+    const auto isStored = [] { return view::stored(QStringLiteral("space/perspective")).toBool(); };
+    MainWindow* window = shown({});
+    window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    view::SpaceNavigation& navigation = window->findChild<Stage*>()->space()->navigation();
+    const QList<QAction*> actions = window->actions();
+    QAction* perspective = *std::ranges::find(actions, QStringLiteral("&Perspective"), &QAction::text);
+    QVERIFY(!perspective->isChecked());
+    perspective->trigger();
+    QVERIFY(navigation.isPerspective() && isStored());
+    navigation.lookFrom(view::directions::front);
+    QVERIFY(!perspective->isChecked() && isStored());
+    navigation.leaveAxisView();
+    QVERIFY(perspective->isChecked());
+    perspective->trigger();
+    QVERIFY(!navigation.isPerspective() && !isStored());
+    window->document().undoStack()->setClean();
 }
 
 // Copy and the like press their key for the widget with the focus. Where it has no use for the key, the

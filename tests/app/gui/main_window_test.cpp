@@ -58,6 +58,7 @@ private slots:
     void mapsInSpaceStaySelected();
     void theCameraInSpaceIsKeyed();
     void framesAreKeyedFromTheCanvas();
+    void spaceOnTheBallOfAxesDoesNotPlay();
     void theViewIsRotated();
     void flamesAreReadEitherWayUp();
     void theMenuCopiesAsLatex();
@@ -429,6 +430,33 @@ void MainWindowTest::framesAreKeyedFromTheCanvas() {
     QTest::keyClick(canvas, Qt::Key_K, Qt::ShiftModifier); // where none has keys, all get one
     for (std::size_t row = 0; row < timeline.tracks().size(); ++row)
         QCOMPARE(framesOf(row), std::vector<int>{0});
+    window->document().undoStack()->setClean();
+}
+
+void MainWindowTest::spaceOnTheBallOfAxesDoesNotPlay() {
+    MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
+    window->document().edit(QStringLiteral("solid"), pairOfCubes());
+    view::Timeline& timeline = window->findChild<view::TimelinePanel*>()->timeline();
+    timeline.setRow(timeline.rowCount() - 1); // the camera
+    for (const int frame : {0, 12}) {
+        timeline.setFrame(frame);
+        timeline.keys().set();
+    }
+    view::SpaceView* space = window->findChild<Stage*>()->space();
+    QTRY_VERIFY(space->ball().isVisible());
+    space->setFocus();
+    QTRY_VERIFY(space->hasFocus());
+    for (int stop = 0; stop < 10 && !space->ball().focused(); ++stop)
+        QTest::keyClick(space, Qt::Key_Tab);
+    QVERIFY(space->ball().focused());
+    const auto chosen = *space->ball().focused();
+    QTest::keyClick(space, Qt::Key_Space);
+    QTRY_VERIFY(view::AxisBall::looksFrom(space->navigation().camera(), chosen));
+    QVERIFY(!timeline.playback().isPlaying());
+    QTest::keyClick(space, Qt::Key_Escape);
+    QTest::keyClick(space, Qt::Key_Space);
+    QTRY_VERIFY(timeline.playback().isPlaying());
+    timeline.playback().setPlaying(false);
     window->document().undoStack()->setClean();
 }
 
