@@ -23,7 +23,8 @@ namespace {
 
 constexpr std::uint64_t maxPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
 constexpr int maxDepthLevel = 4095;                 // of a sample whose depth is counted
-constexpr std::size_t wordsPerJob = 64;             // between two looks at the stop token
+constexpr std::size_t maxWordsPerJob = 64;          // between two looks at the stop token
+constexpr std::size_t samplesPerJob = 1U << 18;     // likewise, about
 
 // Where a word is seen, with room for rounding; empty where it is not.
 CellRegion reachedCells(const SpaceWord& word, float reach, const CellWindow& window) {
@@ -80,10 +81,11 @@ struct CloudRendering::State {
     std::uint64_t asDense(std::uint64_t samples);
     bool makeCut(std::uint64_t samples, const std::stop_token& stop);
     void plan(std::uint64_t samples);
-    void drawWord(std::size_t k, std::size_t thread);
+    bool clearAll(std::size_t thread, const std::stop_token& stop);
+    void drawWord(std::size_t k, std::size_t thread, const std::stop_token& stop);
     void plotExactly(std::size_t k, std::uint64_t count, const ColourCell* colour, std::size_t thread);
     bool pass(std::uint64_t samples, const std::stop_token& stop);
-    CellSums coloursOfDepth() const;
+    CellSums coloursOfDepth(const std::stop_token& stop) const;
     Appearance shownAppearance() const;
     ToneSettings toneSettings(const Exposure& shown) const;
     template <class Tones, class Pixel>
@@ -218,11 +220,26 @@ void CloudRendering::State::plotExactly(std::size_t k, std::uint64_t count, cons
     }
 }
 
-void CloudRendering::State::drawWord(std::size_t k, std::size_t thread) {
+// Of a large picture this takes a second, once. False when stopped.
+bool CloudRendering::State::clearAll(std::size_t thread, const std::stop_token& stop) {
+    constexpr int together = 64;
+    const CellWindow& window = sums.window();
+    for (int row = window.firstRow; row < window.endRow; row += together) {
+        if (stop.stop_requested()) return false;
+        const CellRegion strip{0, window.width, row, std::min(window.endRow, row + together)};
+        coloured() ? void(sums.colours(thread, strip)) : void(sums.counts(thread, strip));
+    }
+    return true;
+}
+
+void CloudRendering::State::drawWord(std::size_t k, std::size_t thread, const std::stop_token& stop) {
     const SpaceWord& word = cut->words[k];
     const ColourCell* colour =
         coloured() && !showsDepth() ? &colours.of(word.firstMap, word.addressCoordinate) : nullptr;
-    if (k >= cut->firstExact) return plotExactly(k, counts[k], colour, thread);
+    if (k >= cut->firstExact) {
+        if (clearAll(thread, stop)) plotExactly(k, counts[k], colour, thread);
+        return;
+    }
     const CellWindow& window = sums.window();
     if (counts[k] == 0) return;
     const CellRegion region = reachedCells(word, sampleSet.reach, window);
@@ -268,12 +285,15 @@ bool CloudRendering::State::pass(std::uint64_t samples, const std::stop_token& s
         }
         sinceCarry += number;
         plan(number);
+        const std::size_t words = cut->words.size();
+        const std::size_t together =
+            std::clamp<std::size_t>(samplesPerJob * words / number, 1, maxWordsPerJob);
         JobShares shares;
-        shares.reset((cut->words.size() + wordsPerJob - 1) / wordsPerJob, *workers);
-        shares.run(*workers, stop, [this](std::size_t job, std::size_t thread) {
-            const std::size_t end = std::min(cut->words.size(), (job + 1) * wordsPerJob);
-            for (std::size_t k = job * wordsPerJob; k < end; ++k)
-                drawWord(k, thread);
+        shares.reset((words + together - 1) / together, *workers);
+        shares.run(*workers, stop, [&](std::size_t job, std::size_t thread) {
+            const std::size_t end = std::min(words, (job + 1) * together);
+            for (std::size_t k = job * together; k < end; ++k)
+                drawWord(k, thread, stop);
         });
         if (stop.stop_requested()) return false;
         samples -= number;
@@ -291,7 +311,7 @@ template <class Tones, class Pixel>
 bool CloudRendering::State::toneRows(const Tones& tones, std::span<Pixel> pixels,
                                      const std::stop_token& stop) const {
     constexpr int together = 16;
-    const CellSums ofDepth = showsDepth() ? coloursOfDepth() : CellSums();
+    const CellSums ofDepth = showsDepth() ? coloursOfDepth(stop) : CellSums();
     const CellSums& shown = showsDepth() ? ofDepth : sums;
     const int rows = std::max(0, request.camera.size.height);
     std::atomic<int> next = 0;
@@ -312,8 +332,8 @@ Appearance CloudRendering::State::shownAppearance() const {
     return result;
 }
 
-// The sums with the colour of its mean depth in every cell.
-CellSums CloudRendering::State::coloursOfDepth() const {
+// The sums with the colour of its mean depth in every cell; of some rows only when stopped.
+CellSums CloudRendering::State::coloursOfDepth(const std::stop_token& stop) const {
     std::vector<LinearColour> palette;
     for (int level = 0; level <= maxDepthLevel; ++level)
         palette.push_back(linearColourAt(request.appearance.palette, 1 - level / double{maxDepthLevel}));
@@ -321,7 +341,7 @@ CellSums CloudRendering::State::coloursOfDepth() const {
     const CellWindow& window = sums.window();
     result.reset(CellKind::Colour, window, 1);
     std::vector<CellSums::Sum> row;
-    for (int y = window.firstRow; y < window.endRow; ++y) {
+    for (int y = window.firstRow; y < window.endRow && !stop.stop_requested(); ++y) {
         if (!sums.sumsOfRow(y, row)) continue;
         for (CellSums::Sum& sum : row) {
             if (sum.samples == 0) continue;
