@@ -45,7 +45,6 @@ class MainWindowTest : public SessionFixture {
 
 private slots:
     void brokenPathsShareOneWindow();
-    void aFileThatIsOpenIsShownInItsWindow();
     void saysWhenWorkCannotBeKept();
     void preferencesReachEveryWindow();
     void preferencesKnowWhatIsNotSaved();
@@ -79,35 +78,6 @@ void MainWindowTest::brokenPathsShareOneWindow() {
     QCOMPARE(windows().size(), 2);
     for (SessionWindow* window : windows())
         QVERIFY(window->path() == good || window->path() == other);
-}
-
-// Under any of its names: as a recent file, once more on the command line, or dropped.
-void MainWindowTest::aFileThatIsOpenIsShownInItsWindow() {
-    const QTemporaryDir folder;
-    const QString good = support::testData(QStringLiteral("shapes.ifs"));
-    const QString link = folder.filePath(QStringLiteral("link.ifs"));
-    QVERIFY(QFile::link(good, link));
-    MainWindow* first = shown(good);
-    MainWindow* second = shown({});
-    document::Fractal renamed = second->document().fractal();
-    renamed.name = QStringLiteral("mine");
-    second->document().edit(QStringLiteral("rename"), renamed); // nothing is asked about it
-    for (const QString& path : {good, link}) {
-        second->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(second));
-        second->openRecent(path);
-        QTRY_VERIFY(first->isActiveWindow());
-        QCOMPARE(first->statusBar()->currentMessage(),
-                 QFileInfo(path).fileName() + QStringLiteral(" is already open in this window."));
-        QVERIFY(second->path().isEmpty());
-        QCOMPARE(second->document().fractal().name, QStringLiteral("mine"));
-    }
-    first->showMinimized();
-    MainWindow::openEach({good, good});
-    QCOMPARE(windows().size(), 2);
-    QVERIFY(!first->isMinimized());
-    first->openRecent(good); // reads it again
-    QVERIFY(!first->statusBar()->currentMessage().contains(QStringLiteral("already")));
 }
 
 // A file is in the place of the recovery folder; recovered work is not deleted before it is kept again.

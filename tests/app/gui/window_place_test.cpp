@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/session_fixture.h"
 #include "support/forget_settings.h"
+#include "support/paths.h"
+#include "support/patient_tries.h"
 #include "window_place.h"
 
+#include <QFileInfo>
 #include <QScreen>
+#include <QStatusBar>
+#include <QTemporaryDir>
 
 #include <algorithm>
 
-// Where new windows go: on the screen, and not exactly where another one is.
+// Where new windows go: on the screen, and not exactly where another one is; and none for what has one.
 class WindowPlaceTest : public SessionFixture {
     Q_OBJECT
 
@@ -20,6 +25,7 @@ private slots:
     void aWindowThatFillsTheScreenBecomesSmaller();
     void afterTheLastPlaceTheyCoverEachOther();
     void recoveredWindowsAreApart();
+    void aFileThatIsOpenIsShownInItsWindow();
 
 private:
     static constexpr QRect room{0, 24, 1920, 1056};
@@ -94,6 +100,35 @@ void WindowPlaceTest::recoveredWindowsAreApart() {
     for (const SessionWindow* a : shown)
         for (const SessionWindow* b : shown)
             QVERIFY(a == b || (a->pos() - b->pos()).manhattanLength() >= 32);
+}
+
+// Under any of its names: as a recent file, once more on the command line, or dropped.
+void WindowPlaceTest::aFileThatIsOpenIsShownInItsWindow() {
+    const QTemporaryDir folder;
+    const QString good = support::testData(QStringLiteral("shapes.ifs"));
+    const QString link = folder.filePath(QStringLiteral("link.ifs"));
+    QVERIFY(QFile::link(good, link));
+    MainWindow* first = shown(good);
+    MainWindow* second = shown({});
+    document::Fractal renamed = second->document().fractal();
+    renamed.name = QStringLiteral("mine");
+    second->document().edit(QStringLiteral("rename"), renamed); // nothing is asked about it
+    for (const QString& path : {good, link}) {
+        second->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(second));
+        second->openRecent(path);
+        QTRY_VERIFY(first->isActiveWindow());
+        QCOMPARE(first->statusBar()->currentMessage(),
+                 QFileInfo(path).fileName() + QStringLiteral(" is already open in this window."));
+        QVERIFY(second->path().isEmpty());
+        QCOMPARE(second->document().fractal().name, QStringLiteral("mine"));
+    }
+    first->showMinimized();
+    MainWindow::openEach({good, good});
+    QCOMPARE(windows().size(), 2);
+    QVERIFY(!first->isMinimized());
+    first->openRecent(good); // reads it again
+    QVERIFY(!first->statusBar()->currentMessage().contains(QStringLiteral("already")));
 }
 
 QTEST_MAIN(WindowPlaceTest)
