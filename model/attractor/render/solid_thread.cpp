@@ -3,6 +3,7 @@
 
 #include "attractor/light/solid_light.h"
 #include "attractor/render/cloud_rendering.h"
+#include "attractor/render/live_step.h"
 #include "attractor/render/solid_rendering.h"
 #include "attractor/threads/mailbox.h"
 #include "attractor/threads/workers.h"
@@ -22,9 +23,6 @@ namespace attractor {
 
 namespace {
 
-constexpr int maxStep = 8;
-constexpr double fluid = 16;  // milliseconds for a picture while the hand moves
-constexpr double spare = 0.2; // of them: then four times as many pixels are still fluid
 constexpr double degree = std::numbers::pi / 180;
 constexpr auto rest = std::chrono::milliseconds(100);
 constexpr std::uint64_t samplesPerCell = 4; // of a density, in a pass
@@ -111,7 +109,7 @@ struct SolidThread::State {
     std::optional<SolidRendering> rendering;
     std::array<std::optional<CloudRendering>, 2> clouds; // of both eyes
     std::optional<Workers> lamps;
-    int liveStep = 2;    // while the hand moves
+    LiveStep live;       // while the hand moves
     std::jthread thread; // last: it uses the rest
 };
 
@@ -122,12 +120,9 @@ void SolidThread::State::serve() {
 
 void SolidThread::State::work(const Job& job, const std::stop_token& stop) {
     if (job.isLive) {
-        const auto time = show(job, liveStep, stop);
+        const auto time = show(job, live.pixels(), stop);
         if (!time) return;
-        if (*time > fluid)
-            liveStep = std::min(2 * liveStep, maxStep);
-        else if (*time < spare * fluid)
-            liveStep = std::max(liveStep / 2, 1);
+        live.took(*time);
         if (!mailbox.staysIdle(rest, stop)) return;
     }
     show(job, 1, stop);
