@@ -423,8 +423,9 @@ void paintHandout(QPainter& painter, const QRectF& page, std::span<const Handout
         if (place == 0 && k > 0) newPage();
         if (place == 0 && options.hasNameLine)
             paintNameLine(painter, QRectF(page.topLeft(), QSizeF(page.width(), top)), line);
-        const QPointF corner(page.left() + (place % columns) * (size.width() + gap),
-                             page.top() + top + (place / columns) * (size.height() + gap));
+        const int column = place % columns, row = place / columns;
+        const QPointF corner(page.left() + column * (size.width() + gap),
+                             page.top() + top + row * (size.height() + gap));
         CellPainter(painter, QRectF(corner, size), line, options).paint(items[k]);
     }
 }
