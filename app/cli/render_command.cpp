@@ -223,7 +223,7 @@ private:
             reportWarning(task.input->name, tr("A solid has no shapes: the file contains its picture in "
                                                "pixels."));
         QByteArray png;
-        const auto outcome = io::drawSpacePng(
+        const auto outcome = io::drawSpaceFile(
             picture, png, [&](double fraction) { m_bar.show((before + fraction) / all); },
             m_interrupt.token());
         if (!outcome.failure && !outcome.stopped)

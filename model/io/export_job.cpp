@@ -33,7 +33,7 @@ ExportOutcome exportSvg(const SvgExport& what, const QString& path, const Progre
 ExportOutcome exportSpace(const SpaceExport& what, const QString& path, const Progress& progress,
                           const std::stop_token& stop) {
     QByteArray png;
-    ExportOutcome outcome = drawSpacePng(what, png, progress, stop);
+    ExportOutcome outcome = drawSpaceFile(what, png, progress, stop);
     if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, png);
     return outcome;
 }

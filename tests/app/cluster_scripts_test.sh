@@ -17,7 +17,7 @@ fake() {
 mkdir "$work/bin"
 fake sbatch 'echo "$*" >>"$LOG"; echo 7'
 fake barycage-cli 'echo "$*" >>"$LOG"'
-fake parallel 'while [ "$1" != barycage-cli ]; do shift; done; "$@"'
+fake parallel 'cat >/dev/null; while [ "$1" != barycage-cli ]; do shift; done; "$@"'
 
 # calls SCRIPT ARGUMENT...: the log of what it called, its messages in $output and its exit status in $status.
 calls() {

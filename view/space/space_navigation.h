@@ -58,7 +58,7 @@ public:
     bool isPerspective() const;
     void leaveAxisView(); // one orbits now
     void setPerspective(bool on);
-    bool isPerspectiveChosen() const { return m_isPerspectiveChosen; } // whatever is shown for now
+    bool isPerspectiveChosen() const { return m_isPerspectiveChosen; } // whatever is lent
     void lendPerspective(bool on); // also along an axis, until it is taken back or the projection is chosen
 
     // The point of the attractor that is seen there; nullopt beside it.

@@ -70,7 +70,7 @@ Failure fill(const QDir& folder, const ClusterJob& job) {
     if (const Failure failure = saveFile(folder.filePath(QLatin1String(entryFile)), entry)) return failure;
     if (const Failure failure = saveFile(folder.filePath(QStringLiteral("README.md")), readmeText(job)))
         return failure;
-    for (const char* name : {"submit-animation.sh", "animate.sh", "encode.sh"}) {
+    for (const char* name : {"submit-animation.sh", "animation-options.sh", "animate.sh", "encode.sh"}) {
         QFile script(QStringLiteral(":/slurm/") + QLatin1String(name));
         if (!script.open(QIODevice::ReadOnly)) return script.errorString();
         if (const Failure failure = writeScript(folder, QLatin1String(name), script.readAll()))

@@ -173,7 +173,7 @@ ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const Frame
     outcome.failure = startOf(path);
     if (outcome.failure) return outcome;
     QByteArray png;
-    outcome = drawSpacePng(picture, png, progress, stop);
+    outcome = drawSpaceFile(picture, png, progress, stop);
     if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, png);
     return outcome;
 }

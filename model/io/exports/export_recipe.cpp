@@ -88,7 +88,7 @@ std::optional<QImage> preview(SpaceRecipe recipe, const document::Fractal& fract
     QByteArray depths;
     SpaceExport png = picture;
     png.file = PictureFile::Png;
-    const ExportOutcome outcome = drawSpacePng(png, depths, {}, stop);
+    const ExportOutcome outcome = drawSpaceFile(png, depths, {}, stop);
     return outcome.stopped || outcome.failure ? std::nullopt : heard(QImage::fromData(depths, "PNG"));
 }
 

@@ -23,8 +23,8 @@ using Depth = PictureFormat::Depth;
 using Pixels = PictureFormat::Pixels;
 using Row = std::span<const std::uint32_t>;
 
-// The same pixels without text.
-PictureFormat inside(const PictureFormat& format) {
+// Its pixels alone.
+PictureFormat withoutTexts(const PictureFormat& format) {
     PictureFormat plain;
     plain.width = format.width;
     plain.height = format.height;
@@ -113,7 +113,7 @@ private:
     void beginStrip() {
         m_stripBegin = m_row - (m_last.empty() ? 0 : 1);
         m_stripEnd = std::min(m_format.height, m_stripBegin + rowsInStrip());
-        PictureFormat format = inside(m_format);
+        PictureFormat format = withoutTexts(m_format);
         format.height = m_stripEnd - m_stripBegin;
         m_strip = std::make_unique<PngBytes>(format);
     }
@@ -180,12 +180,12 @@ public:
 
 private:
     static PictureFormat coloursOf(const PictureFormat& format) {
-        PictureFormat colours = inside(format);
+        PictureFormat colours = withoutTexts(format);
         colours.pixels = Pixels::Opaque;
         return colours;
     }
     static PictureFormat opacitiesOf(const PictureFormat& format) {
-        PictureFormat grey = inside(format);
+        PictureFormat grey = withoutTexts(format);
         grey.pixels = Pixels::Grey;
         grey.depth = Depth::Bits16;
         return grey;

@@ -22,8 +22,8 @@ struct PicturePage {
     OverlayMarks marks; // in pixels of the picture
 };
 
-// Takes the rows of a picture of 8 bits per channel, not Grey. SVG contains the system as text; a dot per
-// inch is a pixel of SVG where the format has none. The device is open for writing and outlives the writer.
+// Takes the rows of a picture of 8 bits per channel, not Grey. SVG contains the system as text. Without
+// dots per inch, a pixel is one of SVG. The device is open for writing and outlives the writer.
 std::unique_ptr<PictureWriter> pageWriter(PicturePage page, QIODevice& device, const PictureFormat& format);
 // The same as one more page of a file, which is there once the writer has finished.
 std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, const PictureFormat& format);

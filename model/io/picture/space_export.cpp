@@ -284,8 +284,8 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
                               2 * sizeof(attractor::Rgba16));
 }
 
-ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
-                           std::stop_token stop) {
+ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
+                            std::stop_token stop) {
     ExportOutcome refused;
     refused.failure = whyImpossible(picture);
     if (refused.failure) return refused;

@@ -53,14 +53,14 @@ std::uint16_t depthValue(std::uint32_t key);
 // Why the kind of file cannot hold the picture, before it is drawn.
 Failure whyImpossible(const SpaceExport& picture);
 
-// Memory that drawSpacePng() takes, in bytes, about.
+// Memory that drawSpaceFile() takes, in bytes, about.
 std::uint64_t memoryFor(const SpaceExport& picture);
 
 // Draws the picture and encodes it. A picture of depths has two texts, barycage:near and barycage:far: depths
 // along the view from the plane of the target, away from the eye, in units of the system; a pixel v shows
 // depth near + (far − near)·v/65534, and 65535 shows nothing.
-ExportOutcome drawSpacePng(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
-                           std::stop_token stop = {});
+ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
+                            std::stop_token stop = {});
 
 // The same as one more page of a file, of 8 bits per channel and not of depths.
 ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress = {},

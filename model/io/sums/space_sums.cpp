@@ -264,7 +264,7 @@ ExportOutcome exportPicture(const SpaceSums& sums, const QString& path, const Pr
         SpaceExport picture = sums.picture;
         picture.divided = dividedPicture(sums.passes, sums.drawn, sums.files);
         QByteArray bytes;
-        outcome = drawSpacePng(picture, bytes, progress, stop);
+        outcome = drawSpaceFile(picture, bytes, progress, stop);
         if (!outcome.failure && !outcome.stopped) file.write(bytes);
     } else {
         outcome = writeSolid(sums, file, progress, stop);

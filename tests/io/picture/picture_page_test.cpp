@@ -116,7 +116,7 @@ SpaceExport menger(ShapeFile page) {
 
 QByteArray drawn(const SpaceExport& picture) {
     QByteArray bytes;
-    const ExportOutcome outcome = drawSpacePng(picture, bytes);
+    const ExportOutcome outcome = drawSpaceFile(picture, bytes);
     return outcome.failure || outcome.stopped ? QByteArray() : bytes;
 }
 

@@ -54,7 +54,7 @@ constexpr attractor::RasterSize size{301, 211};
 
 QByteArray whole(const SpaceExport& picture) {
     QByteArray png;
-    const ExportOutcome outcome = drawSpacePng(picture, png);
+    const ExportOutcome outcome = drawSpaceFile(picture, png);
     return outcome.failure || outcome.stopped ? QByteArray() : png;
 }
 
