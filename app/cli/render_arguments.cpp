@@ -30,11 +30,6 @@ bool isStrip(const RenderArguments& arguments) {
     return arguments.steps.first < arguments.steps.last && !hasIterations(fileNameOf(arguments.output));
 }
 
-QString suffixOf(const RenderArguments& arguments) {
-    return arguments.format.empty() ? QFileInfo(fileNameOf(arguments.output)).suffix().toLower()
-                                    : QString::fromStdString(arguments.format);
-}
-
 Format formatOf(const RenderArguments& arguments) {
     if (!arguments.format.empty())
         choiceArgument("--to", arguments.format, {"png", "jpg", "webp", "tiff", "exr", "svg", "pdf"});
@@ -85,6 +80,11 @@ double vibrancyOf(const std::string& text) {
 }
 
 } // namespace
+
+QString suffixOf(const RenderArguments& arguments) {
+    return arguments.format.empty() ? QFileInfo(fileNameOf(arguments.output)).suffix().toLower()
+                                    : QString::fromStdString(arguments.format);
+}
 
 void selectInstructions(const std::string& name) {
     if (attractor::selectSimd(name)) return;

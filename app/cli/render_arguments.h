@@ -92,6 +92,7 @@ void checkShapes(const RenderArguments& arguments);
 attractor::Algorithm algorithmOf(const std::string& text);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
+QString suffixOf(const RenderArguments& arguments); // of the file, by --to or the name of the output
 // What a picture of pixels is written as, by --to or the name of the output, with --bits.
 io::PictureFile pictureFileOf(const RenderArguments& arguments);
 io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the rows that its writer takes

@@ -20,7 +20,6 @@
 #include "io/text/number.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
@@ -112,11 +111,6 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     if (look == LookInSpace::Depth || attractor::showsCloud(look))
         refuseLight(options, tr("it applies only to solids: --look stone or ink."));
     if (look == LookInSpace::Depth) refuseNumbers(options);
-}
-
-QString suffixOf(const RenderArguments& options) {
-    return options.format.empty() ? QFileInfo(fileNameOf(options.output)).suffix().toLower()
-                                  : quoted(options.format);
 }
 
 // What the picture is embedded in; nullopt: nothing.
