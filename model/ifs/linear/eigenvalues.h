@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
+// Eigen's decompositions take long to compile, so each is compiled once, in this folder.
 namespace ifs {
 
-// Largest modulus of an eigenvalue. For a finite square matrix of any size: Eigen's general solver takes long
-// to compile, so it is compiled once, here.
+// Largest modulus of an eigenvalue, for a finite square matrix of any size.
 double largestEigenvalueModulus(const Eigen::MatrixXd& square);
 
 // With its condition: a change of the matrix by e moves the eigenvalue by about condition·e. Infinite where
@@ -16,5 +18,10 @@ struct ConditionedModulus {
     double condition; // ≥ 1
 };
 ConditionedModulus largestEigenvalue(const Eigen::MatrixXd& square);
+
+// Columns are the eigenvectors of real eigenvalues, and the real and imaginary parts of those of a complex
+// pair, of any length. For 2×2 and 3×3; nullopt where the iteration does not settle.
+template <int Dim>
+std::optional<Eigen::Matrix<double, Dim, Dim>> eigendirections(const Eigen::Matrix<double, Dim, Dim>& square);
 
 } // namespace ifs

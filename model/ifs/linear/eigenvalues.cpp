@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/system/eigenvalues.h"
+#include "ifs/linear/eigenvalues.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace ifs {
 
@@ -25,5 +26,19 @@ ConditionedModulus largestEigenvalue(const Eigen::MatrixXd& square) {
             condition = std::max(own, 1.0);
     return {modulus, condition};
 }
+
+template <int Dim>
+std::optional<Eigen::Matrix<double, Dim, Dim>>
+eigendirections(const Eigen::Matrix<double, Dim, Dim>& square) {
+    using Fixed = Eigen::Matrix<double, Dim, Dim>;
+    // The same digits for 2×2, but not for 3×3, where sums of three terms are added in another order.
+    using Solved = std::conditional_t<Dim == 2, Eigen::MatrixXd, Fixed>;
+    const Eigen::EigenSolver<Solved> solved{Solved(square)};
+    if (solved.info() != Eigen::Success) return std::nullopt;
+    return Fixed(solved.pseudoEigenvectors());
+}
+
+template std::optional<Eigen::Matrix2d> eigendirections(const Eigen::Matrix2d&);
+template std::optional<Eigen::Matrix3d> eigendirections(const Eigen::Matrix3d&);
 
 } // namespace ifs
