@@ -5,9 +5,9 @@
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/norm_descent.h"
 #include "ifs/existence/symmetric_square.h"
-#include "ifs/linear/eigenvalues.h"
+#include "ifs/linear/decompositions.h"
 #include "ifs/linear/inverse.h"
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 

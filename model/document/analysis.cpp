@@ -3,7 +3,7 @@
 #include "document/fractal_geometry.h"
 
 #include "ifs/dimension/dimension.h"
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 #include "ifs/shown_facts.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "document/space_geometry.h"
 #include "ifs/extent/convex_hull_3d.h"
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <cmath>
 #include <map>

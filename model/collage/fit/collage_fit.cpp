@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/collage_fit.h"
 
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>

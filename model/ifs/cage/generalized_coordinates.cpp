@@ -2,7 +2,7 @@
 #include "ifs/cage/generalized_coordinates.h"
 
 #include "ifs/cage/jet.h"
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>

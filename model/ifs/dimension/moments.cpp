@@ -5,7 +5,7 @@
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/symmetric_square.h"
 #include "ifs/linear/inverse.h"
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,10 @@
 
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/norm_descent.h"
-#include "ifs/linear/eigenvalues.h"
+#include "ifs/linear/decompositions.h"
 #include "ifs/linear/inverse.h"
-#include "ifs/linear/orthogonal_factor.h"
+#include "ifs/linear/symmetric_matrices.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -61,9 +60,7 @@ std::vector<AffineMap<Dim>> seenThrough(const Matrix<Dim>& root, std::span<const
 
 template <int Dim> std::optional<Matrix<Dim>> choleskyRoot(const Matrix<Dim>& form) {
     constexpr double minEigenvalue = 1e-9; // keeps a form that is nearly flat definite
-    const Eigen::LLT<Matrix<Dim>> cholesky(form + minEigenvalue * form.trace() * Matrix<Dim>::Identity());
-    if (cholesky.info() != Eigen::Success) return std::nullopt;
-    return Matrix<Dim>(cholesky.matrixU());
+    return choleskyFactor<Dim>(form + minEigenvalue * form.trace() * Matrix<Dim>::Identity());
 }
 
 // The root of the weighted form of these maps. Where they stretch too much for that to be found, one step

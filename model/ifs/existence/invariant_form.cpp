@@ -2,7 +2,7 @@
 #include "ifs/existence/invariant_form.h"
 
 #include "ifs/existence/symmetric_square.h"
-#include "ifs/linear/eigenvalues.h"
+#include "ifs/linear/decompositions.h"
 #include "ifs/linear/inverse.h"
 
 #include <cmath>

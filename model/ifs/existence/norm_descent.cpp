@@ -2,7 +2,7 @@
 #include "ifs/existence/norm_descent.h"
 
 #include "ifs/linear/inverse.h"
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,9 @@
 
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/polygon.h"
-#include "ifs/linear/singular_vectors.h"
+#include "ifs/linear/space_columns.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +116,7 @@ struct Combination {
         Eigen::Matrix3Xd edges(3, others);
         for (Eigen::Index k = 0; k < others; ++k)
             edges.col(k) = normals[std::size_t(k) + 1] - normals[0];
-        const Eigen::VectorXd along = edges.colPivHouseholderQr().solve(-normals[0]);
+        const Eigen::VectorXd along = leastSquares(edges, -normals[0]);
         std::vector<double> result{1 - along.sum()};
         result.insert(result.end(), along.begin(), along.end());
         return result;

@@ -14,12 +14,4 @@ template <int Dim> SingularVectors<Dim> singularVectors(const Eigen::Matrix<doub
 template SingularVectors<2> singularVectors(const Eigen::Matrix2d&);
 template SingularVectors<3> singularVectors(const Eigen::Matrix3d&);
 
-PrincipalAxes principalAxes(const Eigen::Matrix3Xd& columns) {
-    const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(columns, Eigen::ComputeFullU);
-    PrincipalAxes result{svd.matrixU(), Eigen::Vector3d::Zero()};
-    for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k)
-        result.lengths[k] = svd.singularValues()[k];
-    return result;
-}
-
 } // namespace ifs

@@ -2,7 +2,7 @@
 #include "ifs/links/linked_measure.h"
 
 #include "ifs/dimension/dimension.h"
-#include "ifs/linear/eigenvalues.h"
+#include "ifs/linear/decompositions.h"
 #include "ifs/linear/inverse.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/decomposition.h"
 
-#include "ifs/linear/orthogonal_factor.h"
+#include "ifs/linear/decompositions.h"
 #include "ifs/linear/singular_vectors.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/symmetry.h"
 
-#include "ifs/linear/orthogonal_factor.h"
+#include "ifs/linear/decompositions.h"
 
 #include <Eigen/LU>
 

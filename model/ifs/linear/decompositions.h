@@ -5,7 +5,8 @@
 
 #include <optional>
 
-// Eigen's decompositions take long to compile, so each is compiled once, in this folder.
+// Decompositions of matrices of any size. Eigen's take long to compile, so each is compiled once, in this
+// folder, and these in one file, because they share the code of reflections.
 namespace ifs {
 
 // Largest modulus of an eigenvalue, for a finite square matrix of any size.
@@ -23,5 +24,11 @@ ConditionedModulus largestEigenvalue(const Eigen::MatrixXd& square);
 // pair, of any length. For 2×2 and 3×3; nullopt where the iteration does not settle.
 template <int Dim>
 std::optional<Eigen::Matrix<double, Dim, Dim>> eigendirections(const Eigen::Matrix<double, Dim, Dim>& square);
+
+// The Q of A = QR for a square matrix, from reflections: its first columns span what those of A span.
+Eigen::MatrixXd orthogonalFactor(const Eigen::MatrixXd& square);
+
+// The shortest x of those with the least |Ax − b|.
+Eigen::VectorXd shortestSolution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 } // namespace ifs

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace ifs {
 
 // A = vectors·diag(values)·vectorsᵀ, values smallest first, vectors of length 1.
@@ -18,5 +20,10 @@ SymmetricEigenvalues<Dim> symmetricEigenvalues(const Eigen::Matrix<double, Dim, 
 // The smallest eigenvalue of such a matrix.
 template <int Dim>
 long double leastSymmetricEigenvalue(const Eigen::Matrix<long double, Dim, Dim>& symmetric);
+
+// The upper triangular U with A = UᵀU; nullopt where the matrix is not positive definite.
+template <int Dim>
+std::optional<Eigen::Matrix<double, Dim, Dim>>
+choleskyFactor(const Eigen::Matrix<double, Dim, Dim>& symmetric);
 
 } // namespace ifs

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/linear/eigenvalues.h"
+#include "ifs/linear/decompositions.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -40,5 +41,13 @@ eigendirections(const Eigen::Matrix<double, Dim, Dim>& square) {
 
 template std::optional<Eigen::Matrix2d> eigendirections(const Eigen::Matrix2d&);
 template std::optional<Eigen::Matrix3d> eigendirections(const Eigen::Matrix3d&);
+
+Eigen::MatrixXd orthogonalFactor(const Eigen::MatrixXd& square) {
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(square).householderQ();
+}
+
+Eigen::VectorXd shortestSolution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+    return a.completeOrthogonalDecomposition().solve(b);
+}
 
 } // namespace ifs

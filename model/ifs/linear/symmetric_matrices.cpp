@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/linear/symmetric_eigenvalues.h"
+#include "ifs/linear/symmetric_matrices.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace ifs {
@@ -45,8 +46,18 @@ long double leastSymmetricEigenvalue(const Eigen::Matrix<long double, Dim, Dim>&
     return solver.eigenvalues()[0] * scale;
 }
 
+template <int Dim>
+std::optional<Eigen::Matrix<double, Dim, Dim>>
+choleskyFactor(const Eigen::Matrix<double, Dim, Dim>& symmetric) {
+    const Eigen::LLT<Eigen::Matrix<double, Dim, Dim>> cholesky(symmetric);
+    if (cholesky.info() != Eigen::Success) return std::nullopt;
+    return Eigen::Matrix<double, Dim, Dim>(cholesky.matrixU());
+}
+
 template SymmetricEigenvalues<2> symmetricEigenvalues(const Eigen::Matrix2d&);
 template SymmetricEigenvalues<3> symmetricEigenvalues(const Eigen::Matrix3d&);
+template std::optional<Eigen::Matrix2d> choleskyFactor(const Eigen::Matrix2d&);
+template std::optional<Eigen::Matrix3d> choleskyFactor(const Eigen::Matrix3d&);
 template long double leastSymmetricEigenvalue(const Eigen::Matrix<long double, 2, 2>&);
 template long double leastSymmetricEigenvalue(const Eigen::Matrix<long double, 3, 3>&);
 
