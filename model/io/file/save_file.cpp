@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/save_file.h"
 
+#include "document/regular_file.h"
 #include "io/file/native_path.h"
 #include "io/file/replacement_file.h"
 #include "io/file/standard_output.h"
@@ -217,15 +218,23 @@ Failure saveFile(const QString& path, const QByteArray& bytes) {
 
 namespace {
 
-bool openFile(QFile& file, const QString& path) {
-    if (isUtf8Name(path)) return file.open(QIODevice::ReadOnly);
-    const int descriptor = ::open(nativeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    return descriptor >= 0 && file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
+using Opening = document::Opened(QFile& file, const QString& path);
+
+document::Opened openAny(QFile& file, const QString& path) {
+    const auto open = [&] {
+        if (isUtf8Name(path)) return file.open(QIODevice::ReadOnly);
+        const int descriptor = ::open(nativeName(path).constData(), O_RDONLY | O_CLOEXEC);
+        return descriptor >= 0 && file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
+    };
+    if (open()) return {};
+    return {document::Opened::State::Closed, file.errorString()};
 }
 
-} // namespace
+document::Opened openRegular(QFile& file, const QString& path) {
+    return path.startsWith(u':') ? openAny(file, path) : document::openRegular(file, nativeName(path));
+}
 
-Loaded loadFile(const QString& path) {
+Loaded load(const QString& path, Opening* open) {
     const fs::path native(nativeName(path).toStdString());
     std::error_code error; // what cannot be asked about is not there
     if (isLost(path)) return {{}, notUtf8(path)};
@@ -240,8 +249,10 @@ Loaded loadFile(const QString& path) {
     const qint64 size = fs::is_regular_file(native, error) ? qint64(fs::file_size(native, error)) : 0;
     if (size > maxFile) return {{}, tooLarge};
     QFile file(path);
-    if (!openFile(file, path))
-        return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+    const document::Opened opened = open(file, path);
+    if (opened.isSpecial())
+        return {{}, Text::tr("“%1” is not a regular file and cannot be opened.").arg(shown(path))};
+    if (!opened.isOpen()) return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), opened.error)};
     Loaded loaded;
     // A pipe does not know its size beforehand, and one read of the limit would reserve as much memory.
     const qint64 expected = std::max<qint64>(size, 1 << 16);
@@ -254,6 +265,16 @@ Loaded loadFile(const QString& path) {
         return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
     if (loaded.bytes.size() > maxFile) return {{}, tooLarge};
     return loaded;
+}
+
+} // namespace
+
+Loaded loadFile(const QString& path) {
+    return load(path, &openRegular);
+}
+
+Loaded loadSource(const QString& path) {
+    return load(path, &openAny);
 }
 
 } // namespace io

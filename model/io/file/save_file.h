@@ -48,6 +48,8 @@ struct Loaded {
     QByteArray bytes;
     Failure failure;
 };
-Loaded loadFile(const QString& path); // refuses more than 256 MB, saying so
+// Both refuse more than 256 MB, saying so.
+Loaded loadFile(const QString& path);   // also what is no regular file: it might never come to an end
+Loaded loadSource(const QString& path); // what a user of the command line names, also a pipe
 
 } // namespace io
