@@ -59,7 +59,8 @@ std::vector<FileRange> rangesOf(const std::string& text);
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count);
 bool isAnyBeyond(const std::vector<FileRange>& ranges, int count);
 
-// Throws UsageError unless the name has one group of #, and ends in .png. A # in the folder is a letter of its name.
+// Throws UsageError unless the name has one group of #, and ends in .png. A # in the folder is a letter of
+// its name.
 void checkPattern(const QString& pattern);
 
 // The name of the file with this number: it stands for the #### behind the folder, with leading zeros.
