@@ -168,16 +168,17 @@ hostile=('{= system("touch canary") =}' '{}' '{#}' '{/}' '{//}' '{.}' '{%}' '{1}
   '& touch canary &' '-o' '--' '*' '?[a]' 'two  words ' '~' '{{Param.X}}' 'back\slash' '\' '\\n' $'\u202e' $'\xff.'
   '!!' '$HOME' $'\t' '+x' '(x)' '<x>' 'a,b')
 for name in "${hostile[@]}"; do
-  in=$work/names/$name
+  path=${name//\/\///} # as the scripts resolve it
+  in=$work/names/$path
   mkdir -p -- "$in"
-  [[ $name != */* ]] || mkdir -p -- "$in/${name%/*}"
-  : >"$in/$name" 2>/dev/null || : >"$in/./$name"
-  video=$in/$name.mkv frames=$in/$name.mkv.frames/######.png
+  [[ $name != */* ]] || mkdir -p -- "$in/${path%/*}"
+  : >"$in/$path"
+  video=$in/$path.mkv frames=$in/$path.mkv.frames/######.png
   for machines in '' "--sshloginfile $work/machines"; do
     PARALLEL=$machines calls parallel-animation.sh "$name" "$name" "$name.mkv" 2 --palette "$name"
     for task in 0 1; do
       expect "parallel $machines $name" 'was_called animate -o "$frames" --entry "$name" --chunk $task/2 --threads 1 \
-        --palette "$name" -- "$in/$name"'
+        --palette "$name" -- "$in/$path"'
     done
     expect "parallel $machines $name" 'was_called encode -o "$video" --frames all -- "$frames"'
     expect "parallel $machines $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 4 ]'
@@ -185,18 +186,18 @@ for name in "${hostile[@]}"; do
   calls submit-animation.sh "$name" "$name" "$name.mkv" 2 --palette "$name"
   for task in 0 1; do
     expect "Slurm $name" 'was_called animate -o "$frames" --entry "$name" --chunk $task/2 --threads 1 --palette "$name" \
-      -- "$in/$name"'
+      -- "$in/$path"'
     expect "Slurm $name" '[ -f "${frames%/*}/slurm-7-$task.log" ]'
   done
   expect "Slurm $name" 'was_called encode -o "$video" --frames all -- "$frames"'
   expect "Slurm $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 4 ] && [[ $output == "Drawing: job 7, "* ]]'
-  parts=$in/$name.png.parts
+  parts=$in/$path.png.parts
   calls submit-picture.sh "$name" "$name" "$name.png" 2 --palette "$name"
   for task in 0 1; do
     expect "picture $name" 'was_called render -o "${parts//%/%%}/$task.sum" --entry "$name" --part $task/2 --threads 1 \
-      --palette "$name" -- "$in/$name"'
+      --palette "$name" -- "$in/$path"'
   done
-  expect "picture $name" 'was_called merge -o "$in/$name.png" -- "$parts/0.sum" "$parts/1.sum"'
+  expect "picture $name" 'was_called merge -o "$in/$path.png" -- "$parts/0.sum" "$parts/1.sum"'
   expect "picture $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 3 ]'
   # The scripts in such a folder themselves.
   cp "$scripts"/*.sh "$in"
