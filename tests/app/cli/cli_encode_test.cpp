@@ -13,6 +13,8 @@ private slots:
     void init();
     void brokenSequencesAreRefused();
     void strangersAmongFramesAreRefused();
+    void onlyTheNameOfTheFileHasNumbers();
+    void bracketsInNamesAreLetters();
 
 private:
     QStringList files(const QByteArray& folder) const {
