@@ -31,9 +31,13 @@ take_file() {
   if [ ! -f "$file" ] || [ ! -r "$file" ]; then refuse "$(shown "$1") cannot be read."; fi
 }
 
-# take_output OUT: sets `output` to its absolute path, and `ending` to its lower-case suffix.
+# take_output OUT: sets `output` to its absolute path, a symbolic link at its end not followed: whether it may be, the
+# kernel decides. Sets `ending` to its suffix in lower case.
 take_output() {
-  path_into output realpath -m -- "$1" || refuse "$(shown "$1") is not the name of a file."
+  local name=${1##*/} folder=./
+  case $1 in */*) folder=${1%/*}/ ;; esac
+  path_into folder realpath -m -- "$folder" || refuse "$(shown "$1") is not the name of a file."
+  output=${folder%/}/$name
   [ ! -d "$output" ] || refuse "$(shown "$1") is a folder."
   ending=${output##*/}
   ending=${ending##*.}

@@ -4821,6 +4821,10 @@
         <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
     </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>Das System folgt dem symbolischen Link „%1“ nicht: Vielleicht hat ihn ein anderer Benutzer dort abgelegt, oder er führt in einen gesperrten Ordner. Wählen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4821,6 +4821,10 @@
         <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
     </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>El sistema no sigue el enlace simbólico «%1»: quizá lo haya puesto ahí otro usuario, o lleva a una carpeta cerrada. Elija otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4821,6 +4821,10 @@
         <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
     </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>Le système ne suit pas le lien symbolique « %1 » : un autre utilisateur l’a peut-être placé là, ou il mène à un dossier fermé. Choisissez un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4831,6 +4831,10 @@
         <source>“%1” is not a regular file and cannot be opened.</source>
         <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
     </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>Системот не ја следи симболичката врска „%1“: можеби ја поставил друг корисник или води во затворена папка. Изберете друго име.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
