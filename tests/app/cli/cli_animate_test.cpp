@@ -489,7 +489,6 @@ void CliAnimateTest::wrongUsageIsRefused_data() {
         QTest::newRow(arguments) << QByteArray(arguments) << status;
     };
     row("wind.ifs -o a/f.png");
-    row("wind.ifs -o a/#/f.#.png");
     row("wind.ifs -o a/#-#.png");
     row("wind.ifs -o a/f.#.mp4");
     row("wind.ifs -o -");
