@@ -168,15 +168,15 @@ void checkPattern(const QString& pattern) {
                 .arg(pattern)};
     const QString name = QFileInfo(pattern).fileName();
     static const QRegularExpression groups(QStringLiteral("(?<!#)#")); // count() lets matches overlap
-    if (name.count(groups) != 1 || pattern.count(u'#') != name.count(u'#'))
+    if (name.count(groups) != 1)
         throw UsageError{
             tr("The name of the pictures must have one group of #, which stands for the number of "
                "the frame, such as NAME.####.png.")};
 }
 
 QString numbered(const QString& pattern, int number) {
-    const qsizetype first = pattern.indexOf(u'#');
-    const qsizetype width = pattern.count(u'#');
+    const qsizetype width = QFileInfo(pattern).fileName().count(u'#');
+    const qsizetype first = pattern.lastIndexOf(u'#') + 1 - width;
     return QString(pattern).replace(first, width, QString::number(number).rightJustified(width, u'0'));
 }
 

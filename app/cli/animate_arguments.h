@@ -59,10 +59,11 @@ std::vector<FileRange> rangesOf(const std::string& text);
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count);
 bool isAnyBeyond(const std::vector<FileRange>& ranges, int count);
 
-// Throws UsageError unless the name has one group of #, and ends in .png.
+// Throws UsageError unless the name has one group of #, and ends in .png. A # in the folder is a letter of
+// its name.
 void checkPattern(const QString& pattern);
 
-// The name of the file with this number: it stands for ####, with leading zeros.
+// The name of the file with this number: it stands for the #### behind the folder, with leading zeros.
 QString numbered(const QString& pattern, int number);
 
 } // namespace cli

@@ -184,7 +184,7 @@ attractor::Rgba colourArgument(const std::string& option, const std::string& tex
 }
 
 attractor::Palette paletteOfFile(const QString& path) {
-    const io::Loaded loaded = io::loadFile(path);
+    const io::Loaded loaded = io::loadSource(path);
     if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
     io::PaletteFile file = io::readPalettes(loaded.bytes, QFileInfo(path).completeBaseName());
     if (file.palettes.empty()) throw InputError{path, file.problems.back().message};

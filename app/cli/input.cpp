@@ -90,7 +90,7 @@ QString fileNameOf(const std::string& argument) {
 }
 
 io::Loaded loadBytes(const std::string& file) {
-    return file == "-" ? readStandardInput() : io::loadFile(fileNameOf(file));
+    return file == "-" ? readStandardInput() : io::loadSource(fileNameOf(file));
 }
 
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options) {

@@ -207,6 +207,12 @@ private:
                 option.get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll)
                 return complain(tr("%1 can be given only once.").arg(shown(name)));
         }
+        add(option, value);
+    }
+
+    // One value as it is: CLI11 would take [a,b] for two.
+    static void add(CLI::Option& option, const std::string& value) {
+        option.allow_extra_args(false);
         option.add_result(value);
     }
 
@@ -223,7 +229,7 @@ private:
                                      .arg(missing(*option, left), shown(m_command.get_footer()))};
             for (const std::size_t end = at + std::min(left, maxItems); at < end; ++at) {
                 if (m_arguments[at].empty()) throw UsageError{tr("The name of a file is empty.")};
-                option->add_result(m_arguments[at]);
+                add(*option, m_arguments[at]);
             }
         }
         if (at < m_arguments.size())

@@ -296,7 +296,7 @@ std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
     if (path.isEmpty() && bytes.isEmpty())
         return std::make_shared<const attractor::MipPicture>(attractor::picture(sources.theft.pattern));
     if (!path.isEmpty()) {
-        io::Loaded loaded = io::loadFile(path);
+        io::Loaded loaded = arguments.picture ? io::loadSource(path) : io::loadFile(path);
         if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
         bytes = std::move(loaded.bytes);
     }

@@ -25,7 +25,7 @@ bool isPlainPicture(const QString& path, QWidget* window) {
     const QString suffix = file.suffix().toLower();
     if (!io::pictureSuffixes().contains(suffix)) return false;
     if (withoutSystem.contains(suffix)) return true;
-    const QFuture<bool> reading = io::inBackground<bool>([path](QPromise<bool>& isPlain) {
+    const QFuture<bool> reading = io::inBackground<bool>(io::Lane::Reading, [path](QPromise<bool>& isPlain) {
         const io::Loaded loaded = io::loadFile(path);
         const io::EmbeddedSystem system = io::rasterFormat(loaded.bytes).isEmpty()
                                               ? io::readPngSystem(loaded.bytes)

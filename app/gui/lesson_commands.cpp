@@ -44,7 +44,6 @@ QByteArray resource(const QString& name) {
 }
 
 struct Reading {
-    bool isOrdinary = false; // else it is not read
     io::Failure failure;
     io::LessonFile lesson; // when there is no failure
     QString fractals;      // their path; empty when they are gone
@@ -65,17 +64,13 @@ QString fractalsOf(const QString& lesson, const QString& reference) {
 }
 
 QFuture<Reading> readBeside(const QString& path) {
-    return io::inBackground<Reading>([path](QPromise<Reading>& promise) {
+    return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
         Reading reading;
-        const QFileInfo info(path);
-        reading.isOrdinary = info.isFile() || !info.exists();
-        if (reading.isOrdinary) {
-            const io::Loaded loaded = io::loadFile(path);
-            reading.failure = loaded.failure;
-            if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
-            const QString& reference = reading.lesson.lesson.file;
-            if (!reference.isEmpty()) reading.fractals = fractalsOf(path, reference);
-        }
+        const io::Loaded loaded = io::loadFile(path);
+        reading.failure = loaded.failure;
+        if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
+        const QString& reference = reading.lesson.lesson.file;
+        if (!reference.isEmpty()) reading.fractals = fractalsOf(path, reference);
         promise.addResult(std::move(reading));
     });
 }
@@ -221,10 +216,8 @@ bool LessonCommands::open(const QString& path) {
     if (!view::waitFor(QFuture<void>(work), tr("Reading “%1”…").arg(name), m_parts.window)) return false;
     if (!self) return false;
     Reading reading = work.takeResult();
-    io::Failure failure = reading.failure;
-    if (!reading.isOrdinary) failure = tr("“%1” is not a regular file and cannot be opened.").arg(name);
-    if (failure) {
-        context().messages->fail(tr("%1 could not be opened").arg(name), *failure);
+    if (reading.failure) {
+        context().messages->fail(tr("%1 could not be opened").arg(name), *reading.failure);
         return false;
     }
     const document::Lesson& lesson = reading.lesson.lesson;

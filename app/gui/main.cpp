@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
+#include "document/background_threads.h"
 #include "identity.h"
 #include "session.h"
 
@@ -7,6 +8,7 @@
 #include <QProcess>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <string_view>
 
@@ -62,5 +64,7 @@ int main(int argc, char** argv) {
         filesToReopen = session::filesToReopen();
     }
     if (filesToReopen) QProcess::startDetached(program, *filesToReopen); // now that its settings are stored
+    // What still waits for a drive that does not answer cannot be told to end.
+    if (!document::backgroundFinishes(std::chrono::milliseconds(0))) document::quickExit(code);
     return code;
 }

@@ -27,24 +27,16 @@ QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
 }
 
-// A pipe or a device, which may never come to an end.
-bool isSpecial(const QString& path) {
-    const QFileInfo info(path);
-    return info.exists() && !info.isFile() && !info.isDir();
-}
-
 struct Reading {
-    bool isSpecial = false; // and not read
     io::Loaded loaded;
     io::Collection collection; // when there is no failure
     QByteArray digest;
 };
 
 QFuture<Reading> readBeside(const QString& path) {
-    return io::inBackground<Reading>([path](QPromise<Reading>& promise) {
-        Reading reading{isSpecial(path), {}, {}, {}};
-        if (!reading.isSpecial) reading.loaded = io::loadFile(path);
-        if (!reading.isSpecial && !reading.loaded.failure) {
+    return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
+        Reading reading{io::loadFile(path), {}, {}};
+        if (!reading.loaded.failure) {
             reading.collection = io::readCollection(reading.loaded.bytes, path);
             reading.digest = digestOf(reading.loaded.bytes);
             // What showing the first entry takes is remembered.
@@ -68,25 +60,25 @@ struct Writing {
 
 QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const document::FractalFile& file,
                           const QString& path) {
-    return QFuture<void>(io::inBackground<bool>([writing, file, path](QPromise<bool>& promise) {
-        constexpr qsizetype piece = 1 << 20;
-        const QByteArray bytes = io::writeFractint(file);
-        writing->file = io::readFractint(bytes, QFileInfo(path).completeBaseName());
-        writing->digest = digestOf(bytes);
-        writing->otherNames = io::otherNames(path);
-        io::NewFile target(path);
-        for (qsizetype at = 0; at < bytes.size() && !target.failure(); at += piece) {
-            if (promise.isCanceled()) return;
-            target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
-        }
-        if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
-    }));
+    return QFuture<void>(
+        io::inBackground<bool>(io::Lane::Saving, [writing, file, path](QPromise<bool>& promise) {
+            constexpr qsizetype piece = 1 << 20;
+            const QByteArray bytes = io::writeFractint(file);
+            writing->file = io::readFractint(bytes, QFileInfo(path).completeBaseName());
+            writing->digest = digestOf(bytes);
+            writing->otherNames = io::otherNames(path);
+            io::NewFile target(path);
+            for (qsizetype at = 0; at < bytes.size() && !target.failure(); at += piece) {
+                if (promise.isCanceled()) return;
+                target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
+            }
+            if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
+        }));
 }
 
 OpenFile::OnDisk now(const QString& path, const QByteArray& known) {
     using enum OpenFile::OnDisk;
     if (!QFileInfo::exists(path)) return Gone;
-    if (isSpecial(path)) return Changed;
     const io::Loaded loaded = io::loadFile(path);
     return loaded.failure || digestOf(loaded.bytes) != known ? Changed : Same;
 }
@@ -126,8 +118,7 @@ io::Failure OpenFile::open(const QString& path) {
     QFuture<Reading> result = readBeside(path);
     if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(file), m_window))
         return tr("Reading “%1” was cancelled.").arg(file);
-    auto [isSpecial, loaded, collection, digest] = result.takeResult();
-    if (isSpecial) return tr("“%1” is not a regular file and cannot be opened.").arg(file);
+    auto [loaded, collection, digest] = result.takeResult();
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
@@ -193,8 +184,8 @@ io::Failure OpenFile::revert() {
 std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
     if (m_path.isEmpty()) return OnDisk::Same;
     const QScopedValueRollback<bool> busy(m_isBusy, true);
-    QFuture<OnDisk> result =
-        io::inBackground<OnDisk>([path = m_path, known = m_digest](QPromise<OnDisk>& promise) {
+    QFuture<OnDisk> result = io::inBackground<OnDisk>(
+        io::Lane::Saving, [path = m_path, known = m_digest](QPromise<OnDisk>& promise) {
             promise.addResult(now(path, known));
         });
     if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(name()), m_window)) return std::nullopt;

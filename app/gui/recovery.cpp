@@ -198,11 +198,12 @@ QList<document::Abandoned> Recovery::ask() {
         QList<document::Abandoned> work;
         QStringList damaged;
     };
-    QFuture<Left> looking = io::inBackground<Left>([folder = folder()](QPromise<Left>& promise) {
-        Left left{document::abandonedSnapshots(folder), {}};
-        left.damaged = document::setDamagedAside(folder);
-        promise.addResult(std::move(left));
-    });
+    QFuture<Left> looking =
+        io::inBackground<Left>(io::Lane::Reading, [folder = folder()](QPromise<Left>& promise) {
+            Left left{document::abandonedSnapshots(folder), {}};
+            left.damaged = document::setDamagedAside(folder);
+            promise.addResult(std::move(left));
+        });
     if (!view::waitFor(QFuture<void>(looking), tr("Looking for unsaved work…"), nullptr)) return {};
     const auto [found, damaged] = looking.takeResult();
     reportDamaged(damaged);

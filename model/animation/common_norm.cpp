@@ -5,10 +5,9 @@
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/norm_descent.h"
 #include "ifs/existence/symmetric_square.h"
-#include "ifs/system/eigenvalues.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/inverse.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 
@@ -16,18 +15,26 @@ namespace animation {
 
 namespace {
 
+// √P and its inverse, if P is definite enough.
+template <int Dim> std::optional<CommonNorm<Dim>> rootsOf(const ifs::Matrix<Dim>& form) {
+    const auto [values, vectors] = ifs::symmetricEigenvalues<Dim>(form);
+    if (!(values.minCoeff() > 1e-12 * values.maxCoeff())) return std::nullopt;
+    return CommonNorm<Dim>{vectors * values.cwiseSqrt().asDiagonal() * vectors.transpose(),
+                           vectors * values.cwiseInverse().cwiseSqrt().asDiagonal() * vectors.transpose(),
+                           false};
+}
+
 // The norm √(xᵀPx), if all maps contract there.
 template <int Dim>
 std::optional<CommonNorm<Dim>> tried(const ifs::Matrix<Dim>& form,
                                      std::span<const ifs::AffineMap<Dim>> maps) {
-    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<Dim>> solver((form + form.transpose()) / 2);
-    if (!(solver.eigenvalues().minCoeff() > 1e-12 * solver.eigenvalues().maxCoeff())) return std::nullopt;
-    const CommonNorm<Dim> norm{solver.operatorSqrt(), solver.operatorInverseSqrt(), false};
+    const auto norm = rootsOf<Dim>((form + form.transpose()) / 2);
+    if (!norm) return std::nullopt;
     const bool serves = std::ranges::all_of(maps, [&](const ifs::AffineMap<Dim>& map) {
-        const ifs::Matrix<Dim> seen = norm.root * map.linear * norm.inverse;
+        const ifs::Matrix<Dim> seen = norm->root * map.linear * norm->inverse;
         return seen.squaredNorm() < 1 - 3 * safety || ifs::spectralNorm<Dim>(seen) < 1 - safety;
     });
-    return serves ? std::optional(norm) : std::nullopt;
+    return serves ? norm : std::nullopt;
 }
 
 // P = I + Σ AᵀPA, where the sum of all products converges.
@@ -37,7 +44,7 @@ template <int Dim> std::optional<ifs::Matrix<Dim>> sumOfProducts(std::span<const
     for (const auto& map : maps)
         transfer += ifs::symmetricSquare<Dim>(map.linear.transpose());
     if (!transfer.allFinite() || !(ifs::largestEigenvalueModulus(transfer) < 1 - safety)) return std::nullopt;
-    const Eigen::MatrixXd inverse = Eigen::MatrixXd(Operator::Identity() - transfer).inverse();
+    const Eigen::MatrixXd inverse = ifs::inverseOf(Operator::Identity() - transfer);
     const ifs::SymmetricVector<Dim> form = inverse * ifs::upperTriangle<Dim>(ifs::Matrix<Dim>::Identity());
     return ifs::symmetricMatrix<Dim>(form);
 }
@@ -46,12 +53,12 @@ template <int Dim> std::optional<ifs::Matrix<Dim>> sumOfProducts(std::span<const
 template <int Dim>
 std::optional<CommonNorm<Dim>> descended(const ifs::Matrix<Dim>& form,
                                          std::span<const ifs::AffineMap<Dim>> maps) {
-    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<Dim>> solver(form);
-    if (!(solver.eigenvalues().minCoeff() > 1e-12 * solver.eigenvalues().maxCoeff())) return std::nullopt;
-    const ifs::Matrix<Dim> root = solver.operatorSqrt(), inverse = solver.operatorInverseSqrt();
-    ifs::Coordinates<Dim> best{root, 0};
+    const auto norm = rootsOf<Dim>(form);
+    if (!norm) return std::nullopt;
+    ifs::Coordinates<Dim> best{norm->root, 0};
     for (const auto& map : maps)
-        best.longest = std::max(best.longest, ifs::spectralNorm<Dim>(root * map.linear * inverse));
+        best.longest =
+            std::max(best.longest, ifs::spectralNorm<Dim>(norm->root * map.linear * norm->inverse));
     ifs::descend<Dim>(best, maps);
     return tried<Dim>(best.root.transpose() * best.root, maps);
 }

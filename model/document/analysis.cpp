@@ -3,9 +3,8 @@
 #include "document/fractal_geometry.h"
 
 #include "ifs/dimension/dimension.h"
+#include "ifs/linear/symmetric_matrices.h"
 #include "ifs/shown_facts.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +22,8 @@ constexpr std::size_t maxCylinders = 4096;
 // The ellipse on which an even mass has the same mean and covariance: {x : (x − m)ᵀ C⁻¹ (x − m) ≤ 4}.
 Polygon ellipse(const ifs::Moments<2>& moments) {
     constexpr int corners = 120;
-    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<2>> axes(moments.covariance);
-    const ifs::Matrix<2> shape =
-        2 * axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+    const auto [values, axes] = ifs::symmetricEigenvalues<2>(moments.covariance);
+    const ifs::Matrix<2> shape = 2 * axes * values.cwiseMax(0).cwiseSqrt().asDiagonal();
     Polygon result;
     for (int k = 0; k < corners; ++k) {
         const double angle = 2 * std::numbers::pi * k / corners;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/background_threads.h"
+
 #include <QCoreApplication>
-#include <QThreadPool>
 
 #include <utility>
 
@@ -11,7 +12,7 @@ namespace document {
 // What is large takes a while to be freed: beside the window, if this is the last of it and the program goes
 // on.
 template <class Value> void freeInBackground(Value value) {
-    if (QCoreApplication::instance()) QThreadPool::globalInstance()->start([held = std::move(value)] {});
+    if (QCoreApplication::instance()) startIn(Lane::Computing, [held = std::move(value)] {});
 }
 
 } // namespace document

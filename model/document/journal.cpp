@@ -2,6 +2,7 @@
 #include "document/journal.h"
 
 #include "document/process_lock.h"
+#include "document/regular_file.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -32,9 +33,8 @@ QByteArray digestOf(const Snapshot& snapshot) {
 }
 
 std::optional<Snapshot> readJournal(const QString& path) {
-    if (!QFileInfo(path).isFile()) return std::nullopt; // a pipe may never come to an end
-    QFile file(path);
-    if (file.size() > maxJournal || !file.open(QIODevice::ReadOnly)) return std::nullopt;
+    QFile file;
+    if (!openRegular(file, QFile::encodeName(path)).isOpen() || file.size() > maxJournal) return std::nullopt;
     if (file.peek(sizeof magic - 1) != magic) return std::nullopt;
     return snapshotIn(file.readAll());
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/map_solo.h"
 #include "document/fractal_geometry.h"
-
-#include <Eigen/SVD>
+#include "ifs/linear/singular_vectors.h"
 
 #include <QCoreApplication>
 
@@ -96,11 +95,9 @@ template <int Dim> Within<Dim> within(const Shape<Dim>& shape, std::size_t index
 
 // The map, or one that is nearly as flat.
 ifs::AffineMap<3> thickened(const ifs::AffineMap<3>& map) {
-    const Eigen::JacobiSVD<ifs::Matrix<3>> svd(map.linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const ifs::Vector<3> values = svd.singularValues();
+    const auto [left, values, right] = ifs::singularVectors<3>(map.linear);
     if (values[2] >= thin * values[0]) return map;
-    return {svd.matrixU() * values.cwiseMax(thin * values[0]).asDiagonal() * svd.matrixV().transpose(),
-            map.translation};
+    return {left * values.cwiseMax(thin * values[0]).asDiagonal() * right.transpose(), map.translation};
 }
 
 // The cage that takes all of the attractor to the image of the map under the present one, which does not

@@ -3,8 +3,7 @@
 
 #include "document/space_geometry.h"
 #include "ifs/extent/convex_hull_3d.h"
-
-#include <Eigen/Eigenvalues>
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <cmath>
 #include <map>
@@ -71,9 +70,8 @@ SpaceOutline tetrahedron(const ifs::CanonicalSimplex<3>& simplex) {
 // {x : (x − m)ᵀ C⁻¹ (x − m) = 5}.
 SpaceOutline ellipsoid(const ifs::Moments<3>& moments) {
     constexpr int corners = 72;
-    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<3>> axes(moments.covariance);
-    const ifs::Matrix<3> shape =
-        std::sqrt(5.0) * axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+    const auto [values, axes] = ifs::symmetricEigenvalues<3>(moments.covariance);
+    const ifs::Matrix<3> shape = std::sqrt(5.0) * axes * values.cwiseMax(0).cwiseSqrt().asDiagonal();
     SpaceOutline result{Outline::Ellipse, {}, {}, {}};
     for (int across = 0; across < 3; ++across)
         for (int k = 0; k < corners; ++k) {

@@ -78,7 +78,7 @@ CollectionTheme readTheme(const QString& path) {
 }
 
 QFuture<CollectionTheme> readThemes(const QString& folder) {
-    return inBackground<CollectionTheme>([folder](QPromise<CollectionTheme>& themes) {
+    return inBackground<CollectionTheme>(Lane::Reading, [folder](QPromise<CollectionTheme>& themes) {
         const QStringList paths = folder.isEmpty() ? bundledCollection() : collectionIn(folder);
         const auto count = static_cast<int>(paths.size());
         themes.setProgressRange(0, count);

@@ -12,8 +12,8 @@ file=$1 entry=$2 frames=$3 tasks=$4
 shift 4
 program=${BARYCAGE_CLI:-barycage-cli}
 status=0
-"$program" animate "$file" --entry "$entry" -o "$frames" --chunk "$SLURM_ARRAY_TASK_ID/$tasks" \
-  --threads "${SLURM_CPUS_PER_TASK:-1}" "$@" || status=$?
+"$program" animate -o "$frames" --entry "$entry" --chunk "$SLURM_ARRAY_TASK_ID/$tasks" \
+  --threads "${SLURM_CPUS_PER_TASK:-1}" "$@" -- "$file" || status=$?
 if ((status > 128 && ${SLURM_RESTART_COUNT:-0} < 3)); then
   scontrol requeue "$SLURM_JOB_ID"
 fi

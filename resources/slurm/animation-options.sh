@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # What submit-animation.sh and parallel-animation.sh make of their arguments: FILE ENTRY OUT TASKS [OPTION]...
-# shellcheck disable=SC2034 # they use all of it
-file=$(readlink -f -- "$1") entry=$2 output=$(realpath -m -- "$3") tasks=$4
+# shellcheck disable=SC2034,SC2154 # they use all of it, and names.sh sets some
+take_file "$1"
+entry=$2
+take_output "$3"
+take_tasks "$4"
 shift 4
 wanted=all # frames, which the options may choose
 drawing=() # options of animate
@@ -27,13 +30,28 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-case $output in
-*.png) frames=$output ;;
-*) frames=$output.frames/######.png ;;
+
+# has_one_number NAME: one group of #.
+has_one_number() {
+  local LC_ALL=C
+  [[ $1 =~ ^[^#]*#+[^#]*$ ]]
+}
+case $ending in
+png)
+  frames=$output
+  [ ${#rate[@]} -eq 0 ] || refuse "--fps applies only to videos, and $(shown "$output") stands for pictures."
+  has_one_number "${frames##*/}" ||
+    refuse "The name of the pictures must have one group of #, which stands for the number of the frame, such as
+NAME.####.png, and $(shown "${frames##*/}") has not."
+  ;;
+mp4 | webm | mkv | gif | webp | apng) frames=$output.frames/######.png ;;
+*) refuse "OUT must end in .png, .mp4, .webm, .mkv, .gif, .webp or .apng, and $(shown "${output##*/}") does not." ;;
 esac
-if [ "$frames" = "$output" ] && [ ${#rate[@]} -gt 0 ]; then
-  echo "--fps applies only to videos, and '$output' stands for pictures." >&2
-  exit 2
-fi
-folder=$(dirname -- "$frames")
+folder=${frames%/*}/
 mkdir -p -- "$folder"
+
+# One share of a million, which has no frame: the reason why none could be drawn is known before any task begins.
+program=${BARYCAGE_CLI:-barycage-cli}
+if command -v "$program" >/dev/null; then
+  "$program" animate -o "$frames" --entry "$entry" --chunk 999999/1000000 "${drawing[@]}" -- "$file"
+fi

@@ -8,4 +8,4 @@
 set -euo pipefail
 frames=$1 output=$2
 shift 2
-exec "${BARYCAGE_CLI:-barycage-cli}" encode "$frames" -o "$output" "$@"
+exec "${BARYCAGE_CLI:-barycage-cli}" encode -o "$output" "$@" -- "$frames"

@@ -6,4 +6,4 @@
 # Puts the parts of a picture together, once all of them are there.
 #   sbatch --dependency=afterok:JOB merge.sh FOLDER OUT.png
 set -euo pipefail
-exec "${BARYCAGE_CLI:-barycage-cli}" merge "$1"/*.sum -o "$2"
+exec "${BARYCAGE_CLI:-barycage-cli}" merge -o "$2" -- "$1"/*.sum

@@ -13,10 +13,18 @@ Options of parallel can be set in PARALLEL, such as PARALLEL='--sshloginfile mac
 TEXT
   exit 2
 fi
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+here=$(readlink -f -- "${BASH_SOURCE[0]}")
+here=${here%/*}
+# shellcheck source=resources/slurm/names.sh
+. "$here/names.sh"
 # shellcheck source=resources/slurm/animation-options.sh
 . "$here/animation-options.sh"
-program=${BARYCAGE_CLI:-barycage-cli}
-seq 0 $((tasks - 1)) | parallel --quote --retries 3 --joblog "$folder/jobs.log" \
-  "$program" animate "$file" --entry "$entry" -o "$frames" --chunk "{}/$tasks" --threads 1 "${drawing[@]}"
-[ "$frames" = "$output" ] || "$program" encode "$frames" -o "$output" --frames "$wanted" "${rate[@]}"
+task=$frames.draw.sh
+write_task "$task" "$here/parallel-task.sh" "$program" "$file" "$entry" "$frames" "$tasks" "${drawing[@]}"
+# The path of the script is a name as well: each of its bytes becomes \0 and three digits, which mean nothing to GNU
+# parallel, nor to the shells on the way.
+path=$(printf %s "$task" | od -An -v -t o1 | tr -d '\n')
+# shellcheck disable=SC2016 # the bash of the task expands it
+run='exec bash "$(printf %b "'${path// /\\0}'")" "$0"'
+seq 0 $((tasks - 1)) | parallel --retries 3 --joblog "${folder}jobs.log" "bash -c '$run' {}"
+[ "$frames" = "$output" ] || "$program" encode -o "$output" --frames "$wanted" "${rate[@]}" -- "$frames"

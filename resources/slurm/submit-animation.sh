@@ -12,16 +12,19 @@ Options of sbatch can be set in its variables, such as SBATCH_PARTITION and SBAT
 TEXT
   exit 2
 fi
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+here=$(readlink -f -- "${BASH_SOURCE[0]}")
+here=${here%/*}
+# shellcheck source=resources/slurm/names.sh
+. "$here/names.sh"
 # shellcheck source=resources/slurm/animation-options.sh
 . "$here/animation-options.sh"
-array=$(sbatch --parsable --output="$folder/slurm-%A-%a.log" --array="0-$((tasks - 1))" \
-  "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "${drawing[@]}")
-array=${array%%;*} # without the name of the cluster
+array='' video='' # which submit sets
+write_task "$frames.draw.sh" "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "${drawing[@]}"
+write_task "$frames.encode.sh" "$here/encode.sh" "$frames" "$output" --frames "$wanted" "${rate[@]}"
+submit array "$folder" "$frames.draw.sh" --output=slurm-%A-%a.log --array="0-$((tasks - 1))"
 if [ "$frames" = "$output" ]; then
   echo "Drawing: job $array, $tasks tasks. See them with: squeue -j $array"
   exit
 fi
-video=$(sbatch --parsable --output="$folder/slurm-%j.log" --dependency="afterok:$array" --kill-on-invalid-dep=yes \
-  "$here/encode.sh" "$frames" "$output" --frames "$wanted" "${rate[@]}")
-echo "Drawing: job $array, $tasks tasks. Video: job ${video%%;*}. See them with: squeue -j $array,${video%%;*}"
+submit_last video "$array" "$folder" "$frames.encode.sh" --output=slurm-%j.log
+echo "Drawing: job $array, $tasks tasks. Video: job $video. See them with: squeue -j $array,$video"

@@ -11,14 +11,24 @@ Options of sbatch can be set in its variables, such as SBATCH_PARTITION and SBAT
 TEXT
   exit 2
 fi
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-file=$(readlink -f -- "$1") entry=$2 output=$(realpath -m -- "$3") tasks=$4
+here=$(readlink -f -- "${BASH_SOURCE[0]}")
+here=${here%/*}
+# shellcheck source=resources/slurm/names.sh
+. "$here/names.sh"
+take_file "$1"
+entry=$2
+take_output "$3"
+take_tasks "$4"
 shift 4
+case $ending in
+png | jpg | jpeg | webp | tif | tiff | exr | sum) ;;
+*) refuse "OUT must end in .png, .jpg, .webp, .tiff, .exr or .sum, and $(shown "${output##*/}") does not." ;;
+esac
 parts=$output.parts
 mkdir -p -- "$parts"
-array=$(sbatch --parsable --output="$parts/slurm-%A-%a.log" --array="0-$((tasks - 1))" \
-  "$here/render-part.sh" "$file" "$entry" "$parts" "$tasks" "$@")
-array=${array%%;*} # without the name of the cluster
-merge=$(sbatch --parsable --output="$parts/slurm-%j.log" --dependency="afterok:$array" --kill-on-invalid-dep=yes \
-  "$here/merge.sh" "$parts" "$output")
-echo "Drawing: job $array, $tasks tasks. Picture: job ${merge%%;*}. See them with: squeue -j $array,${merge%%;*}"
+array='' merge='' # which submit sets
+write_task "$parts/render.sh" "$here/render-part.sh" "$file" "$entry" "$parts" "$tasks" "$@"
+write_task "$parts/merge.sh" "$here/merge.sh" "$parts" "$output"
+submit array "$parts" "$parts/render.sh" --output=slurm-%A-%a.log --array="0-$((tasks - 1))"
+submit_last merge "$array" "$parts" "$parts/merge.sh" --output=slurm-%j.log
+echo "Drawing: job $array, $tasks tasks. Picture: job $merge. See them with: squeue -j $array,$merge"

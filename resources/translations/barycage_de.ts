@@ -2254,10 +2254,6 @@
         <translation>Beenden Sie vor dem Speichern die Lektion (Esc).</translation>
     </message>
     <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
-    </message>
-    <message>
         <source>Play this lesson, in a window of its own if this one is in use</source>
         <translation>Diese Lektion abspielen, in einem eigenen Fenster, falls dieses benutzt wird</translation>
     </message>
@@ -2670,10 +2666,6 @@
     <message>
         <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>Das Speichern von „%1“ wurde abgebrochen. Die Datei ist, wie sie war.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
     </message>
     <message>
         <source>Adjust Picture Paths</source>
@@ -4824,6 +4816,14 @@
     <message>
         <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
         <translation>„%1“ ist zu klein für seinen Abstand vom Ursprung: Die Zahlen der Datei können seine Punkte nicht unterscheiden. Verschieben Sie es zum Ursprung, oder vergrößern Sie es.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a regular file and cannot be opened.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>Das System folgt dem symbolischen Link „%1“ nicht: Vielleicht hat ihn ein anderer Benutzer dort abgelegt, oder er führt in einen gesperrten Ordner. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>

@@ -2254,10 +2254,6 @@
         <translation>Termine la lección antes de guardar (Esc).</translation>
     </message>
     <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
-    </message>
-    <message>
         <source>Play this lesson, in a window of its own if this one is in use</source>
         <translation>Reproducir esta lección, en una ventana propia si esta está en uso</translation>
     </message>
@@ -2670,10 +2666,6 @@
     <message>
         <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>Se canceló el guardado de «%1». El archivo del disco sigue como estaba.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
     </message>
     <message>
         <source>Adjust Picture Paths</source>
@@ -4824,6 +4816,14 @@
     <message>
         <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
         <translation>«%1» es demasiado pequeño para su distancia al origen: los números del archivo no distinguen sus puntos. Muévalo al origen o hágalo más grande.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a regular file and cannot be opened.</source>
+        <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
+    </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>El sistema no sigue el enlace simbólico «%1»: quizá lo haya puesto ahí otro usuario, o lleva a una carpeta cerrada. Elija otro nombre.</translation>
     </message>
 </context>
 <context>

@@ -2254,10 +2254,6 @@
         <translation>Terminez la leçon avant d’enregistrer (Échap).</translation>
     </message>
     <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
-    </message>
-    <message>
         <source>Play this lesson, in a window of its own if this one is in use</source>
         <translation>Jouer cette leçon, dans une fenêtre à part si celle-ci sert déjà</translation>
     </message>
@@ -2670,10 +2666,6 @@
     <message>
         <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>L’enregistrement de «&#x202f;%1&#x202f;» a été annulé. Le fichier sur le disque est resté tel quel.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
     </message>
     <message>
         <source>Adjust Picture Paths</source>
@@ -4824,6 +4816,14 @@
     <message>
         <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
         <translation>«&#x202f;%1&#x202f;» est trop petit pour sa distance à l’origine&#x202f;: les nombres du fichier ne distinguent pas ses points. Déplacez-le à l’origine ou agrandissez-le.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a regular file and cannot be opened.</source>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
+    </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>Le système ne suit pas le lien symbolique « %1 » : un autre utilisateur l’a peut-être placé là, ou il mène à un dossier fermé. Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>

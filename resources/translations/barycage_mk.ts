@@ -2262,10 +2262,6 @@
         <translation>Завршете ја лекцијата пред да зачувате (Esc).</translation>
     </message>
     <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
-    </message>
-    <message>
         <source>Play this lesson, in a window of its own if this one is in use</source>
         <translation>Пушти ја оваа лекција, во посебен прозорец ако овој се користи</translation>
     </message>
@@ -2678,10 +2674,6 @@
     <message>
         <source>Saving “%1” was cancelled. The file on disk is unchanged.</source>
         <translation>Зачувувањето на „%1“ е откажано. Датотеката на дискот е како што беше.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a regular file and cannot be opened.</source>
-        <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
     </message>
     <message>
         <source>Adjust Picture Paths</source>
@@ -4834,6 +4826,14 @@
     <message>
         <source>“%1” is too small for its distance from the origin: the numbers in the file cannot distinguish its points. Move it to the origin, or make it larger.</source>
         <translation>„%1“ е премал за своето растојание од почетокот: броевите во датотеката не ги разликуваат неговите точки. Преместете го кон почетокот или зголемете го.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a regular file and cannot be opened.</source>
+        <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
+    </message>
+    <message>
+        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
+        <translation>Системот не ја следи симболичката врска „%1“: можеби ја поставил друг корисник или води во затворена папка. Изберете друго име.</translation>
     </message>
 </context>
 <context>

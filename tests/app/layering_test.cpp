@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -30,6 +31,7 @@ private slots:
     void coreCompilesWithoutQt();
     void viewStartsNoThread();
     void nothingReturnsASubrange();
+    void decompositionsAreCompiledInFewFiles();
 };
 
 namespace {
@@ -303,6 +305,26 @@ void LayeringTest::nothingReturnsASubrange() {
             QVERIFY2(!match.hasMatch(), qPrintable(path + QStringLiteral(": ") + match.captured()));
         }
     }
+}
+
+// Eigen's decompositions take seconds to compile in every file that uses them: model/ifs/linear does, behind
+// functions for everybody.
+void LayeringTest::decompositionsAreCompiledInFewFiles() {
+    static const QRegularExpression heavy(QStringLiteral("^Eigen/(Dense|Eigen|Eigenvalues|SVD)$"));
+    static const QRegularExpression used(QStringLiteral(
+        "EigenSolver\\b|\\b(BDC|Jacobi)SVD\\b|\\b(jacobi|bdc)Svd\\b|\\b(Real|Complex)Schur\\b"));
+    QStringList users;
+    for (const char* folder : {"app", "model", "view"})
+        for (const QString& path : sourceFiles(support::sourcePath(QString::fromLatin1(folder)))) {
+            const QList<Include> includes = includesOf(path);
+            const bool includesIt = std::ranges::any_of(
+                includes, [](const Include& include) { return heavy.match(include.header).hasMatch(); });
+            if (includesIt || used.match(contents(path)).hasMatch()) users << path;
+        }
+    QVERIFY2(!users.isEmpty(), "no file uses them: the test looks at the wrong place");
+    QVERIFY2(users.size() <= 6, qPrintable(users.join(u' ')));
+    for (const QString& path : std::as_const(users))
+        QVERIFY2(path.contains(QLatin1String("/model/ifs/linear/")), qPrintable(path));
 }
 
 QTEST_APPLESS_MAIN(LayeringTest)

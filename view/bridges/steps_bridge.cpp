@@ -30,7 +30,7 @@ StepsBridge::StepsBridge(document::Document* document, RenderBridge* bridge)
           m_distance = distance;
           emit changed();
       }),
-      m_reading([this](std::optional<Read> read) { finishReading(std::move(read)); }) {
+      m_reading([this](std::optional<Read> read) { finishReading(std::move(read)); }, io::Lane::Reading) {
     m_measuring.setSingleShot(true);
     m_measuring.setInterval(patience);
     connect(&m_measuring, &QTimer::timeout, this, &StepsBridge::requestDistance);

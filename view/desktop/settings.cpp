@@ -47,7 +47,8 @@ public:
         m_known[key] = value;
         m_values[key] = {value, ++m_calls};
         if (std::exchange(m_isStarted, true)) return;
-        m_last = QFuture<void>(io::inBackground<bool>([this](QPromise<bool>&) { write(); }));
+        m_last =
+            QFuture<void>(io::inBackground<bool>(io::Lane::Saving, [this](QPromise<bool>&) { write(); }));
     }
     QVariant find(const QString& key) {
         {
@@ -97,8 +98,8 @@ private:
 };
 
 Storing& storing() {
-    static Storing all;
-    return all;
+    static auto* const all = new Storing; // a thread may come back to it at the very end
+    return *all;
 }
 
 } // namespace

@@ -42,24 +42,25 @@ QString PictureSource::wishFor(const QByteArray& file) {
 
 void PictureSource::read(const QString& path) {
     m_wish = path;
-    wait([path] { return io::readPicture(path); });
+    wait(io::Lane::Reading, [path] { return io::readPicture(path); });
 }
 
 void PictureSource::decode(const QByteArray& file) {
     m_wish = wishFor(file);
-    wait([file] { return io::decodePicture(file); });
+    wait(io::Lane::Computing, [file] { return io::decodePicture(file); });
 }
 
-void PictureSource::wait(std::function<io::ReadPicture()> reader) {
-    m_work.setFuture(io::inBackground<Outcome>([reader = std::move(reader)](QPromise<Outcome>& promise) {
-        io::ReadPicture read = reader();
-        Outcome outcome;
-        if (read.failure)
-            outcome.failure = *read.failure;
-        else
-            outcome.picture = std::make_shared<const attractor::MipPicture>(std::move(read.picture));
-        promise.addResult(std::move(outcome));
-    }));
+void PictureSource::wait(io::Lane lane, std::function<io::ReadPicture()> reader) {
+    m_work.setFuture(
+        io::inBackground<Outcome>(lane, [reader = std::move(reader)](QPromise<Outcome>& promise) {
+            io::ReadPicture read = reader();
+            Outcome outcome;
+            if (read.failure)
+                outcome.failure = *read.failure;
+            else
+                outcome.picture = std::make_shared<const attractor::MipPicture>(std::move(read.picture));
+            promise.addResult(std::move(outcome));
+        }));
 }
 
 } // namespace view

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/tops/picture_patterns.h"
+#include "io/file/background.h"
 #include "io/tops/picture_reader.h"
 
 #include <QByteArray>
@@ -41,7 +42,7 @@ private:
         QString failure;
     };
 
-    void wait(std::function<io::ReadPicture()> reader);
+    void wait(io::Lane lane, std::function<io::ReadPicture()> reader);
 
     QString m_wish;
     QFutureWatcher<Outcome> m_work;

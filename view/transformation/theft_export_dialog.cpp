@@ -156,8 +156,8 @@ void TheftExportDialog::exportTo(const QString& path) {
     m_stop = {};
     setBusy(true);
     m_work.setFuture(io::inBackground<io::ExportOutcome>(
-        [job = m_job, camera = camera(pixels()), path,
-         stop = m_stop.get_token()](QPromise<io::ExportOutcome>& promise) {
+        io::Lane::Saving, [job = m_job, camera = camera(pixels()), path,
+                           stop = m_stop.get_token()](QPromise<io::ExportOutcome>& promise) {
             promise.setProgressRange(0, 1000);
             const auto progress = [&](double fraction) { promise.setProgressValue(int(fraction * 1000)); };
             promise.addResult(exportStolenPicture(job, camera, path, progress, stop));

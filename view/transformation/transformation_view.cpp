@@ -394,6 +394,7 @@ void TransformationView::embedPicture(bool embedded) {
     m_embedding.future().cancel();
     if (embedded) {
         m_embedding.setFuture(io::inBackground<io::PictureToEmbed>(
+            io::Lane::Reading,
             [path = QDir(folder()).filePath(m_kept.picture)](QPromise<io::PictureToEmbed>& promise) {
                 promise.addResult(io::pictureToEmbed(path));
             }));

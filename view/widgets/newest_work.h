@@ -13,13 +13,15 @@
 namespace view {
 
 // Work in the background of which only the newest counts: one piece runs, and the newest that came meanwhile
-// waits for it. It ends with its owner: what runs then is told to stop.
+// waits for it, unless it reads files: those may never answer, and what runs is told to stop and no longer
+// heard. It ends with its owner: what runs then is told to stop.
 template <class Result> class NewestWork {
 public:
     using Work = std::function<std::optional<Result>(const std::stop_token&)>;
 
     // `done` gets each result, or nullopt when the work found none; not after cancel().
-    explicit NewestWork(std::function<void(std::optional<Result>)> done) : m_done(std::move(done)) {
+    explicit NewestWork(std::function<void(std::optional<Result>)> done, io::Lane lane = io::Lane::Computing)
+        : m_done(std::move(done)), m_lane(lane) {
         QObject::connect(&m_watcher, &QFutureWatcherBase::finished, &m_watcher, [this] { finish(); });
     }
     ~NewestWork() { m_stop.request_stop(); }
@@ -27,7 +29,8 @@ public:
     NewestWork& operator=(const NewestWork&) = delete;
 
     void submit(Work work) {
-        if (m_isRunning)
+        if (m_lane == io::Lane::Reading) m_stop.request_stop();
+        if (m_isRunning && m_lane != io::Lane::Reading)
             m_waiting = std::move(work);
         else
             start(std::move(work));
@@ -45,7 +48,7 @@ private:
         m_isUnheard = false;
         m_stop = {};
         m_watcher.setFuture(io::inBackground<Result>(
-            [work = std::move(work), stop = m_stop.get_token()](QPromise<Result>& promise) {
+            m_lane, [work = std::move(work), stop = m_stop.get_token()](QPromise<Result>& promise) {
                 if (std::optional<Result> result = work(stop)) promise.addResult(std::move(*result));
             }));
     }
@@ -59,6 +62,7 @@ private:
     }
 
     std::function<void(std::optional<Result>)> m_done;
+    io::Lane m_lane;
     QFutureWatcher<Result> m_watcher;
     std::stop_source m_stop;
     Work m_waiting;

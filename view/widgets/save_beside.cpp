@@ -30,7 +30,7 @@ struct Shared {
 
 Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window) {
     const auto shared = std::make_shared<Shared>();
-    QFuture<void> work(io::inBackground<bool>([shared, path, bytes](QPromise<bool>&) {
+    QFuture<void> work(io::inBackground<bool>(io::Lane::Saving, [shared, path, bytes](QPromise<bool>&) {
         io::NewFile file(path);
         if (!file.failure()) file.write(bytes);
         if (!shared->isDecided.exchange(true)) shared->failure = file.commit();

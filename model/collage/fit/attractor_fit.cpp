@@ -3,10 +3,10 @@
 
 #include "collage/measure/agreement.h"
 #include "collage/measure/attractor_points.h"
+#include "ifs/linear/singular_vectors.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +29,7 @@ ifs::Matrix<2> matrix(double a, double b, double c, double d) {
 std::vector<ifs::Matrix<2>> linearDirections(const ifs::Matrix<2>& a, const Constraints& constraints,
                                              std::size_t index) {
     if (constraints.isStem(index)) {
-        const Eigen::JacobiSVD<ifs::Matrix<2>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        const ifs::Matrix<2>& u = svd.matrixU();
-        const ifs::Matrix<2>& v = svd.matrixV();
+        const auto [u, values, v] = ifs::singularVectors<2>(a);
         return {u.col(0) * v.col(0).transpose(), u.col(0) * v.col(1).transpose(),
                 u.col(1) * v.col(0).transpose()};
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/collage_fit.h"
 
-#include <Eigen/Eigenvalues>
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ double areaOf(const ifs::AffineMap<2>& map) {
 ifs::Vector<2> across(const Eigen::Matrix3d& moments, double count) {
     const ifs::Vector<2> mean = moments.topRightCorner<2, 1>() / count;
     const ifs::Matrix<2> covariance = moments.topLeftCorner<2, 2>() / count - mean * mean.transpose();
-    const Eigen::SelfAdjointEigenSolver<ifs::Matrix<2>> axes(covariance);
-    if (axes.eigenvalues()[0] >= thin) return ifs::Vector<2>::Zero();
-    return axes.eigenvectors().col(0);
+    const auto [values, axes] = ifs::symmetricEigenvalues<2>(covariance);
+    if (values[0] >= thin) return ifs::Vector<2>::Zero();
+    return axes.col(0);
 }
 
 } // namespace

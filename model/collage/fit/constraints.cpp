@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/constraints.h"
 
-#include <Eigen/SVD>
+#include "ifs/linear/singular_vectors.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,20 +10,14 @@ namespace collage {
 
 namespace {
 
-using Svd = Eigen::JacobiSVD<ifs::Matrix<2>>;
-
 constexpr double flattest = 0.05; // the ratio of the singular values of a map that would rather mirror
 constexpr double rounding = 1e-12;
 
-Svd svdOf(const ifs::Matrix<2>& a) {
-    return Svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-}
-
 ifs::Matrix<2> withoutMirror(const ifs::Matrix<2>& a) {
     if (ifs::determinant<2>(a) >= 0) return a;
-    const Svd svd = svdOf(a);
-    const ifs::Vector<2> values(svd.singularValues()[0], -flattest * svd.singularValues()[0]);
-    return svd.matrixU() * values.asDiagonal() * svd.matrixV().transpose();
+    const auto [left, values, right] = ifs::singularVectors<2>(a);
+    const ifs::Vector<2> mirrorless(values[0], -flattest * values[0]);
+    return left * mirrorless.asDiagonal() * right.transpose();
 }
 
 ifs::Matrix<2> withAngle(const ifs::Matrix<2>& a, int degrees) {
@@ -39,16 +33,16 @@ ifs::Matrix<2> withAngle(const ifs::Matrix<2>& a, int degrees) {
 }
 
 ifs::Matrix<2> flattened(const ifs::Matrix<2>& a) {
-    const Svd svd = svdOf(a);
-    if (svd.singularValues()[1] <= rounding * svd.singularValues()[0]) return a;
-    return svd.singularValues()[0] * svd.matrixU().col(0) * svd.matrixV().col(0).transpose();
+    const auto [left, values, right] = ifs::singularVectors<2>(a);
+    if (values[1] <= rounding * values[0]) return a;
+    return values[0] * left.col(0) * right.col(0).transpose();
 }
 
 } // namespace
 
 ifs::Matrix<2> turnOf(const ifs::Matrix<2>& a) {
-    const Svd svd = svdOf(a);
-    return svd.matrixU() * svd.matrixV().transpose();
+    const auto [left, values, right] = ifs::singularVectors<2>(a);
+    return left * right.transpose();
 }
 
 ifs::AffineMap<2> constrained(const Constraints& constraints, std::size_t index, ifs::AffineMap<2> map,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/map_fit.h"
 
+#include "ifs/linear/singular_vectors.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 
 #include <algorithm>
 
@@ -62,10 +63,9 @@ ifs::AffineMap<2> leastSquaresMap(const PairSums& sums, MapClass mapClass, const
 
 ifs::AffineMap<2> withNormAtMost(double limit, ifs::AffineMap<2> map, const ifs::Vector<2>& centre) {
     if (ifs::spectralNorm<2>(map.linear) <= limit) return map;
-    const Eigen::JacobiSVD<ifs::Matrix<2>> svd(map.linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const auto [left, values, right] = ifs::singularVectors<2>(map.linear);
     const ifs::Vector<2> image = map(centre);
-    map.linear =
-        svd.matrixU() * svd.singularValues().cwiseMin(limit).asDiagonal() * svd.matrixV().transpose();
+    map.linear = left * values.cwiseMin(limit).asDiagonal() * right.transpose();
     map.translation = image - map.linear * centre;
     return map;
 }

@@ -2,8 +2,7 @@
 #include "ifs/cage/generalized_coordinates.h"
 
 #include "ifs/cage/jet.h"
-
-#include <Eigen/Eigenvalues>
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,12 +152,11 @@ Matrix<2> pseudoInverse(const Matrix<2>& s) {
     return adjugate / determinant;
 }
 Matrix<3> pseudoInverse(const Matrix<3>& s) {
-    const Eigen::SelfAdjointEigenSolver<Matrix<3>> eigen(s);
-    const Vector<3>& values = eigen.eigenvalues();
+    const auto [values, vectors] = symmetricEigenvalues<3>(s);
     Vector<3> inverse = Vector<3>::Zero();
     for (int k = 0; k < 3; ++k)
         if (values[k] > flat * values[2]) inverse[k] = 1 / values[k];
-    return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+    return vectors * inverse.asDiagonal() * vectors.transpose();
 }
 
 // Whether two segments have a point in common.

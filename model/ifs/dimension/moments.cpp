@@ -4,9 +4,8 @@
 #include "ifs/existence/conditioning.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/symmetric_square.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "ifs/linear/inverse.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,7 @@ public:
         Equations result;
         result.m_complement = RealMatrix<Size>::Identity() - a;
         result.m_error = error + 2 * unit * (RealMatrix<Size>::Identity() + a.cwiseAbs());
-        result.m_inverse = result.m_complement.inverse();
+        result.m_inverse = inverseOf(result.m_complement);
         if (!result.m_inverse.allFinite()) return std::nullopt;
         const RealMatrix<Size> size = result.m_inverse.cwiseAbs();
         const RealMatrix<Size> rest =
@@ -184,7 +183,7 @@ public:
             linear += m_shares[i] * linearPart(i);
         const RealMatrix<Dim> image = m_seen.image.linear.template cast<Real>();
         const RealMatrix<Dim> there =
-            (RealMatrix<Dim>::Identity() - linear).inverse() * symmetric(upper.value);
+            inverseOf<Dim>(RealMatrix<Dim>::Identity() - linear) * symmetric(upper.value);
         return (image * there * image.transpose()).template cast<double>();
     }
 
@@ -228,9 +227,7 @@ private:
         // With a diagonal of ones, so that a slow direction does not hide the others.
         const auto scale = value.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
         const RealMatrix<Dim> scaled = scale * value * scale, scaledError = scale * error * scale;
-        const Real least =
-            Eigen::SelfAdjointEigenSolver<RealMatrix<Dim>>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
-        return least > scaledError.norm() + 64 * unit;
+        return leastSymmetricEigenvalue(scaled) > scaledError.norm() + 64 * unit;
     }
 
     Conditioned<Dim> m_seen;

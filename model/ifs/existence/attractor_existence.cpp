@@ -6,9 +6,8 @@
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/polytope_norm.h"
+#include "ifs/linear/symmetric_matrices.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -155,12 +154,10 @@ std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> 
     const auto invariant = invariantForm<Dim>(maps, emphasis);
     if (!invariant) return std::nullopt;
     const Matrix<Dim>& form = *invariant;
-    const Vector<Dim> eigenvalues =
-        Eigen::SelfAdjointEigenSolver<Matrix<Dim>>(form, Eigen::EigenvaluesOnly).eigenvalues();
-    const Eigen::LLT<Matrix<Dim>> cholesky(form);
-    if (!(eigenvalues[0] > 1e-12 * eigenvalues[Dim - 1]) || cholesky.info() != Eigen::Success)
-        return std::nullopt;
-    const Matrix<Dim> root = cholesky.matrixU();
+    const Vector<Dim> eigenvalues = symmetricEigenvalues<Dim>(form).values;
+    const auto factor = choleskyFactor<Dim>(form);
+    if (!(eigenvalues[0] > 1e-12 * eigenvalues[Dim - 1]) || !factor) return std::nullopt;
+    const Matrix<Dim>& root = *factor;
     Matrices<Dim> conjugated;
     for (const auto& map : maps)
         conjugated.push_back(root * map.linear * root.inverse());

@@ -3,11 +3,11 @@
 
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/norm_descent.h"
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/inverse.h"
+#include "ifs/linear/symmetric_matrices.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -60,9 +60,7 @@ std::vector<AffineMap<Dim>> seenThrough(const Matrix<Dim>& root, std::span<const
 
 template <int Dim> std::optional<Matrix<Dim>> choleskyRoot(const Matrix<Dim>& form) {
     constexpr double minEigenvalue = 1e-9; // keeps a form that is nearly flat definite
-    const Eigen::LLT<Matrix<Dim>> cholesky(form + minEigenvalue * form.trace() * Matrix<Dim>::Identity());
-    if (cholesky.info() != Eigen::Success) return std::nullopt;
-    return Matrix<Dim>(cholesky.matrixU());
+    return choleskyFactor<Dim>(form + minEigenvalue * form.trace() * Matrix<Dim>::Identity());
 }
 
 // The root of the weighted form of these maps. Where they stretch too much for that to be found, one step
@@ -163,17 +161,16 @@ template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const Affine
     Matrix<Dim> sum = Matrix<Dim>::Zero(); // with weights of which no two maps cancel
     for (std::size_t i = 0; i < maps.size(); ++i)
         sum += maps[i].linear / double(i + 1);
-    const Eigen::EigenSolver<Matrix<Dim>> solver(sum);
-    if (solver.info() != Eigen::Success) return;
-    const Matrix<Dim>& directions = solver.pseudoEigenvectors();
+    const auto directions = eigendirections<Dim>(sum);
+    if (!directions) return;
     std::array<int, Dim> order{};
     std::iota(order.begin(), order.end(), 0);
     do {
         Matrix<Dim> flag;
         for (int k = 0; k < Dim; ++k)
-            flag.col(k) = directions.col(order[std::size_t(k)]);
+            flag.col(k) = directions->col(order[std::size_t(k)]);
         if (const Matrix<Dim> back = flag.inverse(); back.allFinite()) stretch<Dim>(best, back, maps);
-        const Matrix<Dim> turned = Eigen::HouseholderQR<Matrix<Dim>>(flag).householderQ();
+        const Matrix<Dim> turned = orthogonalFactor(flag);
         stretch<Dim>(best, turned.transpose(), maps);
     } while (std::next_permutation(order.begin(), order.end()));
 }
@@ -188,7 +185,7 @@ std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<
     using RealMatrix = Eigen::Matrix<Real, Dim, Dim>;
     using RealVector = Eigen::Matrix<Real, Dim, 1>;
     constexpr Real products = 4 * Dim * std::numeric_limits<Real>::epsilon(); // of three matrices
-    const RealMatrix there = image.linear.template cast<Real>(), back = there.inverse();
+    const RealMatrix there = image.linear.template cast<Real>(), back = inverseOf(there);
     const RealMatrix size = there.cwiseAbs(), backSize = back.cwiseAbs();
     const RealVector centre = image.translation.template cast<Real>();
     const Real inverse = (back * there - RealMatrix::Identity()).norm() + products * (backSize * size).norm();

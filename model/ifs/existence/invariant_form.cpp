@@ -2,9 +2,8 @@
 #include "ifs/existence/invariant_form.h"
 
 #include "ifs/existence/symmetric_square.h"
-#include "ifs/system/eigenvalues.h"
-
-#include <Eigen/LU>
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/inverse.h"
 
 #include <cmath>
 
@@ -29,8 +28,7 @@ std::optional<Matrix<Dim>> invariantForm(std::span<const AffineMap<Dim>> maps,
     const double growth = largestEigenvalueModulus(transfer);
     if (!(growth > 0)) return std::nullopt;
     // Inverse iteration beside the largest eigenvalue: it also settles when others have the same modulus.
-    const Eigen::MatrixXd resolvent =
-        Eigen::MatrixXd(growth * (1 + 1e-9) * Operator::Identity() - transfer).inverse();
+    const Eigen::MatrixXd resolvent = inverseOf(growth * (1 + 1e-9) * Operator::Identity() - transfer);
     SymmetricVector<Dim> form = upperTriangle<Dim>(Matrix<Dim>::Identity());
     constexpr int iterations = 4;
     for (int n = 0; n < iterations; ++n) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/norm_descent.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "ifs/linear/inverse.h"
+#include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ public:
     explicit Descent(std::span<const AffineMap<Dim>> maps) : m_maps(maps) {}
 
     std::vector<Matrix<Dim>> seen(const Matrix<Dim>& root) const {
-        const LongMatrix<Dim> there = root.template cast<long double>(), back = there.inverse();
+        const LongMatrix<Dim> there = root.template cast<long double>(), back = inverseOf(there);
         std::vector<Matrix<Dim>> result;
         for (const auto& map : m_maps)
             result.push_back(
@@ -36,7 +36,7 @@ public:
 
     // Infinite unless all of them are shorter than `limit`.
     double longest(const Matrix<Dim>& root, double limit) const {
-        const LongMatrix<Dim> there = root.template cast<long double>(), back = there.inverse();
+        const LongMatrix<Dim> there = root.template cast<long double>(), back = inverseOf(there);
         double result = 0;
         for (const auto& map : m_maps) {
             const LongMatrix<Dim> linear = map.linear.template cast<long double>();
@@ -52,12 +52,12 @@ public:
         std::vector<Slope<Dim>> result;
         double longest = 0;
         for (const Matrix<Dim>& linear : seen(root)) {
-            const Eigen::SelfAdjointEigenSolver<Matrix<Dim>> axes(linear.transpose() * linear);
+            const auto axes = symmetricEigenvalues<Dim>(linear.transpose() * linear);
             for (int k = Dim; k-- > 0;) {
-                const double length = std::sqrt(std::max(axes.eigenvalues()[k], 0.0));
+                const double length = std::sqrt(std::max(axes.values[k], 0.0));
                 longest = std::max(longest, length);
                 if (!(length > 0 && length >= factor * longest)) break;
-                const Vector<Dim> from = axes.eigenvectors().col(k), to = linear * from / length;
+                const Vector<Dim> from = axes.vectors.col(k), to = linear * from / length;
                 result.push_back({to * to.transpose() - from * from.transpose(), length});
             }
         }
@@ -89,14 +89,13 @@ template <int Dim> Matrix<Dim> steepest(const std::vector<Slope<Dim>>& slopes) {
 }
 
 // The root of the form a step along −direction leads to, seen from where the form is I.
-template <int Dim>
-Matrix<Dim> stepped(const Eigen::SelfAdjointEigenSolver<Matrix<Dim>>& direction, double step) {
+template <int Dim> Matrix<Dim> stepped(const SymmetricEigenvalues<Dim>& direction, double step) {
     Vector<Dim> stretch;
     for (int k = 0; k < Dim; ++k) {
-        const double way = -step * direction.eigenvalues()[k]; // close to eʷᵃʸ, without exp()
+        const double way = -step * direction.values[k]; // close to eʷᵃʸ, without exp()
         stretch[k] = way >= 0 ? 1 + way : 1 / (1 - way);
     }
-    return stretch.asDiagonal() * direction.eigenvectors().transpose();
+    return stretch.asDiagonal() * direction.vectors.transpose();
 }
 
 } // namespace
@@ -116,7 +115,7 @@ template <int Dim> void descend(Coordinates<Dim>& best, std::span<const AffineMa
             continue;
         }
         direction /= direction.norm();
-        const Eigen::SelfAdjointEigenSolver<Matrix<Dim>> axes(direction);
+        const auto axes = symmetricEigenvalues<Dim>(direction);
         const double before = best.longest;
         for (double step = reach; step > 1e-4 * width; step /= 2) {
             Matrix<Dim> root = stepped<Dim>(axes, step) * best.root;

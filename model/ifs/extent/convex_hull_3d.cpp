@@ -3,10 +3,9 @@
 
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/polygon.h"
+#include "ifs/linear/space_columns.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -42,17 +41,17 @@ Vector<3> meanOf(const Points& points) {
 }
 
 // The directions in which the points extend, widest first, and how far from their mean.
-Eigen::JacobiSVD<Eigen::Matrix3Xd> spread(const Points& points) {
+PrincipalAxes spread(const Points& points) {
     Eigen::Matrix3Xd offsets(3, points.size());
     for (std::size_t k = 0; k < points.size(); ++k)
         offsets.col(Eigen::Index(k)) = points[k] - meanOf(points);
-    return Eigen::JacobiSVD<Eigen::Matrix3Xd>(offsets, Eigen::ComputeFullU);
+    return principalAxes(offsets);
 }
 
 bool areFlat(const Points& points) {
     constexpr double flat = 1e-9;
     if (points.size() < 4) return true;
-    const auto extents = spread(points).singularValues();
+    const Vector<3> extents = spread(points).lengths;
     return !(extents[2] > flat * extents[0]);
 }
 
@@ -117,7 +116,7 @@ struct Combination {
         Eigen::Matrix3Xd edges(3, others);
         for (Eigen::Index k = 0; k < others; ++k)
             edges.col(k) = normals[std::size_t(k) + 1] - normals[0];
-        const Eigen::VectorXd along = edges.colPivHouseholderQr().solve(-normals[0]);
+        const Eigen::VectorXd along = leastSquares(edges, -normals[0]);
         std::vector<double> result{1 - along.sum()};
         result.insert(result.end(), along.begin(), along.end());
         return result;
@@ -237,7 +236,7 @@ private:
         constexpr int rounds = 4;
         for (int n = 0; n < rounds && !m_stop.stop_requested() && areFlat(m_hull.points); ++n) {
             const std::size_t known = m_hull.points.size();
-            const Matrix<3> axes = spread(m_hull.points).matrixU();
+            const Matrix<3> axes = spread(m_hull.points).directions;
             for (int k = 0; k < 3; ++k)
                 for (const double sign : {1.0, -1.0})
                     add(m_support(sign * axes.col(k), 0, nodesPerFacet).point);
@@ -383,8 +382,8 @@ ConvexHull3 compact(const Points& points, const std::vector<Face>& faces) {
 
 // Points in a plane, on a line or all at one point: the polygon of their hull there, cut into triangles.
 ConvexHull3 flatHull(const Points& points, double flatness) {
-    const auto axes = spread(points);
-    const Vector<3>&origin = points.front(), along = axes.matrixU().col(0), across = axes.matrixU().col(1);
+    const Matrix<3> axes = spread(points).directions;
+    const Vector<3>&origin = points.front(), along = axes.col(0), across = axes.col(1);
     Polygon plane;
     for (const auto& point : points)
         plane.emplace_back(along.dot(point - origin), across.dot(point - origin));
@@ -400,7 +399,7 @@ ConvexHull3 flatHull(const Points& points, double flatness) {
 // counts as error, as in a collage. nullopt where they are not seen to contract, or when stopped.
 std::optional<ConvexHull3> hullInPlane(const SupportFunction<3>& support, const Points& points,
                                        double tolerance, const std::stop_token& stop) {
-    const Eigen::Matrix<double, 3, 2> axes = spread(points).matrixU().leftCols<2>();
+    const Eigen::Matrix<double, 3, 2> axes = spread(points).directions.leftCols<2>();
     const Vector<3> origin = meanOf(points);
     std::vector<AffineMap<2>> maps;
     for (const auto& map : support.maps())

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/extent/support_container.h"
 
+#include "ifs/linear/inverse.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -67,7 +69,7 @@ std::vector<double> SupportContainer<Dim>::solved(Constant constant, double tie)
             constants[Eigen::Index(g)] = constant(g, best);
         }
         if (!changed) break;
-        const Eigen::VectorXd next = equations.partialPivLu().solve(constants);
+        const Eigen::VectorXd next = ifs::solution(equations, constants);
         solution.assign(next.begin(), next.end());
     }
     return solution;

@@ -2,9 +2,8 @@
 #include "ifs/links/linked_measure.h"
 
 #include "ifs/dimension/dimension.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/inverse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ struct Solved {
 std::optional<Solved> fixedVector(const DynamicMatrix& map, const DynamicVector& constant) {
     const auto n = double(map.rows());
     const DynamicMatrix complement = DynamicMatrix::Identity(map.rows(), map.cols()) - map;
-    const DynamicMatrix inverse = complement.partialPivLu().inverse();
+    const DynamicMatrix inverse = inverseOf(complement);
     if (!inverse.allFinite()) return std::nullopt;
     const auto norm = [](const DynamicMatrix& m) { return m.cwiseAbs().rowwise().sum().maxCoeff(); };
     const double rest = norm(inverse * complement - DynamicMatrix::Identity(map.rows(), map.cols())) +
@@ -122,8 +121,7 @@ private:
         }
         auto solved = fixedVector(map, constant);
         if (!solved) return std::nullopt;
-        const DynamicMatrix inverse =
-            (DynamicMatrix::Identity(map.rows(), map.cols()) - map).partialPivLu().inverse();
+        const DynamicMatrix inverse = inverseOf(DynamicMatrix::Identity(map.rows(), map.cols()) - map);
         solved->error += 2 * inverse.cwiseAbs().rowwise().sum().maxCoeff() * spread * first.error;
         return solved;
     }
@@ -141,7 +139,7 @@ double spectralRadiusAt(double s, const std::vector<double>& ratios, std::span<c
             const std::size_t from = part[std::size_t(i)], to = part[std::size_t(j)];
             matrix(i, j) = forward[from * ratios.size() + to] > 0 ? std::pow(ratios[to], s) : 0;
         }
-    return matrix.eigenvalues().cwiseAbs().maxCoeff();
+    return largestEigenvalueModulus(matrix);
 }
 
 // ln ρ falls with s, and is convex: the secant of a bracket comes close in a few steps.

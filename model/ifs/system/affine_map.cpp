@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/affine_map.h"
 
-#include "ifs/system/eigenvalues.h"
+#include "ifs/linear/decompositions.h"
 
 #include <Eigen/LU>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/decomposition.h"
 
-#include <Eigen/Eigenvalues>
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/singular_vectors.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <cmath>
 #include <limits>
@@ -55,10 +55,9 @@ template <> Polar<2> polar<2>(const Matrix<2>& linear) {
 
 template <> Polar<3> polar<3>(const Matrix<3>& linear) {
     if (!linear.allFinite()) return {Matrix<3>::Identity(), linear};
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Matrix<3> u = svd.matrixU(), v = svd.matrixV();
+    const auto [u, values, v] = singularVectors<3>(linear);
     const Vector<3> orientation(1, 1, (u * v.transpose()).determinant() < 0 ? -1 : 1);
-    const Vector<3> sigma = orientation.cwiseProduct(Vector<3>(svd.singularValues()));
+    const Vector<3> sigma = orientation.cwiseProduct(values);
     return {u * orientation.asDiagonal() * v.transpose(), v * sigma.asDiagonal() * v.transpose()};
 }
 
@@ -84,7 +83,7 @@ Matrix<3> independent(Matrix<3> columns) {
 
 RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
     if (!linear.allFinite()) return {Matrix<3>::Identity(), linear.diagonal(), Matrix<3>::Identity()};
-    Matrix<3> q = Eigen::HouseholderQR<Matrix<3>>(independent(linear)).householderQ();
+    Matrix<3> q = orthogonalFactor(independent(linear));
     Matrix<3> r = q.transpose() * linear;
     // Signs move from R to Q so that Q turns and only the last scale may reflect.
     for (int k = 0; k < 2; ++k)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/system/symmetry.h"
 
+#include "ifs/linear/decompositions.h"
+
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -167,7 +168,7 @@ Vector<2> commonFixedPoint(const std::vector<AffineMap<2>>& maps) {
         normal += away.transpose() * away;
         right += away.transpose() * map.translation;
     }
-    return normal.completeOrthogonalDecomposition().solve(right);
+    return shortestSolution(normal, right);
 }
 
 } // namespace

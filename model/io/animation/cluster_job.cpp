@@ -30,7 +30,8 @@ QByteArray submitText(const ClusterJob& job) {
                "#!/usr/bin/env bash\n"
                "# Submits the animation to Slurm. Run it again to finish work that was interrupted.\n"
                "set -euo pipefail\n"
-               "cd \"$(dirname -- \"$(readlink -f -- \"${BASH_SOURCE[0]}\")\")\"\n"
+               "here=$(readlink -f -- \"${BASH_SOURCE[0]}\")\n"
+               "cd \"${here%/*}/\"\n"
                "exec ./submit-animation.sh %1 '#1' '%2' %3 %4\n")
         .arg(QLatin1String(entryFile), outputName(job), QString::number(std::clamp(job.tasks, 1, frames)),
              options(job.animation).join(u' '))
@@ -70,7 +71,8 @@ Failure fill(const QDir& folder, const ClusterJob& job) {
     if (const Failure failure = saveFile(folder.filePath(QLatin1String(entryFile)), entry)) return failure;
     if (const Failure failure = saveFile(folder.filePath(QStringLiteral("README.md")), readmeText(job)))
         return failure;
-    for (const char* name : {"submit-animation.sh", "animation-options.sh", "animate.sh", "encode.sh"}) {
+    for (const char* name :
+         {"submit-animation.sh", "animation-options.sh", "names.sh", "animate.sh", "encode.sh"}) {
         QFile script(QStringLiteral(":/slurm/") + QLatin1String(name));
         if (!script.open(QIODevice::ReadOnly)) return script.errorString();
         if (const Failure failure = writeScript(folder, QLatin1String(name), script.readAll()))

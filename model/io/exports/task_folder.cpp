@@ -2,6 +2,7 @@
 #include "io/exports/task_folder.h"
 
 #include "document/process_lock.h"
+#include "document/regular_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -24,12 +25,12 @@ const QString ending = QStringLiteral(".export");
 constexpr qint64 maxTask = 256LL << 20; // bytes
 
 ReadTask readTask(const QString& path) {
-    const QFileInfo info(path);
-    if (info.isSymLink() || !info.isFile()) // a pipe may never come to an end
+    QFile file;
+    const document::Opened opened = document::openRegular(file, QFile::encodeName(path));
+    if (QFileInfo(path).isSymLink() || opened.isSpecial())
         return {std::nullopt, Text::tr("It is not a regular file.")};
-    QFile file(path);
-    if (info.size() > maxTask) return {std::nullopt, Text::tr("It is too large.")};
-    if (!file.open(QIODevice::ReadOnly)) return {std::nullopt, Text::tr("It cannot be read.")};
+    if (!opened.isOpen()) return {std::nullopt, Text::tr("It cannot be read.")};
+    if (file.size() > maxTask) return {std::nullopt, Text::tr("It is too large.")};
     return taskIn(file.readAll());
 }
 

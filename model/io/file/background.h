@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/background_threads.h"
 #include "document/free_in_background.h"
 
 #include <QDeadlineTimer>
 #include <QFuture>
 #include <QPromise>
 #include <QThread>
-#include <QThreadPool>
 
 #include <chrono>
 #include <exception>
@@ -16,13 +16,16 @@
 
 namespace io {
 
-// Runs work(QPromise<Result>&) in a thread of its own, beside the window. Cancelling the future tells the
-// work to end; what nobody waits for any more goes on unheard, but not beyond the end of the program.
-template <class Result, class Work> QFuture<Result> inBackground(Work work) {
+using document::Lane;
+
+// Runs work(QPromise<Result>&) in a thread of its own, beside the window; what touches files is never in the
+// lane of what does not. Cancelling the future tells the work to end; what nobody waits for any more goes on
+// unheard, perhaps beyond the end of the program: it holds nothing but values.
+template <class Result, class Work> QFuture<Result> inBackground(Lane lane, Work work) {
     const auto promise = std::make_shared<QPromise<Result>>(); // a function that may be copied holds it
     QFuture<Result> future = promise->future();
     promise->start();
-    QThreadPool::globalInstance()->start([promise, work = std::move(work)]() mutable {
+    document::startIn(lane, [promise, work = std::move(work)]() mutable {
         try {
             work(*promise);
         } catch (...) { // memory may be short
@@ -31,6 +34,11 @@ template <class Result, class Work> QFuture<Result> inBackground(Work work) {
         promise->finish();
     });
     return future;
+}
+
+// The same for work that touches no file.
+template <class Result, class Work> QFuture<Result> inBackground(Work work) {
+    return inBackground<Result>(Lane::Computing, std::move(work));
 }
 
 // Waits for the work, but no longer than that.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/save_file.h"
 
+#include "document/regular_file.h"
 #include "io/file/native_path.h"
 #include "io/file/replacement_file.h"
 #include "io/file/standard_output.h"
@@ -14,6 +15,8 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <string>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -43,16 +46,17 @@ QString notUtf8(const QString& path) {
         .arg(shown(path));
 }
 
-// The file that `path` leads to through symbolic links; a dangling link leads to the file it names. Step by
-// step as the system does it: "..", after a link to a folder, is not the folder that the link lies in. Names
-// stay bytes on the way: not all of them are UTF-8. What a device or a pipe is called leads nowhere.
-fs::path target(const QString& path) {
+// The file that a path leads to through symbolic links, or why the system does not follow them.
+struct End {
+    fs::path file;
+    bool isRefused = false;
+};
+
+// Resolves a link to a file that does not exist. Step by step as the system does it: "..", after a link to a
+// folder, is not the folder that the link lies in.
+fs::path danglingEnd(const fs::path& given) {
     constexpr int maxLinks = 40; // as many as the kernel follows
     std::error_code error;
-    const fs::path given(nativeName(path).toStdString());
-    const fs::file_status end = fs::status(given, error);
-    if (fs::exists(end) && !fs::is_regular_file(end)) return given;
-    if (error == std::errc::too_many_symbolic_link_levels) return given;
     fs::path at = given;
     for (int i = 0; i < maxLinks && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
         const fs::path folder = fs::canonical(at.has_parent_path() ? at.parent_path() : ".", error);
@@ -62,6 +66,41 @@ fs::path target(const QString& path) {
         at = folder / link; // or `link`, if it begins at the root
     }
     return at;
+}
+
+// Whether the last part of the path is a link, wherever it leads.
+bool endsInLink(const fs::path& path) {
+    std::error_code error;
+    return fs::is_symlink(fs::symlink_status(path, error));
+}
+
+// The kernel follows the links, so that its protection against links that others plant in shared folders
+// (fs.protected_symlinks) holds; a dangling link leads to the file it names. Names stay bytes on the way: not
+// all of them are UTF-8. The name of a device or a pipe leads to itself.
+End target(const QString& path) {
+    const fs::path given(nativeName(path).toStdString());
+    if (!endsInLink(given)) return {given};
+    std::error_code error;
+#ifdef O_PATH
+    const int end = ::open(given.c_str(), O_PATH | O_CLOEXEC);
+    if (end < 0) {
+        if (errno == ENOENT) return {danglingEnd(given)};
+        return {given, errno == EACCES};
+    }
+    const fs::path resolved = fs::read_symlink("/proc/self/fd/" + std::to_string(end), error);
+    struct stat opened {};
+    struct stat named {};
+    // A file that was removed meanwhile has no path, and the link itself is never replaced by mistake.
+    const bool isRegularFile = !error && ::fstat(end, &opened) == 0 && S_ISREG(opened.st_mode) &&
+                               ::stat(resolved.c_str(), &named) == 0 && named.st_dev == opened.st_dev &&
+                               named.st_ino == opened.st_ino;
+    ::close(end);
+    return {isRegularFile ? resolved : given};
+#else
+    const fs::file_status end = fs::status(given, error);
+    if (fs::exists(end) && !fs::is_regular_file(end)) return {given};
+    return {error == std::errc::too_many_symbolic_link_levels ? given : danglingEnd(given)};
+#endif
 }
 
 QString nameOf(const fs::path& path) {
@@ -106,10 +145,23 @@ QString notSaved(const QString& path, const QString& why) {
     return butKept(Text::tr("“%1” was not saved: %2.").arg(shown(path), why), path);
 }
 
-Failure obstacle(const fs::path& target) {
+// Why the end of the links cannot be known, if that is so for reasons that the user can change.
+Failure whyClosed(const End& end) {
+    if (!end.isRefused) return whyClosed(end.file);
+    // A folder that is closed is named instead.
+    const fs::path folder = end.file.has_parent_path() ? end.file.parent_path() : ".";
+    if (::access(folder.c_str(), X_OK) != 0) return whyClosed(end.file);
+    return Text::tr(
+               "The system does not follow the symbolic link “%1”: another user may have put it there, or it "
+               "leads to a closed folder. Choose another name.")
+        .arg(shown(nameOf(end.file)));
+}
+
+Failure obstacle(const End& end) {
+    const fs::path& target = end.file;
     const QString path = nameOf(target);
     if (path.isEmpty()) return Text::tr("The file has no name. Choose one.");
-    if (const Failure closed = whyClosed(target)) return closed;
+    if (const Failure closed = whyClosed(end)) return closed;
     std::error_code error;
     const fs::file_status file = fs::status(target, error);
     const bool isUnknown = file.type() == fs::file_type::none && error != std::errc::filename_too_long;
@@ -160,11 +212,11 @@ NewFile::NewFile(const QString& path) {
             setOpenMode(ReadWrite | Unbuffered);
         return;
     }
-    const fs::path end = target(path);
-    m_path = nameOf(end);
+    const End end = target(path);
+    m_path = nameOf(end.file);
     m_failure = isLost(path) ? notUtf8(path) : obstacle(end);
     if (m_failure) return;
-    m_replacement = std::make_unique<ReplacementFile>(end);
+    m_replacement = std::make_unique<ReplacementFile>(end.file);
     if (m_replacement->error().kind == SystemError::Kind::None)
         setOpenMode(ReadWrite | Unbuffered);
     else
@@ -182,11 +234,16 @@ void NewFile::fail() {
 }
 
 qint64 NewFile::readData(char* data, qint64 size) {
-    if (m_waiting < 0) return m_replacement->read(pos(), data, size);
-    ssize_t count = 0;
-    do
-        count = ::pread(m_waiting, data, std::size_t(size), off_t(pos()));
-    while (count < 0 && errno == EINTR);
+    qint64 count = 0;
+    if (m_waiting < 0) {
+        count = m_replacement->read(pos(), data, size);
+    } else {
+        do
+            count = ::pread(m_waiting, data, std::size_t(size), off_t(pos()));
+        while (count < 0 && errno == EINTR);
+    }
+    // Whoever reads back what it wrote may not look at the result, as FFmpeg's writer of MP4.
+    if (count < 0) fail();
     return count;
 }
 
@@ -217,15 +274,23 @@ Failure saveFile(const QString& path, const QByteArray& bytes) {
 
 namespace {
 
-bool openFile(QFile& file, const QString& path) {
-    if (isUtf8Name(path)) return file.open(QIODevice::ReadOnly);
-    const int descriptor = ::open(nativeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    return descriptor >= 0 && file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
+using Opening = document::Opened(QFile& file, const QString& path);
+
+document::Opened openAny(QFile& file, const QString& path) {
+    const auto open = [&] {
+        if (isUtf8Name(path)) return file.open(QIODevice::ReadOnly);
+        const int descriptor = ::open(nativeName(path).constData(), O_RDONLY | O_CLOEXEC);
+        return descriptor >= 0 && file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
+    };
+    if (open()) return {};
+    return {document::Opened::State::Closed, file.errorString()};
 }
 
-} // namespace
+document::Opened openRegular(QFile& file, const QString& path) {
+    return path.startsWith(u':') ? openAny(file, path) : document::openRegular(file, nativeName(path));
+}
 
-Loaded loadFile(const QString& path) {
+Loaded load(const QString& path, Opening* open) {
     const fs::path native(nativeName(path).toStdString());
     std::error_code error; // what cannot be asked about is not there
     if (isLost(path)) return {{}, notUtf8(path)};
@@ -240,8 +305,10 @@ Loaded loadFile(const QString& path) {
     const qint64 size = fs::is_regular_file(native, error) ? qint64(fs::file_size(native, error)) : 0;
     if (size > maxFile) return {{}, tooLarge};
     QFile file(path);
-    if (!openFile(file, path))
-        return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
+    const document::Opened opened = open(file, path);
+    if (opened.isSpecial())
+        return {{}, Text::tr("“%1” is not a regular file and cannot be opened.").arg(shown(path))};
+    if (!opened.isOpen()) return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), opened.error)};
     Loaded loaded;
     // A pipe does not know its size beforehand, and one read of the limit would reserve as much memory.
     const qint64 expected = std::max<qint64>(size, 1 << 16);
@@ -254,6 +321,16 @@ Loaded loadFile(const QString& path) {
         return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), file.errorString())};
     if (loaded.bytes.size() > maxFile) return {{}, tooLarge};
     return loaded;
+}
+
+} // namespace
+
+Loaded loadFile(const QString& path) {
+    return load(path, &openRegular);
+}
+
+Loaded loadSource(const QString& path) {
+    return load(path, &openAny);
 }
 
 } // namespace io

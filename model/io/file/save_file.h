@@ -17,15 +17,17 @@ using Failure = std::optional<QString>;
 
 // The one way in which files of the user are written: into a temporary file in the same folder, which
 // commit() flushes to the disk and renames: `path` holds the old bytes or the new ones, never a part.
-// Permissions, access control lists, extended attributes and a symbolic link at `path` are kept; what is no
-// ordinary file is not replaced. It is open from the start, unless failure() says why not; what is not
-// committed leaves nothing behind. Until then, seek() and read() work as on any file.
+// Permissions, access control lists, extended attributes and a symbolic link at `path` are kept, unless the
+// system refuses to follow the link; what is no ordinary file is not replaced. commit() refuses after any
+// read or write that failed, whether or not its caller noticed. It is open from the start, unless failure()
+// says why not; what is not committed leaves nothing behind. Until then, seek() and read() work as on any
+// file.
 class NewFile : public QIODevice {
 public:
     explicit NewFile(const QString& path); // or standardOutputPath()
     ~NewFile() override;
 
-    const Failure& failure() const { return m_failure; } // the first, also of writing
+    const Failure& failure() const { return m_failure; } // the first, also of reading and writing
     [[nodiscard]] Failure commit();
 
 protected:
@@ -48,6 +50,8 @@ struct Loaded {
     QByteArray bytes;
     Failure failure;
 };
-Loaded loadFile(const QString& path); // refuses more than 256 MB, saying so
+// Both refuse more than 256 MB, saying so.
+Loaded loadFile(const QString& path);   // also what is no regular file: it might never come to an end
+Loaded loadSource(const QString& path); // what a user of the command line names, also a pipe
 
 } // namespace io

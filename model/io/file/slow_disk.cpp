@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/slow_disk.h"
 
+#include "document/background_threads.h"
+
 #include <QFileInfo>
 #include <QHash>
 #include <QSet>
-#include <QThreadPool>
 
 #include <condition_variable>
 #include <memory>
@@ -15,17 +16,6 @@ namespace io {
 
 namespace {
 
-// Of its own, and never destroyed: what hangs must hold up neither other work nor the end of the program.
-QThreadPool& askers() {
-    static auto* const pool = [] {
-        constexpr int enough = 8;
-        auto* made = new QThreadPool;
-        made->setMaxThreadCount(enough);
-        return made;
-    }();
-    return *pool;
-}
-
 // What is known of paths, and which of them are being asked about.
 class Presence {
 public:
@@ -35,7 +25,7 @@ public:
             if (m_asked.contains(path)) return;
             m_asked.insert(path);
         }
-        askers().start([this, path] {
+        document::startIn(document::Lane::Asking, [this, path] {
             const bool isGone = !QFileInfo::exists(path);
             const std::scoped_lock lock(m_mutex);
             m_isGone[path] = isGone;
@@ -75,7 +65,7 @@ std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::mill
         std::optional<bool> answer;
     };
     const auto shared = std::make_shared<Shared>();
-    askers().start([shared, question = std::move(question)] {
+    document::startIn(document::Lane::Asking, [shared, question = std::move(question)] {
         const bool answer = question();
         const std::scoped_lock lock(shared->mutex);
         shared->answer = answer;

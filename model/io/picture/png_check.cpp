@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/png_check.h"
 
+#include "document/regular_file.h"
+#include "io/file/native_path.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QtEndian>
@@ -54,8 +57,8 @@ CheckedPng damaged(const QString& sentence) {
 } // namespace
 
 CheckedPng checkedPng(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
+    QFile file;
+    if (!document::openRegular(file, nativeName(path)).isOpen())
         return damaged(QCoreApplication::translate("PngSystem", "The picture cannot be opened."));
     if (file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8))
         return damaged(QCoreApplication::translate("PngSystem", "The file is not a PNG picture."));

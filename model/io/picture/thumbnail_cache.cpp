@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/thumbnail_cache.h"
 
+#include "document/regular_file.h"
 #include "io/fractint/entry_writer.h"
 
 #include <QBuffer>
@@ -42,8 +43,9 @@ QString ThumbnailCache::pathOf(const document::Fractal& fractal, int side) const
 }
 
 QImage ThumbnailCache::find(const document::Fractal& fractal, int side) const {
-    QFile file(pathOf(fractal, side));
-    if (!file.open(QIODevice::ReadWrite)) return {};
+    const QString path = pathOf(fractal, side);
+    QFile file;
+    if (!document::openRegular(file, QFile::encodeName(path)).isOpen()) return {};
     QImage picture;
     if (!picture.loadFromData(file.readAll(), "PNG")) return {};
     file.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);

@@ -13,6 +13,8 @@ private slots:
     void init();
     void brokenSequencesAreRefused();
     void strangersAmongFramesAreRefused();
+    void onlyTheNameOfTheFileHasNumbers();
+    void bracketsInNamesAreLetters();
 
 private:
     QStringList files(const QByteArray& folder) const {
@@ -112,6 +114,24 @@ void CliEncodeTest::strangersAmongFramesAreRefused() {
     QCOMPARE(part.status, 0);
     QVERIFY2(part.err.contains("The pictures are 3 of 4 frames of the animation: 2-4."),
              part.err.constData());
+}
+
+void CliEncodeTest::onlyTheNameOfTheFileHasNumbers() {
+    const QByteArray folder = "a/take # 2 %n ###";
+    const Result drawn =
+        run("animate wind.ifs --entry wind -o \"" + folder + "/f.##.png\" --frames 1-2" + small);
+    QVERIFY2(drawn.status == 0, drawn.err.constData());
+    QCOMPARE(files(folder), (QStringList{QStringLiteral("f.01.png"), QStringLiteral("f.02.png")}));
+    const Result encoded = run("encode \"" + folder + "/f.##.png\" -o b/v.gif --frames 1-2");
+    QVERIFY2(encoded.status == 0, encoded.err.constData());
+    QCOMPARE(files("b"), QStringList{QStringLiteral("v.gif")});
+    QCOMPARE(run("animate wind.ifs --entry wind -o a/#/f.png").status, 2);
+}
+
+void CliEncodeTest::bracketsInNamesAreLetters() {
+    write("[x,y]", read("wind.ifs"));
+    const Result drawn = run(QByteArray("render [x,y] -o b/p.png") + small);
+    QVERIFY2(drawn.status == 0, drawn.err.constData());
 }
 
 QTEST_GUILESS_MAIN(CliEncodeTest)

@@ -64,7 +64,9 @@ def main():
     has_video = len(sys.argv) > 4
     job = template(path)
     assert job["specificationVersion"] == "jobtemplate-2023-09"
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as parent:
+        folder = f"{parent}/{{{{Param.Entry}}}} # %n $(touch canary)\n"
+        os.mkdir(folder)
         given = {"File": collection, "Entry": "maple_wind", "Frames": f"{folder}/frames",
                  "Output": f"{folder}/job.mkv", "Tasks": "3", "LastTask": "2", "Size": "64x48",
                  "Points": "20000"}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/canvas_scene.h"
+#include "document/background_threads.h"
 #include "io/exchange/text_formats.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
@@ -22,7 +23,6 @@
 #include <QRandomGenerator>
 #include <QSet>
 #include <QThread>
-#include <QThreadPool>
 
 #include <algorithm>
 #include <cmath>
@@ -269,7 +269,7 @@ void MonkeyTest::startAfresh() {
     m_live.clear();
     m_sinceStart = 0;
     QGuiApplication::clipboard()->clear();
-    QThreadPool::globalInstance()->waitForDone(); // what was let go is freed there
+    document::backgroundFinishes(std::chrono::seconds(30)); // what was let go is freed there
     m_megabytes << anonymousMegabytes();
     auto* window = new MainWindow;
     window->setGeometry(20, 40, 1300, 800);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
+#include "document/background_threads.h"
 #include "main_window.h"
 #include "panels/entries/entries_model.h"
 #include "panels/entries/entries_panel.h"
@@ -29,7 +30,6 @@
 #include <QSemaphore>
 #include <QStatusBar>
 #include <QTemporaryDir>
-#include <QThreadPool>
 #include <QTimer>
 #include <QUndoStack>
 
@@ -540,11 +540,10 @@ void WindowFilesTest::aLargeFileIsSavedBesideTheWindow() {
 
 void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     const QPointer<MainWindow> window = opened();
-    QThreadPool* pool = QThreadPool::globalInstance(); // too busy to begin
+    QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
     QSemaphore gate;
-    QVERIFY(pool->waitForDone());
-    for (int i = 0; i < pool->maxThreadCount(); ++i)
-        pool->start([&gate] { gate.acquire(); });
+    for (int i = 0; i < document::threadsOfLane; ++i) // too busy to begin
+        document::startIn(document::Lane::Computing, [&gate] { gate.acquire(); });
     QTimer closing;
     connect(&closing, &QTimer::timeout, &closing, [&] {
         if (!window->findChild<QProgressDialog*>()) return;
@@ -554,8 +553,8 @@ void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     closing.start(0);
     trigger(window, QKeySequence::Print);
     QVERIFY(!window);
-    gate.release(pool->maxThreadCount());
-    QVERIFY(pool->waitForDone());
+    gate.release(document::threadsOfLane);
+    QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
     for (const QWidget* widget : QApplication::topLevelWidgets())
         QVERIFY(!qobject_cast<const QPrintPreviewDialog*>(widget));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/hard_links.h"
 #include "io/file/save_file.h"
+#include "support/refusing_kernel.h"
 #include "support/unprivileged.h"
 
 #include <QDir>
@@ -87,6 +88,7 @@ class SaveFileTest : public QObject {
 
 private slots:
     void init() {
+        support::readsFail = support::linksAreProtected = false;
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(m_folder->isValid());
         m_path = m_folder->filePath(QStringLiteral("a.ifs"));
@@ -190,6 +192,49 @@ private slots:
         QCOMPARE(io::saveFile(link, "new"), io::Failure());
         QVERIFY(QFileInfo(link).isSymLink());
         QCOMPARE(contents(m_path), QByteArray("new"));
+    }
+
+    // In a folder as /tmp, anybody can put a link where a file of somebody else is about to be written.
+    void linksOfOthersAreNotFollowed_data() {
+        QTest::addColumn<QByteArray>("linked"); // what the victim's file holds; null: it does not exist yet
+        QTest::addColumn<bool>("isChained");    // through a link of our own
+        QTest::newRow("file") << QByteArray("theirs") << false;
+        QTest::newRow("dangling") << QByteArray() << false;
+        QTest::newRow("chained") << QByteArray("theirs") << true;
+        QTest::newRow("chained, dangling") << QByteArray() << true;
+    }
+
+    void linksOfOthersAreNotFollowed() {
+#ifdef Q_OS_LINUX
+        if (::geteuid() != 0) QSKIP("Only root can give a link to another user.");
+        QFETCH(QByteArray, linked);
+        QFETCH(bool, isChained);
+        const QString shared = m_folder->filePath(QStringLiteral("shared"));
+        const QString link = shared + QStringLiteral("/a.ifs");
+        QVERIFY(QDir().mkdir(shared));
+        QCOMPARE(::chmod(qPrintable(shared), 01777), 0);
+        if (!linked.isNull()) put(m_path, linked);
+        QVERIFY(QFile::link(m_path, link));
+        const QString own = m_folder->filePath(QStringLiteral("own.ifs"));
+        QVERIFY(QFile::link(link, own));
+        const QString saved = isChained ? own : link;
+
+        support::linksAreProtected = true;
+        QCOMPARE(io::saveFile(saved, linked.isNull() ? "" : linked), io::Failure()); // the link is our own
+        if (linked.isNull()) QVERIFY(QFile::remove(m_path));
+        QCOMPARE(::lchown(qPrintable(link), 65534, 65534), 0);
+        const io::Failure failure = io::saveFile(saved, "ours");
+        QVERIFY2(says(failure, QStringLiteral("does not follow the symbolic link “%1”").arg(saved)),
+                 qPrintable(failure.value_or(QStringLiteral("no failure"))));
+        const io::Failure unread = io::loadFile(saved).failure;
+        QVERIFY2(says(unread, QStringLiteral("does not follow the symbolic link")),
+                 qPrintable(unread.value_or(QStringLiteral("no failure"))));
+        support::linksAreProtected = false;
+        QCOMPARE(QFile::exists(m_path), !linked.isNull());
+        if (!linked.isNull()) QCOMPARE(contents(m_path), linked);
+        QVERIFY(QFileInfo(link).isSymLink());
+        QCOMPARE(everythingIn(shared), QStringList{QStringLiteral("a.ifs")});
+#endif
     }
 
     void linksThatLeadToThemselvesStay() {
@@ -333,6 +378,22 @@ private slots:
     }
 
     // Nothing is said of a file that is not there.
+    // Whether or not who reads looks at the result.
+    void failedReadLeavesTheOldFile() {
+        put(m_path, "old");
+        io::NewFile file(m_path);
+        QCOMPARE(file.write("new"), 3);
+        QVERIFY(file.seek(0));
+        support::readsFail = true;
+        char byte = 0;
+        QCOMPARE(file.read(&byte, 1), -1);
+        support::readsFail = false;
+        QVERIFY(file.seek(0));
+        QCOMPARE(file.read(&byte, 1), 1);
+        QVERIFY(says(file.commit(), QStringLiteral("was not saved")));
+        QCOMPARE(contents(m_path), QByteArray("old"));
+    }
+
     void failedWriteOfANewFileLeavesNothing() {
         support::FileSizeLimit limit(4096);
         QVERIFY(limit.isSet());

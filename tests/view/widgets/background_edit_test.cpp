@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/background_edit.h"
 
+#include "document/background_threads.h"
 #include "document/document.h"
 #include "support/patient_tries.h"
 
 #include <QSemaphore>
-#include <QThreadPool>
 
 #include <memory>
 
@@ -16,7 +16,7 @@ class BackgroundEditTest : public QObject {
 
 private slots:
     void init() { m_taken = 0; }
-    void cleanupTestCase() { QThreadPool::globalInstance()->waitForDone(); }
+    void cleanupTestCase() { QVERIFY(document::backgroundFinishes(std::chrono::seconds(30))); }
 
     void whatIsFoundAtOnceIsTakenAtOnce() {
         m_edit.start([](const auto& fractal) { return renamed(fractal); }, take());
@@ -39,7 +39,7 @@ private slots:
         other.name = QStringLiteral("other");
         m_document.edit(QStringLiteral("meanwhile"), other);
         gate->release();
-        QThreadPool::globalInstance()->waitForDone();
+        QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
         QTest::qWait(50);
         QCOMPARE(m_taken, 0);
         QCOMPARE(m_document.fractal().name, QStringLiteral("other"));
@@ -50,7 +50,7 @@ private slots:
         m_edit.start([](const auto& fractal) { return renamed(fractal); }, take());
         QCOMPARE(m_taken, 1);
         gate->release();
-        QThreadPool::globalInstance()->waitForDone();
+        QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
         QTest::qWait(50);
         QCOMPARE(m_taken, 1);
     }

@@ -331,8 +331,8 @@ void AnimationExportDialog::chooseFile() {
 }
 
 bool AnimationExportDialog::mayReplace(const QString& path) {
-    const QFuture<QStringList> work =
-        io::inBackground<QStringList>([what = chosen(), path](QPromise<QStringList>& promise) {
+    const QFuture<QStringList> work = io::inBackground<QStringList>(
+        io::Lane::Reading, [what = chosen(), path](QPromise<QStringList>& promise) {
             promise.addResult(io::replacedFiles(what, path));
         });
     const QPointer self(this);
@@ -401,7 +401,7 @@ void AnimationExportDialog::chooseFolder() {
 void AnimationExportDialog::prepareCluster(const QString& folder) {
     const io::ClusterJob job{chosen(), m_tasks->value()};
     QFuture<io::WrittenJob> work =
-        io::inBackground<io::WrittenJob>([folder, job](QPromise<io::WrittenJob>& promise) {
+        io::inBackground<io::WrittenJob>(io::Lane::Saving, [folder, job](QPromise<io::WrittenJob>& promise) {
             promise.addResult(writeClusterJob(folder, job));
         });
     const QPointer self(this);

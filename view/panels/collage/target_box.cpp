@@ -84,7 +84,7 @@ std::shared_ptr<const collage::GreyPicture> pictureOf(const document::Fractal& f
 TargetBox::TargetBox(document::Document* document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
-      m_reading([this](std::optional<Read> read) { finishReading(std::move(read)); }),
+      m_reading([this](std::optional<Read> read) { finishReading(std::move(read)); }, io::Lane::Reading),
       m_tracing([this](std::optional<TracedPointer> traced) { show(traced ? *traced : nullptr); }) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

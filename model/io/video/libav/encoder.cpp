@@ -259,7 +259,7 @@ void Encoder::finish() {
     if (!m_failure) isDone(library().av_write_trailer(m_format.get()));
     if (m_failure) return;
     library().avio_flush(m_format->pb);
-    isDone(m_format->pb->error);
+    if (isDone(m_format->pb->error)) isDone(m_file.error());
 }
 
 } // namespace io::libav

@@ -22,11 +22,16 @@ File::~File() {
         close(m_open.back());
 }
 
+int File::failed(int error) {
+    if (m_error == 0) m_error = error;
+    return error;
+}
+
 int File::read(void* cursor, unsigned char* data, int size) {
     auto& at = *static_cast<Cursor*>(cursor);
     QIODevice& device = at.file->m_device;
     const qint64 count = device.seek(at.position) ? device.read(reinterpret_cast<char*>(data), size) : -1;
-    if (count < 0) return AVERROR(EIO);
+    if (count < 0) return at.file->failed(AVERROR(EIO));
     at.position += count;
     return count > 0 ? int(count) : AVERROR_EOF;
 }
@@ -35,7 +40,7 @@ int File::write(void* cursor, const unsigned char* data, int size) {
     auto& at = *static_cast<Cursor*>(cursor);
     QIODevice& device = at.file->m_device;
     if (!device.seek(at.position) || device.write(reinterpret_cast<const char*>(data), size) != size)
-        return AVERROR(EIO);
+        return at.file->failed(AVERROR(EIO));
     at.position += size;
     at.file->m_size = std::max(at.file->m_size, at.position);
     return size;
@@ -47,7 +52,7 @@ std::int64_t File::seek(void* cursor, std::int64_t offset, int whence) {
     if ((whence & AVSEEK_SIZE) != 0) return size;
     const int from = whence & ~AVSEEK_FORCE;
     const qint64 wanted = offset + (from == SEEK_CUR ? at.position : from == SEEK_END ? size : 0);
-    if (wanted < 0) return AVERROR(EINVAL);
+    if (wanted < 0) return at.file->failed(AVERROR(EINVAL));
     at.position = wanted;
     return wanted;
 }
@@ -85,8 +90,9 @@ void File::serve(AVFormatContext& format) {
     format.pb = open(true);
     format.flags |= AVFMT_FLAG_CUSTOM_IO;
     format.io_open = [](AVFormatContext* asking, AVIOContext** context, const char*, int, AVDictionary**) {
-        *context = static_cast<File*>(asking->opaque)->open(false);
-        return *context == nullptr ? AVERROR(ENOMEM) : 0;
+        auto* file = static_cast<File*>(asking->opaque);
+        *context = file->open(false);
+        return *context == nullptr ? file->failed(AVERROR(ENOMEM)) : 0;
     };
     format.io_close2 = [](AVFormatContext* asking, AVIOContext* context) {
         static_cast<File*>(asking->opaque)->close(context);

@@ -22,6 +22,8 @@ public:
 
     void serve(AVFormatContext& format); // which the file outlives
     qint64 size() const { return m_size; }
+    // The first error of a call from the libraries, which do not pass on every one; 0 for none.
+    int error() const { return m_error; }
 
 private:
     struct Cursor {
@@ -33,9 +35,11 @@ private:
     static std::int64_t seek(void* cursor, std::int64_t offset, int whence);
     AVIOContext* open(bool isWritable);
     void close(AVIOContext* context);
+    int failed(int error); // remembers and returns it
 
     QIODevice& m_device;
     qint64 m_size = 0;
+    int m_error = 0;
     std::vector<AVIOContext*> m_open;
 };
 

@@ -417,7 +417,7 @@ void AnimationExportDialogTest::aJobFolderHoldsAllThatItNeeds() {
     QCOMPARE(jobs.size(), 2); // the second does not touch the first
     const QDir job(path(jobs[0]));
     QCOMPARE(job.entryList(QDir::Files, QDir::Name),
-             list({"README.md", "animate.sh", "animation-options.sh", "encode.sh", "entry.ifs",
+             list({"README.md", "animate.sh", "animation-options.sh", "encode.sh", "entry.ifs", "names.sh",
                    "submit-animation.sh", "submit.sh"}));
     QVERIFY(QFileInfo(job.filePath(QStringLiteral("submit.sh"))).isExecutable());
     const QByteArray submit = contents(job.filePath(QStringLiteral("submit.sh")));

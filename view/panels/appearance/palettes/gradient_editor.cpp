@@ -164,7 +164,7 @@ void GradientEditor::load(const QString& path) {
         io::PaletteFile file;
         QImage picture; // where the file is one
     };
-    auto reading = io::inBackground<Reading>([path](QPromise<Reading>& promise) {
+    auto reading = io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
         const io::Loaded loaded = io::loadFile(path);
         Reading result{loaded.failure, {}, {}};
         if (!loaded.failure && isPicture(path)) {

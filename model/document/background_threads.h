@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+// Threads for what may take long, or never end, as reading from a drive that does not answer. They are not
+// those of QThreadPool::globalInstance(): Qt paints large pictures with those and waits for them, and a
+// program does not end before they do.
+namespace document {
+
+// Kinds of work that never wait for each other.
+enum class Lane {
+    Computing, // touches no file
+    Asking,    // whether and where files are
+    Reading,
+    Saving // and what has to be known of a file before it is saved
+};
+// Work of one kind waits as soon as so much of it is under way, far more than there are cores. A thread is
+// made when it is needed.
+inline constexpr int threadsOfLane = 256;
+
+void startIn(Lane lane, std::function<void()> work);
+
+// Waits until nothing is under way or waiting, in no kind, but no longer than that; whether it is so. The end
+// of the application waits so for a moment, longer for what is being saved. After it, a program in which
+// something still goes on has to end without destroying what that uses: quickExit().
+bool backgroundFinishes(std::chrono::milliseconds patience);
+
+// Ends the process at once, with all that is written to the standard streams.
+[[noreturn]] void quickExit(int status);
+
+} // namespace document
