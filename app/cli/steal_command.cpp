@@ -280,12 +280,21 @@ ExitStatus printTear(const document::CoupledEntries& entries, const StealArgumen
                    ExitStatus::Done);
 }
 
-// Empty where a pattern is drawn, or a picture that is embedded.
+InputError foreignPicture(const Sources& sources) {
+    return {sources.file->name,
+            tr("“%1” names the picture “%2”, which is not in the folder of the file. If you trust "
+               "it, name it with --picture.")
+                .arg(printableLine(sources.first->fractal->name), printableLine(sources.theft.picture))};
+}
+
+// Empty where a pattern is drawn, or a picture that is embedded. Of its own accord, a file names only
+// pictures in its folder.
 QString picturePath(const Sources& sources, const StealArguments& arguments) {
     if (arguments.picture) return fileNameOf(*arguments.picture);
     const QString& kept = sources.theft.picture;
     if (kept.isEmpty() || !sources.theft.embedded.isEmpty()) return {};
     const QDir folder = arguments.file == "-" ? QDir() : QFileInfo(fileNameOf(arguments.file)).dir();
+    if (!io::liesInside(folder.path(), kept)) throw foreignPicture(sources);
     return QDir::cleanPath(folder.filePath(kept));
 }
 

@@ -4825,6 +4825,10 @@
         <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
         <translation>Das System folgt dem symbolischen Link „%1“ nicht: Vielleicht hat ihn ein anderer Benutzer dort abgelegt, oder er führt in einen gesperrten Ordner. Wählen Sie einen anderen Namen.</translation>
     </message>
+    <message>
+        <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
+        <translation>Das Bild ist ein JPEG mit mehr als %1 Durchgängen. Speichern Sie es als PNG-Bild.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4825,6 +4825,10 @@
         <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
         <translation>El sistema no sigue el enlace simbólico «%1»: quizá lo haya puesto ahí otro usuario, o lleva a una carpeta cerrada. Elija otro nombre.</translation>
     </message>
+    <message>
+        <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
+        <translation>La imagen es un JPEG con más de %1 pasadas. Guárdela como imagen PNG.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

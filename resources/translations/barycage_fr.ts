@@ -4825,6 +4825,10 @@
         <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
         <translation>Le système ne suit pas le lien symbolique « %1 » : un autre utilisateur l’a peut-être placé là, ou il mène à un dossier fermé. Choisissez un autre nom.</translation>
     </message>
+    <message>
+        <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
+        <translation>L’image est un JPEG de plus de %1 passes. Enregistrez-la comme image PNG.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -4835,6 +4835,10 @@
         <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
         <translation>Системот не ја следи симболичката врска „%1“: можеби ја поставил друг корисник или води во затворена папка. Изберете друго име.</translation>
     </message>
+    <message>
+        <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
+        <translation>Сликата е JPEG со повеќе од %1 премини. Зачувајте ја како слика PNG.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

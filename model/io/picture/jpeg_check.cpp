@@ -5,6 +5,8 @@ namespace io {
 
 namespace {
 
+constexpr int startOfScan = 0xDA;
+
 int byteAt(const QByteArray& bytes, qsizetype index) {
     return index < bytes.size() ? int(static_cast<unsigned char>(bytes[index])) : -1;
 }
@@ -17,7 +19,8 @@ bool isFrameHeader(int marker) {
 qsizetype nextMarker(const QByteArray& bytes, qsizetype index) {
     for (; index + 1 < bytes.size(); ++index) {
         const int code = byteAt(bytes, index + 1);
-        const bool isData = code == 0 || code == 0xFF || (code >= 0xD0 && code <= 0xD7);
+        // Libraries pass over those below C0, which have no length, or refuse the file.
+        const bool isData = code < 0xC0 || code == 0xFF || (code >= 0xD0 && code <= 0xD7);
         if (byteAt(bytes, index) == 0xFF && !isData) return index + 1;
     }
     return bytes.size();
@@ -35,7 +38,14 @@ JpegFacts jpegFacts(const QByteArray& bytes) {
         }
         const int length = byteAt(bytes, at + 1) * 256 + byteAt(bytes, at + 2);
         if (length < 2) return facts;
-        if (isFrameHeader(marker) && facts.components == 0) facts.components = byteAt(bytes, at + 8);
+        if (isFrameHeader(marker) && facts.components == 0) {
+            facts.components = byteAt(bytes, at + 8);
+            facts.isKept = (marker & 3) == 2; // progressive
+        }
+        if (marker == startOfScan) {
+            ++facts.scans;
+            facts.isKept = facts.isKept || byteAt(bytes, at + 3) < facts.components;
+        }
         at = nextMarker(bytes, at + 1 + length);
     }
     return facts;

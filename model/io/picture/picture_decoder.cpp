@@ -14,7 +14,9 @@
 #include <QtEndian>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <zlib.h>
 
@@ -26,6 +28,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
+constexpr qint64 maxKeptScans = qint64{512} << 20;             // bytes of a JPEG that is not read row by row
 constexpr int megabytes = int(maxDecodedPixels * 8 >> 20) + 1; // 16 bits per channel at most
 
 bool isKnown(const QByteArray& format) {
@@ -50,6 +53,42 @@ bool isWholePng(const QByteArray& bytes) {
     return false;
 }
 
+bool changesPixels(QByteArrayView type) {
+    constexpr std::array<QByteArrayView, 5> kinds{"tRNS", "gAMA", "cHRM", "sRGB", "iCCP"};
+    return (type[0] & 0x20) == 0 || std::ranges::find(kinds, type) != kinds.end();
+}
+
+// A whole PNG with nothing but what its pixels need, each of what is not critical once. The library unpacks
+// all texts and keeps them, and unpacks a profile each time that it comes.
+QByteArray withPixelsOnly(const QByteArray& bytes) {
+    constexpr qsizetype signature = 8, around = 12; // length, name and checksum of a chunk
+    QByteArray kept = bytes.first(signature);
+    std::set<QByteArray> seen;
+    for (qsizetype at = signature; at + around <= bytes.size();) {
+        const qsizetype size = qsizetype(qFromBigEndian<quint32>(bytes.constData() + at)) + around;
+        const QByteArray type = bytes.mid(at + 4, 4);
+        const bool isFirst = seen.insert(type).second;
+        if (changesPixels(type) && (isFirst || (type[0] & 0x20) == 0)) kept += bytes.mid(at, size);
+        if (type == "IEND") break;
+        at += size;
+    }
+    return kept;
+}
+
+// The bytes, which end with an error once the stop is requested: libraries then give up.
+class StoppableBytes : public QBuffer {
+public:
+    explicit StoppableBytes(std::stop_token stop) : m_stop(std::move(stop)) {}
+
+protected:
+    qint64 readData(char* data, qint64 size) override {
+        return m_stop.stop_requested() ? -1 : QBuffer::readData(data, size);
+    }
+
+private:
+    std::stop_token m_stop;
+};
+
 // What its reader would pass over in silence.
 bool isDamaged(const QByteArray& bytes, const QByteArray& format) {
     if (format == "png") return !isWholePng(bytes);
@@ -65,11 +104,12 @@ bool isDamaged(const QByteArray& bytes, const QByteArray& format) {
     return false;
 }
 
-bool isAnimated(QImageReader& reader, const QByteArray& bytes, const QByteArray& format) {
-    if (format == "png") {
-        const qsizetype control = bytes.indexOf("acTL");
-        return control >= 0 && control < bytes.indexOf("IDAT");
-    }
+bool isAnimatedPng(const QByteArray& bytes) {
+    const qsizetype control = bytes.indexOf("acTL");
+    return control >= 0 && control < bytes.indexOf("IDAT");
+}
+
+bool isAnimated(QImageReader& reader) {
     return reader.supportsAnimation() && reader.imageCount() > 1;
 }
 
@@ -105,6 +145,10 @@ QSize reduced(const QSize& size) {
 // tell the terminal.
 bool isTooLargeAtOnce(const QByteArray& bytes, const QByteArray& format, const QSize& size) {
     constexpr qsizetype depthAt = 24, coloursAt = 25, interlaceAt = 28;
+    if (format.startsWith("jp")) {
+        const JpegFacts facts = jpegFacts(bytes);
+        return facts.isKept && pixelsOf(size) * facts.components * qint64(sizeof(short)) > maxKeptScans;
+    }
     if (format != "png" || bytes.size() <= interlaceAt || bytes[interlaceAt] == 0) return false;
     const bool isOneByte = bytes[coloursAt] == 0 || bytes[coloursAt] == 3; // grey, or with a palette
     const qint64 bytesPerPixel = bytes[depthAt] == 16 ? 8 : isOneByte ? 1 : 4;
@@ -125,7 +169,10 @@ std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes, Lar
         return Text::tr(
             "The picture is a JPEG in CMYK colours, which programs read differently. Convert it to RGB "
             "or grey levels.");
-    if (isAnimated(reader, bytes, format)) return animated();
+    if (format.startsWith("jp") && jpegFacts(bytes).scans > maxScans)
+        return Text::tr("The picture is a JPEG with more than %1 scans. Save it as a PNG picture.")
+            .arg(maxScans);
+    if (isAnimated(reader)) return animated();
     return std::nullopt;
 }
 
@@ -162,6 +209,14 @@ std::optional<RasterPicture> rasterPicture(const QByteArray& bytes) {
     return std::nullopt;
 }
 
+QByteArray formatOf(const QByteArray& bytes) {
+    if (bytes.startsWith("\x89PNG\r\n\x1a\n")) return "png"; // by no reader, which looks for texts
+    QBuffer buffer;
+    buffer.setData(bytes);
+    buffer.open(QIODevice::ReadOnly);
+    return QImageReader::imageFormat(&buffer);
+}
+
 DecodedPicture inSrgb(QImage image) {
     const QColorSpace space = image.colorSpace(), srgb(QColorSpace::SRgb);
     if (space.isValid() && space != srgb) image.convertToColorSpace(srgb);
@@ -176,19 +231,22 @@ const QStringList& pictureSuffixes() {
     return suffixes;
 }
 
-DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large) {
-    if (auto raster = rasterPicture(bytes)) {
+DecodedPicture decodedPicture(const QByteArray& given, LargePicture large, const std::stop_token& stop) {
+    if (auto raster = rasterPicture(given)) {
         if (raster->image.isNull()) return {{}, flawOf(*raster)};
         return inSrgb(std::move(raster->image));
     }
-    QBuffer buffer;
-    buffer.setData(bytes);
-    buffer.open(QIODevice::ReadOnly);
-    // Its content decides, and nothing but the readers of pixels is asked.
-    const QByteArray format = QImageReader::imageFormat(&buffer);
-    buffer.seek(0);
+    // Its content decides, and nothing but the readers of pixels is asked, whatever other plug-ins there are.
+    const QByteArray format = formatOf(given);
+    const bool isPng = format == "png";
+    if (isPng && !isWholePng(given)) return {{}, damaged()};
+    if (isPng && isAnimatedPng(given)) return {{}, animated()};
+    const QByteArray bytes = isPng ? withPixelsOnly(given) : given;
+    StoppableBytes source(stop);
+    source.setData(bytes);
+    source.open(QIODevice::ReadOnly);
     allowDecoding();
-    QImageReader reader(&buffer, isKnown(format) ? format : QByteArray("none"));
+    QImageReader reader(&source, isKnown(format) ? format : QByteArray("none"));
     reader.setAutoTransform(true);
     if (const auto flaw = flawOf(reader, bytes, large)) return {{}, flaw};
     const QSize size = reader.size();

@@ -7,16 +7,19 @@
 #include <QStringList>
 
 #include <optional>
+#include <stop_token>
 
 namespace io {
 
 // The one decoder of pictures that a user gives. Reads PNG, JPEG, GIF, BMP, PNM, WebP, TIFF and OpenEXR,
 // turned upright, in sRGB. Refused are animations, JPEG pictures in CMYK, whose colours depend on the program
-// that reads them, incomplete pictures, and those with more pixels than this. Memory is bounded by these.
+// that reads them, incomplete pictures, and those with more pixels or scans than this. Memory is bounded by
+// these. Texts and what else changes no pixel are not read. A stop makes it end with a flaw.
 inline constexpr qint64 maxDecodedPixels = 32'000'000;
 // Where the size does not matter, a PNG or JPEG picture with up to so many is scaled down to those while it
 // is read, in its proportions.
 inline constexpr qint64 maxReducedPixels = 256'000'000;
+inline constexpr int maxScans = 100; // of a JPEG; encoders write some ten
 enum class LargePicture { Refused, Reduced };
 
 struct DecodedPicture {
@@ -24,6 +27,7 @@ struct DecodedPicture {
     std::optional<QString> flaw; // the user's sentence when there is none
 };
 const QStringList& pictureSuffixes(); // of files that may be such pictures, in small letters
-DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused);
+DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused,
+                              const std::stop_token& stop = {});
 
 } // namespace io

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <sys/stat.h>
 
 // barycage-cli steal: pictures, points and tears.
 class CliStealTest : public CommandLineTest {
@@ -31,6 +32,8 @@ private slots:
     void drawsWhatTheEntryKeeps();
     void embeddedPicturesAreDrawn();
     void thePictureIsNotWrittenOver();
+    void foreignPicturesAreRefused_data();
+    void foreignPicturesAreRefused();
     void keptTransformationsAreChecked();
     void readsAnyPicture_data();
     void readsAnyPicture();
@@ -331,6 +334,47 @@ void CliStealTest::thePictureIsNotWrittenOver() {
                       "thirds {\n .3 0 0 .3 0 0 .5\n .6 0 0 .6 .3 0 .5\n}\n");
     QCOMPARE(run("steal kept.ifs -o board.png").status, 2);
     QCOMPARE(read("board.png"), before);
+}
+
+// A file from a stranger could name any file of whoever draws it, or a pipe that never ends.
+void CliStealTest::foreignPicturesAreRefused_data() {
+    QTest::addColumn<QByteArray>("picture");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("sentence");
+    const QByteArray foreign = "not in the folder of the file";
+    QTest::newRow("absolute") << QFile::encodeName(path("board.png")) << 1 << foreign;
+    QTest::newRow("outside") << QByteArray("../board.png") << 1 << foreign;
+    QTest::newRow("outside, through a folder") << QByteArray("deep/../../board.png") << 1 << foreign;
+    QTest::newRow("device") << QByteArray("/dev/zero") << 1 << foreign;
+    QTest::newRow("link to a file outside") << QByteArray("link.png") << 1 << foreign;
+    QTest::newRow("link to a folder outside") << QByteArray("up/board.png") << 1 << foreign;
+    QTest::newRow("pipe inside") << QByteArray("pipe") << 3 << QByteArray("not a regular file");
+    QTest::newRow("link inside") << QByteArray("own.png") << 0 << QByteArray();
+}
+
+void CliStealTest::foreignPicturesAreRefused() {
+    QFETCH(QByteArray, picture);
+    QFETCH(int, status);
+    QFETCH(QByteArray, sentence);
+    QVERIFY(QDir().mkpath(path("strange/deep")));
+    write("strange/inside.png", encoded(board(60, 60), "PNG"));
+    QFile::link(path("board.png"), path("strange/link.png"));
+    QFile::link(QStringLiteral(".."), path("strange/up"));
+    QFile::link(QStringLiteral("inside.png"), path("strange/own.png"));
+    ::mkfifo(QFile::encodeName(path("strange/pipe")).constData(), 0600);
+    write("strange/kept.ifs", "halves {\n ; barycage: partner thirds\n ; barycage: partner-picture " +
+                                  picture +
+                                  "\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
+                                  "thirds {\n .3 0 0 .3 0 0 .5\n .6 0 0 .6 .3 0 .5\n}\n");
+    QFile::remove(path("out.png"));
+    const Result result = run("steal strange/kept.ifs -o out.png --size 40x40 --points 1e4");
+    QCOMPARE(result.status, status);
+    QVERIFY2(result.err.contains(sentence), result.err.constData());
+    QCOMPARE(QFile::exists(path("out.png")), status == 0);
+    // Who names it, trusts it.
+    if (picture == "../board.png")
+        QCOMPARE(
+            run("steal strange/kept.ifs --picture board.png -o out.png --size 40x40 --points 1e4").status, 0);
 }
 
 void CliStealTest::keptTransformationsAreChecked() {

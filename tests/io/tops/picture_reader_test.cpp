@@ -7,12 +7,16 @@
 #include <QBuffer>
 #include <QColorSpace>
 #include <QImage>
+#include <QImageWriter>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
 
 #include <algorithm>
 #include <cmath>
+#include <sys/resource.h>
+#include <zlib.h>
 
 // Pictures that colours are taken from.
 class PictureReaderTest : public QObject {
@@ -24,6 +28,8 @@ private slots:
     void refusesWhatIsTooLarge();
     void reducesLargePictures();
     void refusesLargeInterlacedPicturesItself();
+    void textsAreNotUnpacked();
+    void refusesManyScans();
     void namesTheFile();
     void survivesDamage();
 };
@@ -113,6 +119,46 @@ void PictureReaderTest::refusesLargeInterlacedPicturesItself() {
     QCOMPARE(*read.failure,
              QStringLiteral("The picture has 9000 × 9000 pixels. At most 32 million pixels can "
                             "be read; scale it down."));
+}
+
+// A hundred texts of 4 MB each in 400 KB of file.
+void PictureReaderTest::textsAreNotUnpacked() {
+    const QByteArray text = qCompress(QByteArray(4 << 20, 'x')).mid(4); // without the length that Qt adds
+    QByteArray chunk = "zTXtkey";
+    chunk += QByteArray(2, '\0') + text;
+    QByteArray length(4, '\0'), checksum(4, '\0');
+    qToBigEndian(quint32(chunk.size() - 4), length.data());
+    qToBigEndian(quint32(::crc32(0, reinterpret_cast<const Bytef*>(chunk.constData()), uInt(chunk.size()))),
+                 checksum.data());
+    constexpr int headerEnd = 33;
+    QByteArray bytes = png(colours());
+    bytes.insert(headerEnd, (length + chunk + checksum).repeated(100));
+    const auto peak = [] {
+        struct rusage usage {};
+        ::getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_maxrss; // kilobytes
+    };
+    const long before = peak();
+    const io::ReadPicture read = io::decodePicture(bytes);
+    QVERIFY2(!read.failure, qPrintable(read.failure.value_or(QString())));
+    QCOMPARE(read.picture.width(), 7);
+    QVERIFY2(peak() - before < 100'000, qPrintable(QString::number(peak() - before)));
+}
+
+// Each scan goes over all of the picture; thousands of empty ones take minutes.
+void PictureReaderTest::refusesManyScans() {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QImageWriter writer(&buffer, "jpeg");
+    writer.setProgressiveScanWrite(true);
+    QVERIFY(writer.write(colours().convertToFormat(QImage::Format_RGB32)));
+    QVERIFY(!io::decodePicture(bytes).failure);
+    const qsizetype last = bytes.lastIndexOf("\xFF\xDA"), end = bytes.size() - 2;
+    bytes.insert(end, bytes.mid(last, end - last).repeated(200));
+    const io::ReadPicture read = io::decodePicture(bytes);
+    QVERIFY(read.failure);
+    QVERIFY2(read.failure->contains(QStringLiteral("scans")), qPrintable(*read.failure));
 }
 
 void PictureReaderTest::namesTheFile() {

@@ -31,6 +31,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace view {
 
@@ -77,6 +79,24 @@ std::shared_ptr<const collage::GreyPicture> pictureOf(const document::Fractal& f
         picture->grey.push_back(cell != 0 ? 0 : 255);
     picture->opacity.assign(mask.cells.size(), 255);
     return picture;
+}
+
+// The file of a picture, to be asked for in the background; nullptr without one. What another program offers
+// is not decoded here: that may take all memory, or minutes.
+std::function<QByteArray()> pictureIn(const QMimeData& data) {
+    for (const char* kind : {"png", "bmp", "tiff", "webp", "jpeg", "gif"}) {
+        const QString type = QStringLiteral("image/") + QLatin1String(kind);
+        if (data.hasFormat(type)) return [bytes = data.data(type)] { return bytes; };
+    }
+    // Qt decodes what comes from other programs when it is asked for an image.
+    if (data.inherits("QInternalMimeData") || !data.hasImage()) return nullptr;
+    return [image = qvariant_cast<QImage>(data.imageData())] {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        image.save(&buffer, "PNG");
+        return bytes;
+    };
 }
 
 } // namespace
@@ -234,19 +254,16 @@ void TargetBox::choose() {
 }
 
 void TargetBox::paste() {
-    const QImage image = QGuiApplication::clipboard()->image();
-    if (image.isNull()) {
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    std::function<QByteArray()> picture = data == nullptr ? nullptr : pictureIn(*data);
+    if (!picture) {
         m_name->setText(tr("There is no picture on the clipboard."));
         return;
     }
     submit(
-        [image] {
-            QByteArray bytes;
-            QBuffer buffer(&bytes);
-            buffer.open(QIODevice::WriteOnly);
-            image.save(&buffer, "PNG");
+        [picture = std::move(picture)] {
             State state;
-            const io::LoadedGrey grey = io::readGreyPicture(bytes);
+            const io::LoadedGrey grey = io::readGreyPicture(picture());
             keep(grey, state);
             return state;
         },

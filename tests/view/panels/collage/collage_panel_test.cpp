@@ -6,11 +6,13 @@
 #include "view/panels/collage_panel_fixture.h"
 #include "widgets/vertical_scroll_area.h"
 
+#include <QBuffer>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGuiApplication>
+#include <QMimeData>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -81,6 +83,17 @@ private slots:
         settle();
         QVERIFY(m_panel->target()->traced());
         QCOMPARE(m_panel->target()->traced()->mask.width, 96);
+        // As other programs offer it: a file, which is not decoded by the clipboard.
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QVERIFY(leaf(64).save(&buffer, "PNG"));
+        auto* offered = new QMimeData;
+        offered->setData(QStringLiteral("image/png"), bytes);
+        QGuiApplication::clipboard()->setMimeData(offered);
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
+        settle();
+        QCOMPARE(m_panel->target()->traced()->mask.width, 64);
         m_panel->target()->take(m_document->sharedFractal());
         settle();
         QVERIFY(m_panel->target()->traced()->mask.width > 400); // the triangle
