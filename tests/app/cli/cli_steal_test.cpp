@@ -366,15 +366,16 @@ void CliStealTest::foreignPicturesAreRefused() {
                                   picture +
                                   "\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
                                   "thirds {\n .3 0 0 .3 0 0 .5\n .6 0 0 .6 .3 0 .5\n}\n");
-    QFile::remove(path("out.png"));
-    const Result result = run("steal strange/kept.ifs -o out.png --size 40x40 --points 1e4");
+    QFile::remove(path("foreign.png"));
+    const Result result = run("steal strange/kept.ifs -o foreign.png --size 40x40 --points 1e4");
     QCOMPARE(result.status, status);
     QVERIFY2(result.err.contains(sentence), result.err.constData());
-    QCOMPARE(QFile::exists(path("out.png")), status == 0);
+    QCOMPARE(QFile::exists(path("foreign.png")), status == 0);
     // Who names it, trusts it.
     if (picture == "../board.png")
         QCOMPARE(
-            run("steal strange/kept.ifs --picture board.png -o out.png --size 40x40 --points 1e4").status, 0);
+            run("steal strange/kept.ifs --picture board.png -o foreign.png --size 40x40 --points 1e4").status,
+            0);
 }
 
 void CliStealTest::keptTransformationsAreChecked() {

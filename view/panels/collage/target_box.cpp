@@ -254,8 +254,8 @@ void TargetBox::choose() {
 }
 
 void TargetBox::paste() {
-    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-    std::function<QByteArray()> picture = data == nullptr ? nullptr : pictureIn(*data);
+    const QMimeData* offered = QGuiApplication::clipboard()->mimeData();
+    std::function<QByteArray()> picture = offered == nullptr ? nullptr : pictureIn(*offered);
     if (!picture) {
         m_name->setText(tr("There is no picture on the clipboard."));
         return;
