@@ -18,6 +18,7 @@
 #include "document/tops/laid_picture.h"
 #include "ifs/tops/fractal_transformation.h"
 #include "ifs/tops/tear.h"
+#include "io/file/named_path.h"
 #include "io/file/standard_output.h"
 #include "io/report/json_writer.h"
 #include "io/text/number.h"

@@ -52,9 +52,9 @@ struct End {
     bool isRefused = false;
 };
 
-// Resolves a link to a file that does not exist. Step by step as the system does it: "..", after a link to a
+// Resolves links that the system may follow. Step by step as the system does it: "..", after a link to a
 // folder, is not the folder that the link lies in.
-fs::path danglingEnd(const fs::path& given) {
+fs::path followed(const fs::path& given) {
     constexpr int maxLinks = 40; // as many as the kernel follows
     std::error_code error;
     fs::path at = given;
@@ -84,22 +84,23 @@ End target(const QString& path) {
 #ifdef O_PATH
     const int end = ::open(given.c_str(), O_PATH | O_CLOEXEC);
     if (end < 0) {
-        if (errno == ENOENT) return {danglingEnd(given)};
+        if (errno == ENOENT) return {followed(given)}; // it dangles
         return {given, errno == EACCES};
     }
     const fs::path resolved = fs::read_symlink("/proc/self/fd/" + std::to_string(end), error);
     struct stat opened {};
     struct stat named {};
-    // A file that was removed meanwhile has no path, and the link itself is never replaced by mistake.
-    const bool isRegularFile = !error && ::fstat(end, &opened) == 0 && S_ISREG(opened.st_mode) &&
-                               ::stat(resolved.c_str(), &named) == 0 && named.st_dev == opened.st_dev &&
-                               named.st_ino == opened.st_ino;
+    const bool isRegular = ::fstat(end, &opened) == 0 && S_ISREG(opened.st_mode);
+    // Not so without /proc, or after the file was removed.
+    const bool isNamed = !error && ::stat(resolved.c_str(), &named) == 0 && named.st_dev == opened.st_dev &&
+                         named.st_ino == opened.st_ino;
     ::close(end);
-    return {isRegularFile ? resolved : given};
+    if (!isRegular) return {given};
+    return {isNamed ? resolved : followed(given)};
 #else
     const fs::file_status end = fs::status(given, error);
     if (fs::exists(end) && !fs::is_regular_file(end)) return {given};
-    return {error == std::errc::too_many_symbolic_link_levels ? given : danglingEnd(given)};
+    return {error == std::errc::too_many_symbolic_link_levels ? given : followed(given)};
 #endif
 }
 

@@ -3,9 +3,6 @@
 
 #include "io/picture/picture_decoder.h"
 
-#include <QDir>
-#include <QFileInfo>
-
 #include <vector>
 
 namespace io {
@@ -39,16 +36,6 @@ ReadPicture decodePicture(const QByteArray& bytes) {
 ReadPicture readPicture(const QString& path) {
     const Loaded loaded = loadFile(path);
     return loaded.failure ? ReadPicture{{}, loaded.failure} : decodePicture(loaded.bytes);
-}
-
-bool liesInside(const QString& folder, const QString& path) {
-    const QString from = QDir::cleanPath(path);
-    if (QDir::isAbsolutePath(from) || from == u".." || from.startsWith(QStringLiteral("../"))) return false;
-    const QString end = QFileInfo(QDir(folder), from).canonicalFilePath();
-    if (end.isEmpty()) return true; // there is nothing to read
-    QString inside = QFileInfo(folder).canonicalFilePath();
-    if (!inside.endsWith(u'/')) inside += u'/';
-    return end.startsWith(inside);
 }
 
 } // namespace io

@@ -18,11 +18,6 @@ struct ReadPicture {
 ReadPicture readPicture(const QString& path);
 ReadPicture decodePicture(const QByteArray& bytes);
 
-// Whether a path that a file names leads from the folder of the file to a place below it, through any
-// symbolic links. A path that leads elsewhere may not be read unless the user agrees: a file from a stranger
-// could name any other file.
-bool liesInside(const QString& folder, const QString& path);
-
 attractor::MipPicture mipPicture(QImage image); // not empty, in sRGB
 
 } // namespace io

@@ -31,7 +31,8 @@ int File::read(void* cursor, unsigned char* data, int size) {
     auto& at = *static_cast<Cursor*>(cursor);
     QIODevice& device = at.file->m_device;
     const qint64 count = device.seek(at.position) ? device.read(reinterpret_cast<char*>(data), size) : -1;
-    if (count < 0) return at.file->failed(AVERROR(EIO));
+    const bool isCutShort = count == 0 && at.position < at.file->m_size;
+    if (count < 0 || isCutShort) return at.file->failed(AVERROR(EIO));
     at.position += count;
     return count > 0 ? int(count) : AVERROR_EOF;
 }
