@@ -4822,8 +4822,8 @@
         <translation>„%1“ ist keine gewöhnliche Datei und kann nicht geöffnet werden.</translation>
     </message>
     <message>
-        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
-        <translation>Das System folgt dem symbolischen Link „%1“ nicht: Vielleicht hat ihn ein anderer Benutzer dort abgelegt, oder er führt in einen gesperrten Ordner. Wählen Sie einen anderen Namen.</translation>
+        <source>The system does not follow the symbolic link “%1”, because another user may have put it there. Choose another name.</source>
+        <translation>Das System folgt dem symbolischen Link „%1“ nicht, weil ihn ein anderer Benutzer dort abgelegt haben könnte. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>

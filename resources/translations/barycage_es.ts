@@ -4822,8 +4822,8 @@
         <translation>«%1» no es un archivo ordinario y no se puede abrir.</translation>
     </message>
     <message>
-        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
-        <translation>El sistema no sigue el enlace simbólico «%1»: quizá lo haya puesto ahí otro usuario, o lleva a una carpeta cerrada. Elija otro nombre.</translation>
+        <source>The system does not follow the symbolic link “%1”, because another user may have put it there. Choose another name.</source>
+        <translation>El sistema no sigue el enlace simbólico «%1», porque puede haberlo puesto ahí otro usuario. Elija otro nombre.</translation>
     </message>
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>

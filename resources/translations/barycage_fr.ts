@@ -4822,8 +4822,8 @@
         <translation>«&#x202f;%1&#x202f;» n’est pas un fichier ordinaire et ne peut pas être ouvert.</translation>
     </message>
     <message>
-        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
-        <translation>Le système ne suit pas le lien symbolique « %1 » : un autre utilisateur l’a peut-être placé là, ou il mène à un dossier fermé. Choisissez un autre nom.</translation>
+        <source>The system does not follow the symbolic link “%1”, because another user may have put it there. Choose another name.</source>
+        <translation>Le système ne suit pas le lien symbolique « %1 », car un autre utilisateur l’a peut-être placé là. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>

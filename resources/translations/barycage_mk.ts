@@ -4832,8 +4832,8 @@
         <translation>„%1“ не е обична датотека и не може да се отвори.</translation>
     </message>
     <message>
-        <source>The system does not follow the symbolic link “%1”: another user may have put it there, or it leads to a closed folder. Choose another name.</source>
-        <translation>Системот не ја следи симболичката врска „%1“: можеби ја поставил друг корисник или води во затворена папка. Изберете друго име.</translation>
+        <source>The system does not follow the symbolic link “%1”, because another user may have put it there. Choose another name.</source>
+        <translation>Системот не ја следи симболичката врска „%1“, бидејќи можеби ја поставил друг корисник. Изберете друго име.</translation>
     </message>
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>

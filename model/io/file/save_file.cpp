@@ -149,13 +149,13 @@ QString notSaved(const QString& path, const QString& why) {
 // Why the end of the links cannot be known, if that is so for reasons that the user can change.
 Failure whyClosed(const End& end) {
     if (!end.isRefused) return whyClosed(end.file);
-    // A folder that is closed is named instead.
-    const fs::path folder = end.file.has_parent_path() ? end.file.parent_path() : ".";
-    if (::access(folder.c_str(), X_OK) != 0) return whyClosed(end.file);
-    return Text::tr(
-               "The system does not follow the symbolic link “%1”: another user may have put it there, or it "
-               "leads to a closed folder. Choose another name.")
-        .arg(shown(nameOf(end.file)));
+    const fs::path hidden = followed(end.file);
+    const Failure closed = endsInLink(hidden) ? std::nullopt : whyClosed(hidden); // a folder on the way
+    if (closed) return closed;
+    return Text::
+        tr("The system does not follow the symbolic link “%1”, because another user may have put it there. "
+           "Choose another name.")
+            .arg(shown(nameOf(end.file)));
 }
 
 Failure obstacle(const End& end) {
