@@ -51,7 +51,7 @@ void finishWithTheApplication() {
 
 } // namespace
 
-void startIn(Lane lane, std::function<void()> work) {
+void startInLane(Lane lane, std::function<void()> work) {
     poolOf(lane).start(std::move(work));
 }
 

@@ -20,7 +20,7 @@ enum class Lane {
 // made when it is needed.
 inline constexpr int threadsOfLane = 256;
 
-void startIn(Lane lane, std::function<void()> work);
+void startInLane(Lane lane, std::function<void()> work);
 
 // Waits until nothing is under way or waiting, in no kind, but no longer than that; whether it is so. The end
 // of the application waits so for a moment, longer for what is being saved. After it, a program in which

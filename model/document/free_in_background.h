@@ -12,7 +12,7 @@ namespace document {
 // What is large takes a while to be freed: beside the window, if this is the last of it and the program goes
 // on.
 template <class Value> void freeInBackground(Value value) {
-    if (QCoreApplication::instance()) startIn(Lane::Computing, [held = std::move(value)] {});
+    if (QCoreApplication::instance()) startInLane(Lane::Computing, [held = std::move(value)] {});
 }
 
 } // namespace document

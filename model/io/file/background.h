@@ -25,7 +25,7 @@ template <class Result, class Work> QFuture<Result> inBackground(Lane lane, Work
     const auto promise = std::make_shared<QPromise<Result>>(); // a function that may be copied holds it
     QFuture<Result> future = promise->future();
     promise->start();
-    document::startIn(lane, [promise, work = std::move(work)]() mutable {
+    document::startInLane(lane, [promise, work = std::move(work)]() mutable {
         try {
             work(*promise);
         } catch (...) { // memory may be short

@@ -25,7 +25,7 @@ public:
             if (m_asked.contains(path)) return;
             m_asked.insert(path);
         }
-        document::startIn(document::Lane::Asking, [this, path] {
+        document::startInLane(document::Lane::Asking, [this, path] {
             const bool isGone = !QFileInfo::exists(path);
             const std::scoped_lock lock(m_mutex);
             m_isGone[path] = isGone;
@@ -65,7 +65,7 @@ std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::mill
         std::optional<bool> answer;
     };
     const auto shared = std::make_shared<Shared>();
-    document::startIn(document::Lane::Asking, [shared, question = std::move(question)] {
+    document::startInLane(document::Lane::Asking, [shared, question = std::move(question)] {
         const bool answer = question();
         const std::scoped_lock lock(shared->mutex);
         shared->answer = answer;

@@ -543,7 +543,7 @@ void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
     QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
     QSemaphore gate;
     for (int i = 0; i < document::threadsOfLane; ++i) // too busy to begin
-        document::startIn(document::Lane::Computing, [&gate] { gate.acquire(); });
+        document::startInLane(document::Lane::Computing, [&gate] { gate.acquire(); });
     QTimer closing;
     connect(&closing, &QTimer::timeout, &closing, [&] {
         if (!window->findChild<QProgressDialog*>()) return;

@@ -61,7 +61,7 @@ private slots:
         hang(Lane::Reading);
         hang(Lane::Computing);
         const auto done = std::make_shared<QSemaphore>();
-        document::startIn(lane, [done] { done->release(); });
+        document::startInLane(lane, [done] { done->release(); });
         QVERIFY(done->tryAcquire(1, 60'000));
     }
     void allThatReadsMayHangAndFilesAreSaved() {
@@ -100,7 +100,7 @@ private slots:
 private:
     void startHanging(Lane lane) {
         ++m_hanging;
-        document::startIn(lane, [gate = m_gate, begun = m_begun] {
+        document::startInLane(lane, [gate = m_gate, begun = m_begun] {
             begun->release();
             gate->acquire();
         });
