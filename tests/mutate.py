@@ -4,10 +4,11 @@
 
 What docs/testing.md lists as making no difference to any result is not counted: a mutant that nobody could catch. A
 copy of the tree is built below build/mutate; the tree itself is not touched. A mutant is caught when a test fails,
-crashes or takes far too long. Only tests that link the changed file are asked, until one fails: first the test of the
-file's own name, then those of its folder, then the others of the library, the quick ones before the slow ones.
+crashes or takes far too long. The tests of the library are asked, until one fails: first the test of the file's own
+name, then those of its folder, then the others, the quick ones before the slow ones.
 """
 import argparse
+import dataclasses
 import json
 import math
 import os
@@ -94,12 +95,18 @@ def prepare():
     subprocess.run(["cmake", "--build", BUILD], check=True, stdout=subprocess.DEVNULL)  # ctest lists what is there
 
 
+@dataclasses.dataclass(frozen=True)
+class Test:
+    name: str
+    command: tuple  # the program and its arguments
+
+
 def tests_in(folder):
-    """Programs of the tests that are quick enough to be run for every mutant."""
+    """The tests that are quick enough to be run for every mutant."""
     listing = subprocess.run(["ctest", "--show-only=json-v1"], cwd=BUILD / "tests" / folder, check=True,
                              capture_output=True, text=True).stdout
     slow = {"name": "LABELS", "value": ["slow"]}
-    return [Path(test["command"][0]) for test in json.loads(listing)["tests"]
+    return [Test(test["name"], tuple(test["command"])) for test in json.loads(listing)["tests"]
             if slow not in test["properties"] and test["command"][0].startswith(str(BUILD))]
 
 
@@ -110,7 +117,7 @@ class Judge:
         self.tests = [test for folder in folders for test in tests_in(folder)]
         self.seconds = {}
         self.environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8"}
-        if self.build(self.tests) != 0:
+        if self.build() != 0:
             sys.exit(f"the tests of {folders} cannot be built")
         for test in self.tests:
             began = time.monotonic()
@@ -118,12 +125,13 @@ class Judge:
                 sys.exit(f"{test.name} fails already")
             self.seconds[test] = time.monotonic() - began
 
-    def build(self, tests):
-        return run(["cmake", "--build", BUILD, "--target", *(test.name for test in tests)])
+    def build(self):
+        programs = {Path(test.command[0]).name for test in self.tests}
+        return run(["cmake", "--build", BUILD, "--target", *programs])
 
     def passes(self, test, limit):
         try:
-            return run([test], cwd=test.parent, timeout=limit, env=self.environment) == 0
+            return run(test.command, cwd=Path(test.command[0]).parent, timeout=limit, env=self.environment) == 0
         except subprocess.TimeoutExpired:
             return False
 
@@ -131,9 +139,9 @@ class Judge:
         source = Path(name)
         near = {path.stem for path in (ROOT / "tests").rglob(f"{source.parent.name}/*_test.cpp")}
         nearest = lambda test: (test.name != source.stem + "_test", test.name not in near, self.seconds[test])
+        if self.build() != 0:
+            return "does not compile"
         for test in sorted(self.tests, key=nearest):
-            if self.build([test]) != 0:
-                return "does not compile"
             if not self.passes(test, 20 + 10 * self.seconds[test]):
                 return "caught"
         return "survived"

@@ -2,6 +2,7 @@
 #include "animation/animation.h"
 #include "animation/motion_presets.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -549,5 +550,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AnimationTest)
+BARYCAGE_TEST(AnimationTest);
 #include "animation_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "animation/ease.h"
 #include "animation/moment.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -90,5 +91,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EaseTest)
+BARYCAGE_TEST(EaseTest);
 #include "ease_test.moc"

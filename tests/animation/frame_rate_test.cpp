@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "animation/frame_rate.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -77,5 +78,5 @@ void FrameRateTest::everyRateIsReadBack() {
         }
 }
 
-QTEST_APPLESS_MAIN(FrameRateTest)
+BARYCAGE_TEST(FrameRateTest);
 #include "frame_rate_test.moc"

@@ -3,6 +3,7 @@
 #include "animation/motion_presets.h"
 #include "attractor/render/banded_rendering.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -181,5 +182,5 @@ void GrainTest::brightnessStays() {
     QVERIFY2(most < 1.03 * least, qPrintable(QStringLiteral("%1 to %2").arg(least).arg(most)));
 }
 
-QTEST_APPLESS_MAIN(GrainTest)
+BARYCAGE_TEST(GrainTest);
 #include "grain_test.moc"

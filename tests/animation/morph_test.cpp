@@ -2,6 +2,7 @@
 #include "animation/morph.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/moments.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -261,5 +262,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(MorphTest)
+BARYCAGE_TEST(MorphTest);
 #include "morph_test.moc"

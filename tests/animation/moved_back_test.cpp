@@ -2,6 +2,7 @@
 #include "animation/key_edits.h"
 #include "animation/motion_presets.h"
 #include "animation/moved_back.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -95,5 +96,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MovedBackTest)
+BARYCAGE_TEST(MovedBackTest);
 #include "moved_back_test.moc"

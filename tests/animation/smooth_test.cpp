@@ -6,6 +6,7 @@
 #include "attractor/request/orbit_camera.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/existence/attractor_existence.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -472,5 +473,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SmoothTest)
+BARYCAGE_TEST(SmoothTest);
 #include "smooth_test.moc"

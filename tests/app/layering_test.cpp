@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -264,7 +265,7 @@ void LayeringTest::sourcesStandBesideTheirHeaders() {
 }
 
 void LayeringTest::coreCompilesWithoutQt() {
-    QFile file(QStringLiteral(BARYCAGE_BUILD_DIR "/compile_commands.json"));
+    QFile file(support::buildPath(QStringLiteral("compile_commands.json")));
     QVERIFY(file.open(QIODevice::ReadOnly));
     int seen = 0;
     for (const QJsonValue& entry : QJsonDocument::fromJson(file.readAll()).array()) {
@@ -327,5 +328,5 @@ void LayeringTest::decompositionsAreCompiledInFewFiles() {
         QVERIFY2(path.contains(QLatin1String("/model/ifs/linear/")), qPrintable(path));
 }
 
-QTEST_APPLESS_MAIN(LayeringTest)
+BARYCAGE_TEST(LayeringTest);
 #include "layering_test.moc"

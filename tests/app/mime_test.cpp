@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -85,5 +86,5 @@ void MimeTest::otherTextsAreLeftAlone() {
     QVERIFY(QMimeDatabase().mimeTypeForData(text).name() != m_type);
 }
 
-QTEST_GUILESS_MAIN(MimeTest)
+BARYCAGE_TEST(MimeTest, QCoreApplication);
 #include "mime_test.moc"

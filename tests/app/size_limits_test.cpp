@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -306,5 +307,5 @@ void SizeLimitsTest::longParameterListsAreFound() {
     QTEST(parametersIn(head), "parameters");
 }
 
-QTEST_APPLESS_MAIN(SizeLimitsTest)
+BARYCAGE_TEST(SizeLimitsTest);
 #include "size_limits_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/palette.h"
 #include "attractor/colour/palette_library.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QCoreApplication>
@@ -322,5 +323,5 @@ void TranslationsTest::spellingIsBritish() {
     QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
-QTEST_GUILESS_MAIN(TranslationsTest)
+BARYCAGE_TEST(TranslationsTest, QCoreApplication);
 #include "translations_test.moc"

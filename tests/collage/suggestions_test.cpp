@@ -3,8 +3,10 @@
 #include "collage/suggestions.h"
 #include "io/collection_reader.h"
 #include "io/file/save_file.h"
+#include "support/named_test.h"
 #include "support/near.h"
 #include "support/paths.h"
+#include "support/thorough.h"
 
 #include <QDir>
 #include <QTest>
@@ -266,9 +268,8 @@ private slots:
     // A sample, or all.
     void attractorsAreCollagesOfThemselves() {
         const std::vector<Entry> entries = collection();
-        const bool isWhole = qEnvironmentVariableIsSet("BARYCAGE_WHOLE_COLLECTION");
         const Grid picture{-0.5, 0.5, 1.0 / 256, 256, 256};
-        for (std::size_t i = 0; i < entries.size(); i += isWhole ? 1 : 6) {
+        for (std::size_t i = 0; i < entries.size(); i += support::isThorough() ? 1 : 6) {
             const auto maps = drawings::fitted(entries[i].maps, entries[i].probabilities);
             const Target own = target(attractorMask(picture, maps), 1, 0.25);
             const CollageMeasure measure = collageMeasure(own, maps);
@@ -282,12 +283,11 @@ private slots:
     }
 
     // Pictures of fractals that are systems of so many maps: four in five to 1.5 pixels of 256. A sample of
-    // them; all with BARYCAGE_WHOLE_COLLECTION in the environment.
+    // them, or all.
     void attractorsOfTheCollection() {
         const std::vector<Entry> entries = collection();
         QVERIFY(entries.size() > 40);
-        const bool isWhole = qEnvironmentVariableIsSet("BARYCAGE_WHOLE_COLLECTION");
-        const std::size_t step = isWhole ? 1 : entries.size() / 10;
+        const std::size_t step = support::isThorough() ? 1 : entries.size() / 10;
         int good = 0, all = 0;
         for (std::size_t i = 0; i < entries.size(); i += step) {
             const auto maps = drawings::fitted(entries[i].maps, entries[i].probabilities);
@@ -295,12 +295,12 @@ private slots:
             const double mean = suggestions(mask, options(int(maps.size()), 256)).list.front().attractor.mean;
             ++all;
             if (mean <= 1.5) ++good;
-            if (isWhole || mean > 1.5)
+            if (support::isThorough() || mean > 1.5)
                 qInfo("%s (%zu maps): %.2f", qPrintable(entries[i].name), maps.size(), mean);
         }
         QVERIFY2(good >= 0.8 * all, qPrintable(QStringLiteral("%1 of %2").arg(good).arg(all)));
     }
 };
 
-QTEST_APPLESS_MAIN(SuggestionsTest)
+BARYCAGE_TEST(SuggestionsTest);
 #include "suggestions_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/addresses.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -65,5 +66,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AddressesTest)
+BARYCAGE_TEST(AddressesTest);
 #include "addresses_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/analysis_thread.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -223,5 +224,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AnalysisTest)
+BARYCAGE_TEST(AnalysisTest);
 #include "analysis_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -117,5 +118,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AnimatedFractalTest)
+BARYCAGE_TEST(AnimatedFractalTest);
 #include "animated_fractal_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
+#include "support/named_test.h"
 
 #include <QRandomGenerator>
 #include <QtTest>
@@ -474,5 +475,5 @@ void DocumentTest::randomEditsUndoExactly() {
     }
 }
 
-QTEST_APPLESS_MAIN(DocumentTest)
+BARYCAGE_TEST(DocumentTest);
 #include "document_test.moc"

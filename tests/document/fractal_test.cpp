@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -138,5 +139,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FractalTest)
+BARYCAGE_TEST(FractalTest);
 #include "fractal_test.moc"

@@ -8,6 +8,7 @@
 #include "document/fractal_geometry.h"
 #include "document/motion_paths.h"
 #include "document/recurring_branches.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -443,5 +444,5 @@ void FrameEditTest::smoothPathsBend() {
     QVERIFY(plane(later.fractal)->animation->cage[2].ease.kind == animation::Ease::Kind::Smooth);
 }
 
-QTEST_APPLESS_MAIN(FrameEditTest)
+BARYCAGE_TEST(FrameEditTest);
 #include "frame_edit_test.moc"

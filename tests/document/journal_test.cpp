@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/journal.h"
 #include "support/file_size_limit.h"
+#include "support/named_test.h"
 #include "support/unprivileged.h"
 
 #include <QCryptographicHash>
@@ -153,7 +154,7 @@ void JournalTest::aKilledProcessLeavesItsLastSnapshot() {
     const QTemporaryDir folder;
     QProcess writer; // this program again, writing until it is killed
     writer.start(QCoreApplication::applicationFilePath(),
-                 {QStringLiteral("--write-until-killed"), folder.path()});
+                 {QStringLiteral("journal_test"), QStringLiteral("--write-until-killed"), folder.path()});
     QVERIFY(writer.waitForReadyRead());
     writer.kill();
     QVERIFY(writer.waitForFinished());
@@ -168,7 +169,7 @@ void JournalTest::leftoversAreTakenAway() {
     const QTemporaryDir folder;
     QProcess writer;
     writer.start(QCoreApplication::applicationFilePath(),
-                 {QStringLiteral("--write-until-killed"), folder.path()});
+                 {QStringLiteral("journal_test"), QStringLiteral("--write-until-killed"), folder.path()});
     QVERIFY(writer.waitForReadyRead());
     writer.kill();
     QVERIFY(writer.waitForFinished());
@@ -310,7 +311,7 @@ void JournalTest::hostileRecoveryFilesAreIgnored() {
     QVERIFY(odd && odd->current == 0 && odd->title.isEmpty() && !odd->when.isValid());
 }
 
-int main(int argc, char** argv) {
+static int run(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.value(1) == QLatin1String("--write-until-killed")) {
@@ -324,5 +325,7 @@ int main(int argc, char** argv) {
     JournalTest test;
     return QTest::qExec(&test, argc, argv);
 }
+
+static const support::NamedTest namedTest(__FILE__, run);
 
 #include "journal_test.moc"

@@ -5,6 +5,7 @@
 #include "document/edits/motion_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -176,5 +177,5 @@ void LastingCageTest::entriesDoNotKeepIt() {
     QVERIFY(!other.entryFractal().lasting);
 }
 
-QTEST_GUILESS_MAIN(LastingCageTest)
+BARYCAGE_TEST(LastingCageTest, QCoreApplication);
 #include "lasting_cage_test.moc"

@@ -7,6 +7,7 @@
 #include "document/map_solo.h"
 #include "document/variations/chance.h"
 #include "document/variations/varied_colours.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -146,5 +147,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MapBlendsTest)
+BARYCAGE_TEST(MapBlendsTest, QCoreApplication);
 #include "map_blends_test.moc"

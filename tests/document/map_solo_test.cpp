@@ -6,6 +6,7 @@
 #include "document/map_solo.h"
 #include "document/space_geometry.h"
 #include "ifs/system/links.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -198,5 +199,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MapSoloTest)
+BARYCAGE_TEST(MapSoloTest, QCoreApplication);
 #include "map_solo_test.moc"

@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "ifs/cage/cage_surface.h"
+#include "support/named_test.h"
 
 #include <Eigen/Geometry>
 #include <QTest>
@@ -131,5 +132,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MovedInSpaceTest)
+BARYCAGE_TEST(MovedInSpaceTest);
 #include "moved_in_space_test.moc"

@@ -5,6 +5,7 @@
 #include "document/map_solo.h"
 #include "document/recurring_branches.h"
 #include "ifs/system/map_interpolation.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -153,5 +154,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RecurringBranchesTest)
+BARYCAGE_TEST(RecurringBranchesTest);
 #include "recurring_branches_test.moc"

@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_strict.h"
 #include "io/fractint/fractint_writer.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -271,5 +272,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SavedViewsTest)
+BARYCAGE_TEST(SavedViewsTest, QCoreApplication);
 #include "saved_views_test.moc"

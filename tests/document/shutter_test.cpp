@@ -5,6 +5,7 @@
 #include "attractor/render/banded_rendering.h"
 #include "document/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -191,5 +192,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ShutterTest)
+BARYCAGE_TEST(ShutterTest);
 #include "shutter_test.moc"

@@ -6,6 +6,7 @@
 #include "ifs/cage/cage_surface.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/links.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -292,5 +293,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SpaceBranchesTest)
+BARYCAGE_TEST(SpaceBranchesTest);
 #include "space_branches_test.moc"

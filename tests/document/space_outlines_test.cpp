@@ -2,6 +2,7 @@
 #include "attractor/space_systems.h"
 #include "document/analysis.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -114,5 +115,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SpaceOutlinesTest)
+BARYCAGE_TEST(SpaceOutlinesTest, QCoreApplication);
 #include "space_outlines_test.moc"

@@ -4,6 +4,7 @@
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -152,5 +153,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SupportCacheTest)
+BARYCAGE_TEST(SupportCacheTest);
 #include "support_cache_test.moc"

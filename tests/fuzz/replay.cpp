@@ -172,6 +172,6 @@ int main(int argc, char** argv) {
     for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGBUS})
         std::signal(signal, keepCurrent);
     bool isDuration = true;
-    const int seconds = arguments.value(1, QStringLiteral("10")).toInt(&isDuration);
+    const int seconds = arguments.value(1, QStringLiteral("3")).toInt(&isDuration);
     return isDuration ? mutate(*found, seconds) : replay(*found, arguments.mid(1));
 }

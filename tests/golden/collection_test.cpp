@@ -18,6 +18,7 @@
 #include "ifs/links/linked_existence.h"
 #include "ifs/system/links.h"
 #include "io/fractint/fractint_strict.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -538,5 +539,5 @@ void CollectionTest::samplesHaveTheExactMoments() {
     }
 }
 
-QTEST_GUILESS_MAIN(CollectionTest)
+BARYCAGE_TEST(CollectionTest, QCoreApplication);
 #include "collection_test.moc"

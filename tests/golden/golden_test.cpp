@@ -2,6 +2,7 @@
 #include "attractor/render/renderer.h"
 #include "collection.h"
 #include "document/animated_fractal.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QGuiApplication>
@@ -143,5 +144,5 @@ void GoldenTest::aSmallChangeIsNoticed() {
     }
 }
 
-QTEST_GUILESS_MAIN(GoldenTest)
+BARYCAGE_TEST(GoldenTest, QCoreApplication);
 #include "golden_test.moc"

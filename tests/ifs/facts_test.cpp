@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <Eigen/Geometry>
@@ -230,5 +231,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FactsTest)
+BARYCAGE_TEST(FactsTest);
 #include "facts_test.moc"

@@ -3,6 +3,7 @@
 
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/polygon.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -141,5 +142,5 @@ void ShownFactsTest::linkedMapsHaveNoExtents() {
     QVERIFY(!facts.box && !facts.hull && !facts.simplex && !facts.mean && !facts.moments);
 }
 
-QTEST_APPLESS_MAIN(ShownFactsTest)
+BARYCAGE_TEST(ShownFactsTest);
 #include "shown_facts_test.moc"

@@ -3,6 +3,7 @@
 #include "io/collection_reader.h"
 #include "io/exchange/text_formats.h"
 #include "io/table/table_reader.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -272,5 +273,5 @@ void CollectionReaderTest::roundTrips() {
     }
 }
 
-QTEST_APPLESS_MAIN(CollectionReaderTest)
+BARYCAGE_TEST(CollectionReaderTest);
 #include "collection_reader_test.moc"

@@ -191,7 +191,7 @@ void useTestFolders() {
     QCoreApplication::setApplicationName(QStringLiteral("BarycageTest"));
 }
 
-int run(QObject& test, int& argc, char** argv) {
+int runOnX(QObject& test, int& argc, char** argv) {
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QStandardPaths::setTestModeEnabled(true);
     WatchedApplication application(argc, argv);

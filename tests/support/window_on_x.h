@@ -3,6 +3,7 @@
 
 #include "document/fractal_geometry.h"
 #include "main_window.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "support/watchdog.h"
 #include "support/x_input.h"
@@ -137,7 +138,14 @@ private:
 // Names, and so settings and folders, away from the user's; of tests and of the programs that they start.
 void useTestFolders();
 
-// main() of a test that derives from WindowOnX.
-int run(QObject& test, int& argc, char** argv);
+int runOnX(QObject& test, int& argc, char** argv);
+
+template <class Test> int runOnX(int argc, char** argv) {
+    Test test;
+    return runOnX(test, argc, argv);
+}
 
 } // namespace support
+
+/// BARYCAGE_TEST() of a class that derives from WindowOnX.
+#define BARYCAGE_TEST_ON_X(Class) static const support::NamedTest namedTest(__FILE__, support::runOnX<Class>)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -540,5 +541,5 @@ void CliAnimateTest::killedAtAnyTimeLeavesWholeFiles() {
         QCOMPARE(read("a/" + file.toUtf8()), read("b/" + file.toUtf8()));
 }
 
-QTEST_GUILESS_MAIN(CliAnimateTest)
+BARYCAGE_TEST(CliAnimateTest, QCoreApplication);
 #include "cli_animate_test.moc"

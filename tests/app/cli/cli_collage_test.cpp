@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -400,5 +401,5 @@ void CliCollageTest::anInterruptLeavesNothing() {
     QVERIFY(!QFile::exists(path("stopped.ifs")) && !QFile::exists(path("stopped.json")));
 }
 
-QTEST_GUILESS_MAIN(CliCollageTest)
+BARYCAGE_TEST(CliCollageTest, QCoreApplication);
 #include "cli_collage_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -372,5 +373,5 @@ void CliConvertTest::writesToStandardOutput() {
     QVERIFY(!QFile::exists(path("-")));
 }
 
-QTEST_GUILESS_MAIN(CliConvertTest)
+BARYCAGE_TEST(CliConvertTest, QCoreApplication);
 #include "cli_convert_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -134,5 +135,5 @@ void CliEncodeTest::bracketsInNamesAreLetters() {
     QVERIFY2(drawn.status == 0, drawn.err.constData());
 }
 
-QTEST_GUILESS_MAIN(CliEncodeTest)
+BARYCAGE_TEST(CliEncodeTest, QCoreApplication);
 #include "cli_encode_test.moc"

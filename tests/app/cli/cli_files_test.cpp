@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
+#include "support/paths.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -62,8 +64,8 @@ void CliFilesTest::writeSystems() {
 CliFilesTest::Result CliFilesTest::shell(const char* script) const {
     QProcess process;
     process.setWorkingDirectory(path(""));
-    process.start(QStringLiteral("/bin/sh"),
-                  {QStringLiteral("-c"), QString::fromLatin1(script), QStringLiteral(BARYCAGE_CLI)});
+    process.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), QString::fromLatin1(script),
+                                              support::buildPath(QStringLiteral("barycage-cli"))});
     if (!process.waitForFinished(60'000)) return {};
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
@@ -509,5 +511,5 @@ void CliFilesTest::hardLinksAreSaidToKeepTheOld() {
     }
 }
 
-QTEST_GUILESS_MAIN(CliFilesTest)
+BARYCAGE_TEST(CliFilesTest, QCoreApplication);
 #include "cli_files_test.moc"

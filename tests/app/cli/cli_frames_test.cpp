@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
+#include "support/paths.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -140,7 +142,7 @@ void CliFramesTest::aFullDiskNamesTheFrame() {
     limited.start(QStringLiteral("bash"),
                   {QStringLiteral("-c"),
                    QStringLiteral("ulimit -f 4 && exec \"$0\" ") + QString::fromUtf8(command),
-                   QStringLiteral(BARYCAGE_CLI)});
+                   support::buildPath(QStringLiteral("barycage-cli"))});
     QVERIFY(limited.waitForFinished(60'000));
     const QByteArray said = limited.readAllStandardError();
     QCOMPARE(limited.exitStatus(), QProcess::NormalExit);
@@ -151,5 +153,5 @@ void CliFramesTest::aFullDiskNamesTheFrame() {
     QVERIFY(QFile::exists(path("full/" + failed)));
 }
 
-QTEST_GUILESS_MAIN(CliFramesTest)
+BARYCAGE_TEST(CliFramesTest, QCoreApplication);
 #include "cli_frames_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -235,5 +236,5 @@ void CliInfoTest::namesAreOnesThatEntryTakes() {
     QCOMPARE(run("info names.ifs --names --json").status, 2);
 }
 
-QTEST_GUILESS_MAIN(CliInfoTest)
+BARYCAGE_TEST(CliInfoTest, QCoreApplication);
 #include "cli_info_test.moc"

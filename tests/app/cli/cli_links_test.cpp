@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -183,5 +184,5 @@ void CliLinksTest::saysThatTransformationsAreLost() {
     QVERIFY(run("convert pair.ifs same.ifs").err.isEmpty());
 }
 
-QTEST_GUILESS_MAIN(CliLinksTest)
+BARYCAGE_TEST(CliLinksTest, QCoreApplication);
 #include "cli_links_test.moc"

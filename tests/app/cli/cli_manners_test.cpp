@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -446,5 +447,5 @@ void CliMannersTest::palettesAreListed() {
                  0);
 }
 
-QTEST_GUILESS_MAIN(CliMannersTest)
+BARYCAGE_TEST(CliMannersTest, QCoreApplication);
 #include "cli_manners_test.moc"

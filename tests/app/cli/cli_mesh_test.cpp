@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -202,5 +203,5 @@ void CliMeshTest::optionsThatMakeNoSenseAreRefused() {
     QVERIFY(!QFile::exists(path(arguments.split(' ')[1])));
 }
 
-QTEST_GUILESS_MAIN(CliMeshTest)
+BARYCAGE_TEST(CliMeshTest, QCoreApplication);
 #include "cli_mesh_test.moc"

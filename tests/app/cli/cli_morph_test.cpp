@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QJsonArray>
 #include <QTest>
@@ -142,5 +143,5 @@ void CliMorphTest::warningsAreSaidOnce() {
     }
 }
 
-QTEST_GUILESS_MAIN(CliMorphTest)
+BARYCAGE_TEST(CliMorphTest, QCoreApplication);
 #include "cli_morph_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -256,5 +257,5 @@ void CliPartsTest::killedAtAnyTimeLeavesWholeFiles() {
     QVERIFY(read("killed/" + name) == whole);
 }
 
-QTEST_GUILESS_MAIN(CliPartsTest)
+BARYCAGE_TEST(CliPartsTest, QCoreApplication);
 #include "cli_parts_test.moc"

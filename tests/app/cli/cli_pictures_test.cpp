@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
+#include "support/paths.h"
 
 #include <QFile>
 #include <QImage>
@@ -316,7 +318,7 @@ void CliPicturesTest::largeTilesTakeLittleMemory() {
     shell.start(QStringLiteral("sh"), {QStringLiteral("-c"),
                                        QStringLiteral("ulimit -v 600000; exec \"$0\" gallery four.ifs --tile "
                                                       "4000x4000 --columns 1 --quiet -o large.png"),
-                                       QStringLiteral(BARYCAGE_CLI)});
+                                       support::buildPath(QStringLiteral("barycage-cli"))});
     QVERIFY(shell.waitForFinished(240'000));
     QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
     const QByteArray header = read("large.png").mid(16, 8);
@@ -337,5 +339,5 @@ void CliPicturesTest::pagesOfASheet() {
         QCOMPARE(pages("--page " + page), -1);
 }
 
-QTEST_GUILESS_MAIN(CliPicturesTest)
+BARYCAGE_TEST(CliPicturesTest, QCoreApplication);
 #include "cli_pictures_test.moc"

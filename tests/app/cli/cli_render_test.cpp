@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QImage>
@@ -358,5 +359,5 @@ void CliRenderTest::writesToStandardOutput() {
 }
 
 // The first entry in the plane, that is: another draws nothing.
-QTEST_GUILESS_MAIN(CliRenderTest)
+BARYCAGE_TEST(CliRenderTest, QCoreApplication);
 #include "cli_render_test.moc"

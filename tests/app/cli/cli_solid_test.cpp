@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QColor>
 #include <QFile>
@@ -192,5 +193,5 @@ void CliSolidTest::optionsThatMakeNoSenseAreRefused() {
     QVERIFY(!QFile::exists(path("a.png")));
 }
 
-QTEST_GUILESS_MAIN(CliSolidTest)
+BARYCAGE_TEST(CliSolidTest, QCoreApplication);
 #include "cli_solid_test.moc"

@@ -4,6 +4,7 @@
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
 #include "io/collection_reader.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -88,5 +89,5 @@ void CliSpaceCageTest::cagesAgreeWithThoseOfTheWindow() {
     QVERIFY(named != picture(quoted(other), moved));
 }
 
-QTEST_GUILESS_MAIN(CliSpaceCageTest)
+BARYCAGE_TEST(CliSpaceCageTest, QCoreApplication);
 #include "cli_space_cage_test.moc"

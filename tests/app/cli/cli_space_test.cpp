@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QFile>
@@ -427,5 +428,5 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused() {
     QVERIFY(!QFile::exists(path("a.png")) && !QFile::exists(path("a.svg")));
 }
 
-QTEST_GUILESS_MAIN(CliSpaceTest)
+BARYCAGE_TEST(CliSpaceTest, QCoreApplication);
 #include "cli_space_test.moc"

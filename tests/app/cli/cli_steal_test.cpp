@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -515,5 +516,5 @@ void CliStealTest::warningsAreSaidOnce() {
     }
 }
 
-QTEST_GUILESS_MAIN(CliStealTest)
+BARYCAGE_TEST(CliStealTest, QCoreApplication);
 #include "cli_steal_test.moc"

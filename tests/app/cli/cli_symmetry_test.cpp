@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -123,5 +124,5 @@ void CliSymmetryTest::wrongSymmetries() {
     QVERIFY(!QFile::exists(path("no.ifs")));
 }
 
-QTEST_GUILESS_MAIN(CliSymmetryTest)
+BARYCAGE_TEST(CliSymmetryTest, QCoreApplication);
 #include "cli_symmetry_test.moc"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
+#include "support/paths.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -154,7 +156,7 @@ void CliTest::emptyArgumentsAreNoneLeftOut() {
     words.replaceInStrings(QStringLiteral("''"), QString());
     QProcess process;
     process.setWorkingDirectory(path(""));
-    process.start(QStringLiteral(BARYCAGE_CLI), words);
+    process.start(support::buildPath(QStringLiteral("barycage-cli")), words);
     QVERIFY(process.waitForFinished(60'000));
     QCOMPARE(process.exitCode(), 2);
     const QByteArray said = process.readAllStandardError();
@@ -443,5 +445,5 @@ void CliTest::aLimitOnFilesIsSaid() {
     QCOMPARE(files(), before);
 }
 
-QTEST_GUILESS_MAIN(CliTest)
+BARYCAGE_TEST(CliTest, QCoreApplication);
 #include "cli_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -146,5 +147,5 @@ void CliThumbnailerTest::limitsThatAreNone() {
     QCOMPARE(run(render + "--time-limit 600 --memory-limit 1000").status, 0);
 }
 
-QTEST_GUILESS_MAIN(CliThumbnailerTest)
+BARYCAGE_TEST(CliThumbnailerTest, QCoreApplication);
 #include "cli_thumbnailer_test.moc"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/named_test.h"
+#include "support/paths.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -514,7 +516,7 @@ void CliVideoTest::aFullDiskLeavesNothing() {
     limited.start(QStringLiteral("bash"),
                   {QStringLiteral("-c"),
                    QStringLiteral("ulimit -f 4 && exec \"$0\" ") + QString::fromUtf8(command),
-                   QStringLiteral(BARYCAGE_CLI)});
+                   support::buildPath(QStringLiteral("barycage-cli"))});
     QVERIFY(limited.waitForFinished(60'000));
     QCOMPARE(limited.exitStatus(), QProcess::NormalExit);
     QCOMPARE(limited.exitCode(), 3);
@@ -522,5 +524,5 @@ void CliVideoTest::aFullDiskLeavesNothing() {
     QVERIFY(files("a").isEmpty());
 }
 
-QTEST_GUILESS_MAIN(CliVideoTest)
+BARYCAGE_TEST(CliVideoTest, QCoreApplication);
 #include "cli_video_test.moc"

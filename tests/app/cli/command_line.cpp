@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "support/paths.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -54,7 +55,8 @@ CommandLineTest::Result CommandLineTest::run(const QByteArray& arguments, const 
 
 void CommandLineTest::start(QProcess& process, const QByteArray& arguments) const {
     process.setWorkingDirectory(m_folder.path());
-    process.start(QStringLiteral(BARYCAGE_CLI), QProcess::splitCommand(QString::fromUtf8(arguments)));
+    process.start(support::buildPath(QStringLiteral("barycage-cli")),
+                  QProcess::splitCommand(QString::fromUtf8(arguments)));
 }
 
 QString CommandLineTest::path(const QByteArray& name) const {

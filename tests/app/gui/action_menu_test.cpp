@@ -10,6 +10,7 @@
 #include "session_fixture.h"
 #include "space/space_view.h"
 #include "stage.h"
+#include "support/named_test.h"
 #include "welcome.h"
 
 #include <QAbstractButton>
@@ -502,5 +503,5 @@ void ActionMenuTest::otherDimensionsAreOneStep() {
     document.undoStack()->setClean();
 }
 
-QTEST_MAIN(ActionMenuTest)
+BARYCAGE_TEST(ActionMenuTest, QApplication);
 #include "action_menu_test.moc"

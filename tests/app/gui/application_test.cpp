@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
+#include "support/named_test.h"
 
 #include <QAction>
 #include <QDialog>
@@ -53,10 +54,6 @@ void ApplicationTest::fieldsLeaveCommandsTheirKeys() {
     QCOMPARE(triggered.count(), 1);
 }
 
-int main(int argc, char** argv) {
-    Application application(argc, argv);
-    ApplicationTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+BARYCAGE_TEST(ApplicationTest, Application);
 
 #include "application_test.moc"

@@ -12,6 +12,7 @@
 #include "space/four_views.h"
 #include "space/space_view.h"
 #include "stage.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
 
@@ -191,5 +192,5 @@ void ClosingWindowsTest::whatIsSavedOnTheWayIsOpenedAgain() {
     QCOMPARE(*session::filesToReopen(), QStringList{path});
 }
 
-QTEST_MAIN(ClosingWindowsTest)
+BARYCAGE_TEST(ClosingWindowsTest, QApplication);
 #include "closing_windows_test.moc"

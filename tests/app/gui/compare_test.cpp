@@ -8,6 +8,7 @@
 #include "document/fractal_geometry.h"
 #include "space/space_view.h"
 #include "stage.h"
+#include "support/named_test.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -470,5 +471,5 @@ void CompareTest::undoKeepsTheBranchInBoth() {
     document().undoStack()->setClean();
 }
 
-QTEST_MAIN(CompareTest)
+BARYCAGE_TEST(CompareTest, QApplication);
 #include "compare_test.moc"

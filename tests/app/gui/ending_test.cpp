@@ -4,6 +4,7 @@
 #include "io/file/background.h"
 #include "main_window.h"
 #include "recovery.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 
 #include <QAction>
@@ -70,7 +71,8 @@ private slots:
         file.close();
         QProcess program;
         program.setProcessChannelMode(QProcess::ForwardedChannels);
-        program.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--edit"), path});
+        program.start(QCoreApplication::applicationFilePath(),
+                      {QStringLiteral("ending_test"), QStringLiteral("--edit"), path});
         const bool hasEnded = program.waitForFinished(60'000);
         if (!hasEnded) program.kill();
         program.waitForFinished();
@@ -85,11 +87,13 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
+static int run(int argc, char** argv) {
     if (argc > 2 && qstrcmp(argv[1], "--edit") == 0) return edit(argc, argv, QFile::decodeName(argv[2]));
     Application application(argc, argv);
     EndingTest test;
     return QTest::qExec(&test, argc, argv);
 }
+
+static const support::NamedTest namedTest(__FILE__, run);
 
 #include "ending_test.moc"

@@ -4,6 +4,7 @@
 #include "main_window.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
@@ -159,5 +160,5 @@ void FileDropTest::aDroppedPictureWithASystemIsOpened() {
     window->close();
 }
 
-QTEST_MAIN(FileDropTest)
+BARYCAGE_TEST(FileDropTest, QApplication);
 #include "file_drop_test.moc"

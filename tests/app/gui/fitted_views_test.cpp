@@ -4,6 +4,7 @@
 #include "app/gui/window_fixture.h"
 #include "panels/maps/symmetry_row.h"
 #include "space/space_view.h"
+#include "support/named_test.h"
 
 #include <QComboBox>
 #include <QTest>
@@ -156,5 +157,5 @@ void FittedViewsTest::undoOfCameraKeysTakesTheViewBack() {
     QCOMPARE(plane().isFitted(), isFitted);
 }
 
-QTEST_MAIN(FittedViewsTest)
+BARYCAGE_TEST(FittedViewsTest, QApplication);
 #include "fitted_views_test.moc"

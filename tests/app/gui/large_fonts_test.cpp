@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/every_window.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 
 #include <QAbstractButton>
@@ -166,5 +167,5 @@ void LargeFontsTest::dialogsFitASmallScreen() {
     QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
-QTEST_MAIN(LargeFontsTest)
+BARYCAGE_TEST(LargeFontsTest, QApplication);
 #include "large_fonts_test.moc"

@@ -9,6 +9,7 @@
 #include "recovery.h"
 #include "session.h"
 #include "space/space_view.h"
+#include "support/named_test.h"
 
 #include <QAction>
 #include <QDir>
@@ -590,5 +591,5 @@ void LessonTest::theWindowMayCloseMeanwhile() {
     QVERIFY(session::windows().isEmpty());
 }
 
-QTEST_MAIN(LessonTest)
+BARYCAGE_TEST(LessonTest, QApplication);
 #include "lesson_test.moc"

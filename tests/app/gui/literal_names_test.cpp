@@ -4,6 +4,7 @@
 #include "panels/entries/entries_panel.h"
 #include "recent_files.h"
 #include "support/every_window.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "welcome.h"
 #include "widgets/tooltip_text.h"
@@ -209,10 +210,6 @@ void LiteralNamesTest::titlesShowNamesAsWritten() {
     QVERIFY(titles >= 3); // the main window and the exports
 }
 
-int main(int argc, char** argv) {
-    Application application(argc, argv);
-    LiteralNamesTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+BARYCAGE_TEST(LiteralNamesTest, Application);
 
 #include "literal_names_test.moc"

@@ -8,6 +8,7 @@
 #include "io/picture/svg_writer.h"
 #include "main_window.h"
 #include "panels/maps/maps_model.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
 #include "widgets/number_field.h"
@@ -158,5 +159,5 @@ void LocaleTest::fieldsTakeTheSame() {
     window.document().undoStack()->setClean();
 }
 
-QTEST_MAIN(LocaleTest)
+BARYCAGE_TEST(LocaleTest, QApplication);
 #include "locale_test.moc"

@@ -16,6 +16,7 @@
 #include "space/space_view.h"
 #include "stage.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
 
@@ -579,5 +580,5 @@ void MainWindowTest::theMapsAreNumberedOnTheCanvas() {
     }
 }
 
-QTEST_MAIN(MainWindowTest)
+BARYCAGE_TEST(MainWindowTest, QApplication);
 #include "main_window_test.moc"

@@ -13,6 +13,7 @@
 #include "space/four_views.h"
 #include "space/space_maps.h"
 #include "stage.h"
+#include "support/named_test.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -299,5 +300,5 @@ void MapsConnectionsTest::copyAndPasteAreOfMaps() {
     QCOMPARE(held(), std::size_t(8)); // what was pasted is selected
 }
 
-QTEST_MAIN(MapsConnectionsTest)
+BARYCAGE_TEST(MapsConnectionsTest, QApplication);
 #include "maps_connections_test.moc"

@@ -564,9 +564,6 @@ void MonkeyTest::planDialog(QDialog* dialog) {
         planKeys();
 }
 
-int main(int argc, char** argv) {
-    MonkeyTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(MonkeyTest);
 
 #include "monkey_test.moc"

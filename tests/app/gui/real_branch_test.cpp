@@ -163,9 +163,6 @@ void RealBranchTest::aBranchIsShownElsewhereAndPutBack() {
     QVERIFY(!bar().putBackButton()->isVisible());
 }
 
-int main(int argc, char** argv) {
-    RealBranchTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealBranchTest);
 
 #include "real_branch_test.moc"

@@ -160,9 +160,6 @@ void RealCageEditsTest::cornersComeAndGo() {
              document::plane(fractal())->cage);
 }
 
-int main(int argc, char** argv) {
-    RealCageEditsTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealCageEditsTest);
 
 #include "real_cage_edits_test.moc"

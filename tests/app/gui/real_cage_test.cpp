@@ -378,9 +378,6 @@ void RealCageTest::threeClicksDefineTheTriangle() {
     QCOMPARE(steps(), 1);
 }
 
-int main(int argc, char** argv) {
-    RealCageTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealCageTest);
 
 #include "real_cage_test.moc"

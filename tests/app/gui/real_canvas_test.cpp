@@ -256,9 +256,6 @@ void RealCanvasTest::theChaosGameIsWatched() {
     QTRY_COMPARE(construction->points(), std::uint64_t{0});
 }
 
-int main(int argc, char** argv) {
-    RealCanvasTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealCanvasTest);
 
 #include "real_canvas_test.moc"

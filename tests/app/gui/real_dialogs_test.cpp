@@ -173,9 +173,6 @@ void RealDialogsTest::whatIsThisIsAsked() {
     QTRY_COMPARE(steps(), 1);
 }
 
-int main(int argc, char** argv) {
-    RealDialogsTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealDialogsTest);
 
 #include "real_dialogs_test.moc"

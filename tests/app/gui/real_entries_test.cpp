@@ -201,9 +201,6 @@ void RealEntriesTest::aFractalByChanceIsAdded() {
     QVERIFY(!QStringList({QStringLiteral("maple"), QStringLiteral("flower")}).contains(fractal().name));
 }
 
-int main(int argc, char** argv) {
-    RealEntriesTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealEntriesTest);
 
 #include "real_entries_test.moc"

@@ -207,9 +207,6 @@ void RealExportTest::printsToPdf() {
     QVERIFY(!window().isWindowModified());
 }
 
-int main(int argc, char** argv) {
-    RealExportTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealExportTest);
 
 #include "real_export_test.moc"

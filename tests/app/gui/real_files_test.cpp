@@ -5,6 +5,7 @@
 #include "panels/problems/problems_panel.h"
 #include "recent_files.h"
 #include "session.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 #include "support/window_on_x.h"
 
@@ -86,7 +87,8 @@ void RealFilesTest::aNewFileGivesUpTheDrag() {
 
 void RealFilesTest::aFileIsDroppedFromAnotherProgram() {
     QProcess other;
-    other.start(QStringLiteral(BARYCAGE_DRAG_SOURCE), {support::testData(QStringLiteral("shapes.ifs"))});
+    other.start(support::buildPath(QStringLiteral("tests/support/drag_source")),
+                {support::testData(QStringLiteral("shapes.ifs"))});
     QByteArray said;
     const auto says = [&](const char* word) {
         return support::waitFor([&] {
@@ -221,7 +223,8 @@ void RealFilesTest::workIsRecoveredAfterAKill() {
     window().hide();
 
     QProcess other;
-    other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--edit"), path});
+    other.start(QCoreApplication::applicationFilePath(),
+                {QStringLiteral("real_files_test"), QStringLiteral("--edit"), path});
     const auto says = [&](const char* word) {
         QByteArray said;
         return support::waitFor([&] {
@@ -288,10 +291,11 @@ int edit(int& argc, char** argv) {
 
 } // namespace
 
-int main(int argc, char** argv) {
+static int run(int argc, char** argv) {
     if (argc > 1 && QByteArray(argv[1]) == "--edit") return edit(argc, argv);
-    RealFilesTest test;
-    return support::run(test, argc, argv);
+    return support::runOnX<RealFilesTest>(argc, argv);
 }
+
+static const support::NamedTest namedTest(__FILE__, run);
 
 #include "real_files_test.moc"

@@ -136,9 +136,6 @@ void RealLargeTest::oneOfManyEntriesIsFoundAndSaved() {
     QCOMPARE(io::loadFile(path).bytes, QByteArray(text).replace("\nentry1234 {", "\nmine {"));
 }
 
-int main(int argc, char** argv) {
-    RealLargeTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealLargeTest);
 
 #include "real_large_test.moc"

@@ -145,9 +145,6 @@ void RealLayersTest::aMapIsNamedLockedAndShownAlone() {
     QCOMPARE(steps(), stepsBefore);
 }
 
-int main(int argc, char** argv) {
-    RealLayersTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealLayersTest);
 
 #include "real_layers_test.moc"

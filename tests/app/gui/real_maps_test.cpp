@@ -269,9 +269,6 @@ void RealMapsTest::theMapsMenuArranges() {
         QVERIFY((map(k).linear - before.maps[k].map.linear).norm() < 1e-12);
 }
 
-int main(int argc, char** argv) {
-    RealMapsTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealMapsTest);
 
 #include "real_maps_test.moc"

@@ -107,9 +107,6 @@ void RealPanelsTest::theHistoryIsWalked() {
     QCOMPARE(steps(), 3);
 }
 
-int main(int argc, char** argv) {
-    RealPanelsTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealPanelsTest);
 
 #include "real_panels_test.moc"

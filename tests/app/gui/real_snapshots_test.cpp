@@ -306,9 +306,6 @@ void RealSnapshotsTest::aViewOfASolidIsSaved() {
     QVERIFY(found.projection == saved.projection);
 }
 
-int main(int argc, char** argv) {
-    RealSnapshotsTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealSnapshotsTest);
 
 #include "real_snapshots_test.moc"

@@ -261,9 +261,6 @@ void RealTableTest::theColumnsOfPastedRowsAreChosen() {
     QCOMPARE(code().maps.size(), std::size_t{5});
 }
 
-int main(int argc, char** argv) {
-    RealTableTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealTableTest);
 
 #include "real_table_test.moc"

@@ -199,9 +199,6 @@ void RealTimelineTest::aRightClickChangesTheEase() {
     QCOMPARE(document().undoStack()->index(), before);
 }
 
-int main(int argc, char** argv) {
-    RealTimelineTest test;
-    return support::run(test, argc, argv);
-}
+BARYCAGE_TEST_ON_X(RealTimelineTest);
 
 #include "real_timeline_test.moc"

@@ -4,6 +4,7 @@
 #include "app/gui/window_fixture.h"
 #include "io/lesson/lesson_writer.h"
 #include "panels/lesson/lesson_notebook.h"
+#include "support/named_test.h"
 
 #include <QTest>
 #include <QUndoStack>
@@ -81,6 +82,6 @@ void RecoveryTest::workWithoutAFileIsNotUndone() {
     document.undoStack()->setClean();
 }
 
-QTEST_MAIN(RecoveryTest)
+BARYCAGE_TEST(RecoveryTest, QApplication);
 
 #include "recovery_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
+#include "support/named_test.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -128,5 +129,5 @@ void SaveQuestionTest::revertingSaysWhatIsLost() {
     QVERIFY2(!text.contains(u"changes"_s), qPrintable(text));
 }
 
-QTEST_MAIN(SaveQuestionTest)
+BARYCAGE_TEST(SaveQuestionTest, QApplication);
 #include "save_question_test.moc"

@@ -8,6 +8,7 @@
 #include "recent_files.h"
 #include "session.h"
 #include "support/every_window.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 #include "support/slow_disk.h"
@@ -220,10 +221,6 @@ void SlowDiskTest::whatIsGoneIsLeftOutInTheEnd() {
     VERIFY_NOTHING_WAS_ASKED(disk);
 }
 
-int main(int argc, char** argv) {
-    Application application(argc, argv);
-    SlowDiskTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+BARYCAGE_TEST(SlowDiskTest, Application);
 
 #include "slow_disk_test.moc"

@@ -3,6 +3,7 @@
 
 #include "app/gui/window_fixture.h"
 #include "dialogs/saved_views_dialog.h"
+#include "support/named_test.h"
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -79,5 +80,5 @@ void SnapshotCommandsTest::aViewIsNotReplacedUnsaid() {
     document.undoStack()->setClean();
 }
 
-QTEST_MAIN(SnapshotCommandsTest)
+BARYCAGE_TEST(SnapshotCommandsTest, QApplication);
 #include "snapshot_commands_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "status_line.h"
 
+#include "support/named_test.h"
 #include "widgets/elided_label.h"
 #include "widgets/tooltips.h"
 
@@ -72,5 +73,5 @@ private:
     std::unique_ptr<StatusLine> m_line;
 };
 
-QTEST_MAIN(StatusLineTest)
+BARYCAGE_TEST(StatusLineTest, QApplication);
 #include "status_line_test.moc"

@@ -7,6 +7,7 @@
 #include "document/fractal_geometry.h"
 #include "panels/maps/maps_panel.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -230,5 +231,5 @@ void TourTest::theWindowMayCloseMeanwhile() {
     m_window = std::make_unique<MainWindow>();
 }
 
-QTEST_MAIN(TourTest)
+BARYCAGE_TEST(TourTest, QApplication);
 #include "tour_test.moc"

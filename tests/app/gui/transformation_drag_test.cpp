@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
 #include "stage.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
@@ -57,5 +58,5 @@ void TransformationDragTest::draggingAMapIsLiveAndOneStep() {
     QVERIFY(document.fractal() == before);
 }
 
-QTEST_MAIN(TransformationDragTest)
+BARYCAGE_TEST(TransformationDragTest, QApplication);
 #include "transformation_drag_test.moc"

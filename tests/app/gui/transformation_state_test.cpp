@@ -2,6 +2,7 @@
 #include "bridges/render_bridge.h"
 #include "document/tops/kept_theft.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
 
@@ -242,5 +243,5 @@ void TransformationStateTest::anEmbeddedPictureNeedsNoFile() {
     QVERIFY(kept().embedded.isEmpty());
 }
 
-QTEST_MAIN(TransformationStateTest)
+BARYCAGE_TEST(TransformationStateTest, QApplication);
 #include "transformation_state_test.moc"

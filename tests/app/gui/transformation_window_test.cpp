@@ -17,6 +17,7 @@
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "stage.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/theft_export_dialog.h"
 #include "transformation/theft_sentences.h"
@@ -593,5 +594,5 @@ void TransformationWindowTest::aConstructionEndsIt() {
     QVERIFY(view()->isTransformationShown());
 }
 
-QTEST_MAIN(TransformationWindowTest)
+BARYCAGE_TEST(TransformationWindowTest, QApplication);
 #include "transformation_window_test.moc"

@@ -5,6 +5,7 @@
 
 #include "canvas/canvas_view.h"
 #include "recent_files.h"
+#include "support/named_test.h"
 
 #include <QApplication>
 #include <QCommandLinkButton>
@@ -160,5 +161,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(WelcomeTest)
+BARYCAGE_TEST(WelcomeTest, QApplication);
 #include "welcome_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/every_window.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "widgets/tooltip_text.h"
 #include "widgets/tooltips.h"
@@ -264,5 +265,5 @@ void WhatsThisTest::everyTextIsTranslated() {
     QVERIFY2(plain.isEmpty(), qPrintable(plain.join(u'\n')));
 }
 
-QTEST_MAIN(WhatsThisTest)
+BARYCAGE_TEST(WhatsThisTest, QApplication);
 #include "whats_this_test.moc"

@@ -7,6 +7,7 @@
 #include "recovery.h"
 #include "session.h"
 #include "support/file_size_limit.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -431,7 +432,8 @@ void WindowFilesTest::namesAreNoMarkup() {
 // This program again, as the editor, killed after it has said that its work is changed.
 void WindowFilesTest::aKilledEditorLeavesItsWork() {
     QProcess editor;
-    editor.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--edit"), m_path});
+    editor.start(QCoreApplication::applicationFilePath(),
+                 {QStringLiteral("window_files_test"), QStringLiteral("--edit"), m_path});
     QVERIFY(editor.waitForReadyRead(30'000));
     QTest::qWait(2000); // the age that lost work may have
     editor.kill();
@@ -559,7 +561,7 @@ void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
         QVERIFY(!qobject_cast<const QPrintPreviewDialog*>(widget));
 }
 
-int main(int argc, char** argv) {
+static int run(int argc, char** argv) {
     Application application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.value(1) == QLatin1String("--edit")) {
@@ -574,5 +576,7 @@ int main(int argc, char** argv) {
     WindowFilesTest test;
     return QTest::qExec(&test, argc, argv);
 }
+
+static const support::NamedTest namedTest(__FILE__, run);
 
 #include "window_files_test.moc"

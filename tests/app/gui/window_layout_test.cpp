@@ -11,6 +11,7 @@
 #include "panels/timeline/motion_page.h"
 #include "session_fixture.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
 #include "widgets/number_field.h"
@@ -596,5 +597,5 @@ void WindowLayoutTest::theTimelineIsRemembered() {
     }
 }
 
-QTEST_MAIN(WindowLayoutTest)
+BARYCAGE_TEST(WindowLayoutTest, QApplication);
 #include "window_layout_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/session_fixture.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
 #include "window_place.h"
@@ -131,5 +132,5 @@ void WindowPlaceTest::aFileThatIsOpenIsShownInItsWindow() {
     QVERIFY(!first->statusBar()->currentMessage().contains(QStringLiteral("already")));
 }
 
-QTEST_MAIN(WindowPlaceTest)
+BARYCAGE_TEST(WindowPlaceTest, QApplication);
 #include "window_place_test.moc"

@@ -2,6 +2,7 @@
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/arithmetic/double_double.h"
 #include "attractor/colour/srgb_transfer.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -64,5 +65,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestArithmetic)
+BARYCAGE_TEST(TestArithmetic);
 #include "arithmetic_test.moc"

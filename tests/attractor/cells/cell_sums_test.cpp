@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/cells/cell_sums.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -140,5 +141,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCellSums)
+BARYCAGE_TEST(TestCellSums);
 #include "cell_sums_test.moc"

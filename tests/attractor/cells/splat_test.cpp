@@ -4,6 +4,7 @@
 #include "attractor/kernels/kernels.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -170,5 +171,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSplat)
+BARYCAGE_TEST(TestSplat);
 #include "splat_test.moc"

@@ -3,6 +3,7 @@
 
 #include "attractor/colour/oklab.h"
 #include "attractor/colour/srgb_transfer.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -137,5 +138,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPaletteEdits)
+BARYCAGE_TEST(TestPaletteEdits);
 #include "palette_edits_test.moc"

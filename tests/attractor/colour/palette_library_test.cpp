@@ -2,6 +2,7 @@
 #include "attractor/colour/palette_library.h"
 
 #include "attractor/colour/oklab.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -97,5 +98,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPaletteLibrary)
+BARYCAGE_TEST(TestPaletteLibrary, QCoreApplication);
 #include "palette_library_test.moc"

@@ -4,6 +4,7 @@
 
 #include "attractor/colour/palette_edits.h"
 #include "attractor/colour/srgb_transfer.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -167,5 +168,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPalette)
+BARYCAGE_TEST(TestPalette);
 #include "palette_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/picture_palette.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -82,5 +83,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PicturePaletteTest)
+BARYCAGE_TEST(PicturePaletteTest);
 #include "picture_palette_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/srgb_transfer.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -55,5 +56,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSrgbTransfer)
+BARYCAGE_TEST(TestSrgbTransfer);
 #include "srgb_transfer_test.moc"

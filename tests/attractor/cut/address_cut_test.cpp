@@ -5,6 +5,7 @@
 #include "attractor/cells/splat.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -289,5 +290,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAddressCut)
+BARYCAGE_TEST(TestAddressCut);
 #include "address_cut_test.moc"

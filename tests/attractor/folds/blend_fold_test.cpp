@@ -4,6 +4,7 @@
 #include "attractor/folds/density_fold.h"
 #include "attractor/folds/drawing.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBlendFold)
+BARYCAGE_TEST(TestBlendFold);
 #include "blend_fold_test.moc"

@@ -3,6 +3,7 @@
 
 #include "attractor/folds/drawing.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -111,5 +112,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestChaosGameFold)
+BARYCAGE_TEST(TestChaosGameFold);
 #include "chaos_game_fold_test.moc"

@@ -3,6 +3,7 @@
 
 #include "attractor/folds/drawing.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -144,5 +145,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDensityFold)
+BARYCAGE_TEST(TestDensityFold);
 #include "density_fold_test.moc"

@@ -2,6 +2,7 @@
 #include "attractor/noise.h"
 
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -56,5 +57,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNoise)
+BARYCAGE_TEST(TestNoise);
 #include "noise_test.moc"

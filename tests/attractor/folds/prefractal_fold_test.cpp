@@ -4,6 +4,7 @@
 #include "attractor/folds/drawing.h"
 #include "attractor/folds/prefractal.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -72,5 +73,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPrefractalFold)
+BARYCAGE_TEST(TestPrefractalFold);
 #include "prefractal_fold_test.moc"

@@ -3,6 +3,7 @@
 
 #include "attractor/colour/srgb_transfer.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -127,5 +128,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPreparedRequest)
+BARYCAGE_TEST(TestPreparedRequest);
 #include "prepared_request_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/kernels/kernels.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -320,5 +321,5 @@ private:
     std::mt19937 m_random{17};
 };
 
-QTEST_APPLESS_MAIN(TestKernels)
+BARYCAGE_TEST(TestKernels);
 #include "kernels_test.moc"

@@ -2,6 +2,7 @@
 #include "attractor/light/pixel_average.h"
 
 #include "attractor/colour/srgb_transfer.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -50,5 +51,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PixelAverageTest)
+BARYCAGE_TEST(PixelAverageTest);
 #include "pixel_average_test.moc"

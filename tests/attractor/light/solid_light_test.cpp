@@ -4,6 +4,7 @@
 #include "attractor/kernels/kernels.h"
 #include "attractor/light/pixel_average.h"
 #include "attractor/light/surface_rows.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -506,5 +507,5 @@ private:
     const std::string m_simd = simdName();
 };
 
-QTEST_GUILESS_MAIN(TestSolidLight)
+BARYCAGE_TEST(TestSolidLight, QCoreApplication);
 #include "solid_light_test.moc"

@@ -2,6 +2,7 @@
 #include "attractor/light/tone_curve.h"
 
 #include "attractor/colour/srgb_transfer.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -121,5 +122,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ToneCurveTest)
+BARYCAGE_TEST(ToneCurveTest);
 #include "tone_curve_test.moc"

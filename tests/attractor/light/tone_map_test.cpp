@@ -2,6 +2,7 @@
 #include "attractor/light/tone_map.h"
 
 #include "attractor/light/tone_map16.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -311,5 +312,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestToneMap)
+BARYCAGE_TEST(TestToneMap);
 #include "tone_map_test.moc"

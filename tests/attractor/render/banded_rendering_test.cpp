@@ -4,6 +4,7 @@
 #include "attractor/light/tone_map.h"
 #include "attractor/render/renderer.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -205,5 +206,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BandedRenderingTest)
+BARYCAGE_TEST(BandedRenderingTest);
 #include "banded_rendering_test.moc"

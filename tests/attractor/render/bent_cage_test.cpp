@@ -4,6 +4,7 @@
 #include "attractor/render/banded_rendering.h"
 #include "attractor/render/renderer.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -405,5 +406,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBentCage)
+BARYCAGE_TEST(TestBentCage);
 #include "bent_cage_test.moc"

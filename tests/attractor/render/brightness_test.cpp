@@ -2,6 +2,7 @@
 #include "attractor/light/tone_map.h"
 #include "attractor/render/renderer.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -138,5 +139,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BrightnessTest)
+BARYCAGE_TEST(BrightnessTest);
 #include "brightness_test.moc"

@@ -4,6 +4,7 @@
 #include "attractor/samples/space_samples.h"
 #include "attractor/space_systems.h"
 #include "ifs/dimension/moments.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -166,5 +167,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCloudRendering)
+BARYCAGE_TEST(TestCloudRendering);
 #include "cloud_rendering_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/render/live_step.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -65,5 +66,5 @@ void LiveStepTest::followsTheLoad() {
     QCOMPARE(live.pixels(), 1);
 }
 
-QTEST_GUILESS_MAIN(LiveStepTest)
+BARYCAGE_TEST(LiveStepTest, QCoreApplication);
 #include "live_step_test.moc"

@@ -3,6 +3,7 @@
 #include "attractor/render/renderer.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -236,5 +237,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMovedBranches)
+BARYCAGE_TEST(TestMovedBranches);
 #include "moved_branches_test.moc"

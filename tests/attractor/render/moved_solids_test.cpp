@@ -5,6 +5,7 @@
 #include "attractor/samples/chaos_game.h"
 #include "attractor/space_systems.h"
 #include "ifs/cage/cage_surface.h"
+#include "support/named_test.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -217,5 +218,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MovedSolidsTest)
+BARYCAGE_TEST(MovedSolidsTest);
 #include "moved_solids_test.moc"

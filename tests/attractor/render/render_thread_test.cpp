@@ -2,6 +2,7 @@
 #include "attractor/render/render_queue.h"
 #include "attractor/render/render_thread.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -233,5 +234,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRenderThread)
+BARYCAGE_TEST(TestRenderThread);
 #include "render_thread_test.moc"

@@ -4,6 +4,7 @@
 #include "attractor/kernels/kernels.h"
 #include "attractor/light/tone_map.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -439,5 +440,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRenderer)
+BARYCAGE_TEST(TestRenderer);
 #include "renderer_test.moc"

@@ -2,6 +2,7 @@
 #include "attractor/render/banded_rendering.h"
 #include "attractor/render/renderer.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -138,5 +139,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RotatedViewTest)
+BARYCAGE_TEST(RotatedViewTest);
 #include "rotated_view_test.moc"

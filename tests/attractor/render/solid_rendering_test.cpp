@@ -4,6 +4,7 @@
 #include "attractor/render/solid_rendering.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/space_systems.h"
+#include "support/named_test.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -486,5 +487,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSolidRendering)
+BARYCAGE_TEST(TestSolidRendering);
 #include "solid_rendering_test.moc"

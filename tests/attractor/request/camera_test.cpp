@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/camera.h"
 
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -174,5 +175,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCamera)
+BARYCAGE_TEST(TestCamera);
 #include "camera_test.moc"

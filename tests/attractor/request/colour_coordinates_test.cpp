@@ -4,6 +4,7 @@
 #include "attractor/cut/address_cut.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -163,5 +164,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestColourCoordinates)
+BARYCAGE_TEST(TestColourCoordinates);
 #include "colour_coordinates_test.moc"

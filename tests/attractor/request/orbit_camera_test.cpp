@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/orbit_camera.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -195,5 +196,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrbitCamera)
+BARYCAGE_TEST(TestOrbitCamera);
 #include "orbit_camera_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/orbit_navigation.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -186,5 +187,5 @@ void OrbitNavigationTest::aRayMeetsWhatIsSeenThere() {
         }
 }
 
-QTEST_GUILESS_MAIN(OrbitNavigationTest)
+BARYCAGE_TEST(OrbitNavigationTest, QCoreApplication);
 #include "orbit_navigation_test.moc"

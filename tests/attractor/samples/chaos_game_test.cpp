@@ -3,6 +3,7 @@
 
 #include "attractor/kernels/kernels.h"
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -178,5 +179,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestChaosGame)
+BARYCAGE_TEST(TestChaosGame);
 #include "chaos_game_test.moc"

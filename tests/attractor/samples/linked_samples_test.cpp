@@ -10,6 +10,7 @@
 #include "attractor/systems.h"
 #include "ifs/links/linked_measure.h"
 #include "ifs/links/linked_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -248,5 +249,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLinkedSamples)
+BARYCAGE_TEST(TestLinkedSamples);
 #include "linked_samples_test.moc"

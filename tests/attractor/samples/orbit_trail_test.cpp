@@ -2,6 +2,7 @@
 #include "attractor/samples/orbit_trail.h"
 
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -63,5 +64,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrbitTrail)
+BARYCAGE_TEST(TestOrbitTrail);
 #include "orbit_trail_test.moc"

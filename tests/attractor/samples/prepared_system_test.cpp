@@ -3,6 +3,7 @@
 #include "attractor/systems.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/support_function.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -80,5 +81,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PreparedSystemTest)
+BARYCAGE_TEST(PreparedSystemTest);
 #include "prepared_system_test.moc"

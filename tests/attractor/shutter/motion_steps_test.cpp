@@ -2,6 +2,7 @@
 #include "attractor/shutter/motion_steps.h"
 
 #include "attractor/systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -79,5 +80,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MotionStepsTest)
+BARYCAGE_TEST(MotionStepsTest);
 #include "motion_steps_test.moc"

@@ -5,6 +5,7 @@
 #include "attractor/solid/depth_range.h"
 #include "attractor/solid/space_view.h"
 #include "attractor/space_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -203,5 +204,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BendTreeTest)
+BARYCAGE_TEST(BendTreeTest);
 #include "bend_tree_test.moc"

@@ -4,6 +4,7 @@
 #include "attractor/solid/space_view.h"
 #include "attractor/space_systems.h"
 #include "ifs/cage/cage_surface.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -254,5 +255,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BentSolidTest)
+BARYCAGE_TEST(BentSolidTest);
 #include "bent_solid_test.moc"

@@ -3,6 +3,7 @@
 #include "attractor/solid/covers.h"
 #include "attractor/solid/facing_cover.h"
 #include "attractor/space_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -165,5 +166,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCovers)
+BARYCAGE_TEST(TestCovers);
 #include "covers_test.moc"

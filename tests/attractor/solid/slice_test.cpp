@@ -5,6 +5,7 @@
 #include "attractor/samples/chaos_game.h"
 #include "attractor/solid/space_view.h"
 #include "attractor/space_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -292,5 +293,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SliceTest)
+BARYCAGE_TEST(SliceTest);
 #include "slice_test.moc"

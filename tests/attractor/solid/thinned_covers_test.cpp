@@ -3,6 +3,7 @@
 #include "attractor/render/solid_rendering.h"
 #include "attractor/solid/thinned_covers.h"
 #include "attractor/space_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -147,5 +148,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestThinnedCovers)
+BARYCAGE_TEST(TestThinnedCovers);
 #include "thinned_covers_test.moc"

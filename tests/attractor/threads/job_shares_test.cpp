@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/threads/job_shares.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -87,5 +88,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestJobShares)
+BARYCAGE_TEST(TestJobShares);
 #include "job_shares_test.moc"

@@ -6,6 +6,7 @@
 #include "attractor/kernels/kernels.h"
 #include "attractor/tops/picture_patterns.h"
 #include "ifs/system/iterated_function_system.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -170,5 +171,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DeferredTheftTest)
+BARYCAGE_TEST(DeferredTheftTest);
 #include "deferred_theft_test.moc"

@@ -4,6 +4,7 @@
 #include "attractor/colour/srgb_transfer.h"
 #include "attractor/kernels/kernels.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -150,5 +151,5 @@ void MipPictureTest::levelsAreHalfTheLogarithm() {
     QCOMPARE(attractor::mipLevel(double(NAN)), none);
 }
 
-QTEST_APPLESS_MAIN(MipPictureTest)
+BARYCAGE_TEST(MipPictureTest);
 #include "mip_picture_test.moc"

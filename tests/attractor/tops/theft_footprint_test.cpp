@@ -3,6 +3,7 @@
 #include "attractor/tops/stolen_picture.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/tops/top_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -162,5 +163,5 @@ void TheftFootprintTest::pixelsAverageWhatTheyCover() {
              qPrintable(QStringLiteral("%1, without %2").arg(found).arg(without)));
 }
 
-QTEST_APPLESS_MAIN(TheftFootprintTest)
+BARYCAGE_TEST(TheftFootprintTest);
 #include "theft_footprint_test.moc"

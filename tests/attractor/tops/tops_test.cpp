@@ -6,6 +6,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/tops/fractal_transformation.h"
 #include "ifs/tops/top_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -451,5 +452,5 @@ void TopsTest::stops() {
     }
 }
 
-QTEST_APPLESS_MAIN(TopsTest)
+BARYCAGE_TEST(TopsTest);
 #include "tops_test.moc"

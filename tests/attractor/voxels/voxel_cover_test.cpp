@@ -2,6 +2,7 @@
 #include "attractor/samples/space_orbit.h"
 #include "attractor/space_systems.h"
 #include "attractor/voxels/voxel_cover.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -128,5 +129,5 @@ void VoxelCoverTest::stops() {
     QVERIFY(cover.outcome == VoxelCover::Outcome::Stopped);
 }
 
-QTEST_GUILESS_MAIN(VoxelCoverTest)
+BARYCAGE_TEST(VoxelCoverTest, QCoreApplication);
 #include "voxel_cover_test.moc"

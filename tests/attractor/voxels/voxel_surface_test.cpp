@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/voxels/voxel_surface.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -168,5 +169,5 @@ void VoxelSurfaceTest::dilationIsThatOfAllNeighbours() {
     }
 }
 
-QTEST_GUILESS_MAIN(VoxelSurfaceTest)
+BARYCAGE_TEST(VoxelSurfaceTest, QCoreApplication);
 #include "voxel_surface_test.moc"

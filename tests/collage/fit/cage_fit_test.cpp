@@ -6,6 +6,7 @@
 #include "collage/random_start.h"
 #include "collage/suggestions.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -165,5 +166,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CageFitTest)
+BARYCAGE_TEST(CageFitTest);
 #include "cage_fit_test.moc"

@@ -6,6 +6,7 @@
 #include "collage/measure/attractor_points.h"
 #include "collage/random_start.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QTest>
@@ -234,5 +235,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CollageFitTest)
+BARYCAGE_TEST(CollageFitTest);
 #include "collage_fit_test.moc"

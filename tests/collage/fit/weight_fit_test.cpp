@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/fit/weight_fit.h"
 #include "collage/measure/transport_bound.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QTest>
@@ -242,5 +243,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WeightFitTest)
+BARYCAGE_TEST(WeightFitTest);
 #include "weight_fit_test.moc"

@@ -3,6 +3,7 @@
 #include "collage/measure/agreement.h"
 #include "collage/random_collages.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QTest>
@@ -229,5 +230,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AgreementTest)
+BARYCAGE_TEST(AgreementTest);
 #include "agreement_test.moc"

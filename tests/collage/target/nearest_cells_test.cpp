@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "collage/target/nearest_cells.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -70,5 +71,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NearestCellsTest)
+BARYCAGE_TEST(NearestCellsTest);
 #include "nearest_cells_test.moc"

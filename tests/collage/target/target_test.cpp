@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "collage/target/target.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QTest>
@@ -80,5 +81,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TargetTest)
+BARYCAGE_TEST(TargetTest);
 #include "target_test.moc"

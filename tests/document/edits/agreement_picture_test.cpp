@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/random_collages.h"
 #include "document/edits/agreement_picture.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -62,5 +63,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AgreementPictureTest)
+BARYCAGE_TEST(AgreementPictureTest);
 #include "agreement_picture_test.moc"

@@ -4,6 +4,7 @@
 #include "document/animated_fractal.h"
 #include "document/edits/motion_edits.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -260,5 +261,5 @@ void AnimationEditsTest::everyEditIsValid() {
     QVERIFY(animation::isValid(*plane(withoutKeys(animated(), keys))->animation));
 }
 
-QTEST_APPLESS_MAIN(AnimationEditsTest)
+BARYCAGE_TEST(AnimationEditsTest);
 #include "animation_edits_test.moc"

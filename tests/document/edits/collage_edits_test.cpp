@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/measure/agreement.h"
 #include "document/edits/collage_edits.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -75,5 +76,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CollageEditsTest)
+BARYCAGE_TEST(CollageEditsTest);
 #include "collage_edits_test.moc"

@@ -2,6 +2,7 @@
 #include "document/edits/dimension_edits.h"
 #include "document/space_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -163,5 +164,5 @@ void DimensionEditsTest::theCageIsBakedFirst() {
     QVERIFY(document::flattenObstacle(fractal, {0, 0, 1}).contains(u"cage"));
 }
 
-QTEST_GUILESS_MAIN(DimensionEditsTest)
+BARYCAGE_TEST(DimensionEditsTest, QCoreApplication);
 #include "dimension_edits_test.moc"

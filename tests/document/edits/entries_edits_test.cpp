@@ -2,6 +2,7 @@
 #include "document/edits/entries_edits.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -273,5 +274,5 @@ void EntriesEditsTest::savedFilesReadBack() {
     }
 }
 
-QTEST_APPLESS_MAIN(EntriesEditsTest)
+BARYCAGE_TEST(EntriesEditsTest);
 #include "entries_edits_test.moc"

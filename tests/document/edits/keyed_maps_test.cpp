@@ -9,6 +9,7 @@
 #include "document/edits/motion_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -156,5 +157,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(KeyedMapsTest)
+BARYCAGE_TEST(KeyedMapsTest, QGuiApplication);
 #include "keyed_maps_test.moc"

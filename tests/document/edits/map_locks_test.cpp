@@ -8,6 +8,7 @@
 #include "document/edits/symmetry_edits.h"
 #include "document/map_handles.h"
 #include "document/map_names.h"
+#include "support/named_test.h"
 
 #include <QTest>
 #include <QUndoStack>
@@ -145,5 +146,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MapLocksTest)
+BARYCAGE_TEST(MapLocksTest, QCoreApplication);
 #include "map_locks_test.moc"

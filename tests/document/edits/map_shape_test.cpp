@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/map_shape.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -139,5 +140,5 @@ void MapShapeTest::changesInSpaceKeepWhatTheyDoNotConcern() {
     }
 }
 
-QTEST_MAIN(MapShapeTest)
+BARYCAGE_TEST(MapShapeTest, QGuiApplication);
 #include "map_shape_test.moc"

@@ -2,6 +2,7 @@
 #include "document/edits/maps_arrange.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
+#include "support/named_test.h"
 
 #include <QTest>
 #include <QUndoStack>
@@ -141,5 +142,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MapsArrangeTest)
+BARYCAGE_TEST(MapsArrangeTest, QCoreApplication);
 #include "maps_arrange_test.moc"

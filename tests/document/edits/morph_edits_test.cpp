@@ -5,6 +5,7 @@
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 #include "ifs/dimension/moments.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -174,5 +175,5 @@ void MorphEditsTest::whatCannotBeIsSaid() {
     QVERIFY(!flaw(maple(), fractalOf(many)));
 }
 
-QTEST_APPLESS_MAIN(MorphEditsTest)
+BARYCAGE_TEST(MorphEditsTest);
 #include "morph_edits_test.moc"

@@ -7,6 +7,7 @@
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -240,5 +241,5 @@ void MotionEditsTest::whatTakesLongCanBeStopped() {
     QVERIFY(!withTurn(grid, stop.get_token()) && !withBreathing(grid, stop.get_token()));
 }
 
-QTEST_APPLESS_MAIN(MotionEditsTest)
+BARYCAGE_TEST(MotionEditsTest);
 #include "motion_edits_test.moc"

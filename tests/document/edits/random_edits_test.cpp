@@ -18,6 +18,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "support/complaints.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDirIterator>
@@ -462,5 +463,5 @@ void RandomEditsTest::save() {
     m_document->setFile(io::readFractint(bytes, QStringLiteral("bare")));
 }
 
-QTEST_MAIN(RandomEditsTest)
+BARYCAGE_TEST(RandomEditsTest, QGuiApplication);
 #include "random_edits_test.moc"

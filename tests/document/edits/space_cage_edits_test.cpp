@@ -4,6 +4,7 @@
 #include "document/edits/cage_edits.h"
 #include "document/edits/space_cage_edits.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -186,5 +187,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SpaceCageEditsTest)
+BARYCAGE_TEST(SpaceCageEditsTest, QCoreApplication);
 #include "space_cage_edits_test.moc"

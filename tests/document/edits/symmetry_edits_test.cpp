@@ -9,6 +9,7 @@
 #include "document/edits/entries_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -197,5 +198,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SymmetryEditsTest)
+BARYCAGE_TEST(SymmetryEditsTest);
 #include "symmetry_edits_test.moc"

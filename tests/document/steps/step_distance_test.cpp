@@ -3,6 +3,7 @@
 
 #include "document/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -96,5 +97,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StepDistanceTest)
+BARYCAGE_TEST(StepDistanceTest, QCoreApplication);
 #include "step_distance_test.moc"

@@ -2,6 +2,7 @@
 #include "document/steps/step_picture.h"
 
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -125,5 +126,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(StepPictureTest)
+BARYCAGE_TEST(StepPictureTest, QGuiApplication);
 #include "step_picture_test.moc"

@@ -3,6 +3,7 @@
 
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -99,5 +100,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(KeptTheftTest)
+BARYCAGE_TEST(KeptTheftTest, QCoreApplication);
 #include "kept_theft_test.moc"

@@ -5,6 +5,7 @@
 #include "attractor/tops/picture_patterns.h"
 #include "ifs/tops/families.h"
 #include "ifs/tops/top_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -153,5 +154,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LaidPictureTest)
+BARYCAGE_TEST(LaidPictureTest);
 #include "laid_picture_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/tops/map_faces.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -59,5 +60,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MapFacesTest)
+BARYCAGE_TEST(MapFacesTest);
 #include "map_faces_test.moc"

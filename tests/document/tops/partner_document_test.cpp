@@ -9,6 +9,7 @@
 #include "document/tops/theft_starters.h"
 #include "document/tops/theft_thread.h"
 #include "ifs/dimension/moments.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -323,5 +324,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PartnerDocumentTest)
+BARYCAGE_TEST(PartnerDocumentTest, QCoreApplication);
 #include "partner_document_test.moc"

@@ -3,6 +3,7 @@
 
 #include "document/tops/kept_theft.h"
 #include "document/tops/theft_starters.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -73,5 +74,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(PartnerNamesTest)
+BARYCAGE_TEST(PartnerNamesTest, QCoreApplication);
 #include "partner_names_test.moc"

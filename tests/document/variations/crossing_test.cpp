@@ -5,6 +5,7 @@
 #include "document/variations/random_systems.h"
 #include "document/variations/variations.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -184,5 +185,5 @@ void CrossingTest::symmetryComesFromEither() {
     QVERIFY(symmetric > 10 && symmetric < 30);
 }
 
-QTEST_APPLESS_MAIN(CrossingTest)
+BARYCAGE_TEST(CrossingTest);
 #include "crossing_test.moc"

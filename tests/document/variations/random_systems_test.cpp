@@ -2,6 +2,7 @@
 #include "document/fractal_geometry.h"
 #include "document/variations/filling.h"
 #include "document/variations/random_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -144,5 +145,5 @@ void RandomSystemsTest::pointsInSpaceDoNotFillAView() {
     QVERIFY(document::filling(fractal).aspect > 0.999);
 }
 
-QTEST_APPLESS_MAIN(RandomSystemsTest)
+BARYCAGE_TEST(RandomSystemsTest);
 #include "random_systems_test.moc"

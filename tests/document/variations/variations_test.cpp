@@ -3,6 +3,7 @@
 
 #include "document/edits/dimension_edits.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -228,5 +229,5 @@ void VariationsTest::nothingToVary() {
     QVERIFY(!document::variationObstacle(empty).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(VariationsTest)
+BARYCAGE_TEST(VariationsTest, QCoreApplication);
 #include "variations_test.moc"

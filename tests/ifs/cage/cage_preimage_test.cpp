@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/cage_preimage.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -61,5 +62,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CagePreimageTest)
+BARYCAGE_TEST(CagePreimageTest);
 #include "cage_preimage_test.moc"

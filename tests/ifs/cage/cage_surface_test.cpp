@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/cage_surface.h"
+#include "support/named_test.h"
 
 #include <Eigen/Geometry>
 #include <QtTest>
@@ -162,5 +163,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CageSurfaceTest)
+BARYCAGE_TEST(CageSurfaceTest);
 #include "cage_surface_test.moc"

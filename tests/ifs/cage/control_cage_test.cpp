@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/control_cage.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -297,5 +298,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ControlCageTest)
+BARYCAGE_TEST(ControlCageTest);
 #include "control_cage_test.moc"

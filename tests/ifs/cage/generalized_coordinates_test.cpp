@@ -4,6 +4,7 @@
 #include "ifs/cage/mean_value_coordinates.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/system/barycentric.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -365,5 +366,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GeneralizedCoordinatesTest)
+BARYCAGE_TEST(GeneralizedCoordinatesTest);
 #include "generalized_coordinates_test.moc"

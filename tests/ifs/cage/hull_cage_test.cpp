@@ -3,6 +3,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/extent.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -179,5 +180,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HullCageTest)
+BARYCAGE_TEST(HullCageTest);
 #include "hull_cage_test.moc"

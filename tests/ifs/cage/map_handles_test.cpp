@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/cage/map_handles.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -155,5 +156,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MapHandlesTest)
+BARYCAGE_TEST(MapHandlesTest);
 #include "map_handles_test.moc"

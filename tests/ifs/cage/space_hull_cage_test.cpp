@@ -2,6 +2,7 @@
 #include "ifs/cage/space_hull_cage.h"
 
 #include "ifs/cage/cage_surface.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -83,5 +84,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SpaceHullCageTest)
+BARYCAGE_TEST(SpaceHullCageTest);
 #include "space_hull_cage_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_distance.h"
 #include "ifs/copies/pictured_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -80,5 +81,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CopyDistanceTest)
+BARYCAGE_TEST(CopyDistanceTest);
 #include "copy_distance_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_error.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -105,5 +106,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CopyErrorTest)
+BARYCAGE_TEST(CopyErrorTest);
 #include "copy_error_test.moc"

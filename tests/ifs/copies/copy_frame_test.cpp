@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_frame.h"
 #include "ifs/copies/pictured_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -77,5 +78,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CopyFrameTest)
+BARYCAGE_TEST(CopyFrameTest);
 #include "copy_frame_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_hierarchy.h"
 #include "ifs/copies/pictured_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -225,5 +226,5 @@ void CopyHierarchyTest::noAttractorNoCopies() {
     QVERIFY(!CopyHierarchy::of({}, {}));
 }
 
-QTEST_APPLESS_MAIN(CopyHierarchyTest)
+BARYCAGE_TEST(CopyHierarchyTest);
 #include "copy_hierarchy_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_merging.h"
 #include "ifs/copies/pictured_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -168,5 +169,5 @@ void CopyMergingTest::whatIsWrittenIsBounded() {
     }
 }
 
-QTEST_APPLESS_MAIN(CopyMergingTest)
+BARYCAGE_TEST(CopyMergingTest);
 #include "copy_merging_test.moc"

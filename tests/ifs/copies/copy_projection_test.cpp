@@ -2,6 +2,7 @@
 #include "ifs/copies/copy.h"
 #include "ifs/copies/copy_projection.h"
 #include "ifs/copies/pictured_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CopyProjectionTest)
+BARYCAGE_TEST(CopyProjectionTest);
 #include "copy_projection_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/copies/copy.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -48,5 +49,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CopyTest)
+BARYCAGE_TEST(CopyTest);
 #include "copy_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/copies/copy_words.h"
 #include "ifs/copies/pictured_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -88,5 +89,5 @@ private slots:
     void largePicturesAreNotWritten() { QVERIFY(!written(sierpinskiRight())); }
 };
 
-QTEST_APPLESS_MAIN(CopyWordsTest)
+BARYCAGE_TEST(CopyWordsTest);
 #include "copy_words_test.moc"

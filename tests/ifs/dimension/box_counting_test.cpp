@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/box_counting.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -161,5 +162,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BoxCountingTest)
+BARYCAGE_TEST(BoxCountingTest);
 #include "box_counting_test.moc"

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/common_eigendirections.h"
 #include "ifs/dimension/dimension.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -266,5 +267,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DimensionTest)
+BARYCAGE_TEST(DimensionTest);
 #include "dimension_test.moc"

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/measure.h"
 #include "ifs/existence/attractor_existence.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -62,5 +63,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MeasureTest)
+BARYCAGE_TEST(MeasureTest);
 #include "measure_test.moc"

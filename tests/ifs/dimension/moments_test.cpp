@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/dimension/moments.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -184,5 +185,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MomentsTest)
+BARYCAGE_TEST(MomentsTest);
 #include "moments_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/existence/attractor_existence.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -199,5 +200,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AdversarialExistenceTest)
+BARYCAGE_TEST(AdversarialExistenceTest);
 #include "adversarial_existence_test.moc"

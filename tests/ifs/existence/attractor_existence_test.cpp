@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/existence/expansion.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -292,5 +293,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AttractorExistenceTest)
+BARYCAGE_TEST(AttractorExistenceTest);
 #include "attractor_existence_test.moc"

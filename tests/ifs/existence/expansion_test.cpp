@@ -3,6 +3,7 @@
 #include "ifs/existence/dyadic.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/polytope_norm.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -78,5 +79,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExpansionTest)
+BARYCAGE_TEST(ExpansionTest);
 #include "expansion_test.moc"

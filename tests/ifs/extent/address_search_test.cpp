@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/address_search.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -142,5 +143,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AddressSearchTest)
+BARYCAGE_TEST(AddressSearchTest);
 #include "address_search_test.moc"

@@ -3,6 +3,7 @@
 #include "ifs/deadline.h"
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/convex_hull_3d.h"
+#include "support/named_test.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -205,5 +206,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ConvexHull3dTest)
+BARYCAGE_TEST(ConvexHull3dTest);
 #include "convex_hull_3d_test.moc"

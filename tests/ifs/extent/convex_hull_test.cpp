@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/extent.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -254,5 +255,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ConvexHullTest)
+BARYCAGE_TEST(ConvexHullTest);
 #include "convex_hull_test.moc"

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/extent.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -210,5 +211,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExtentTest)
+BARYCAGE_TEST(ExtentTest);
 #include "extent_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/extreme_points.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -146,5 +147,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExtremePointsTest)
+BARYCAGE_TEST(ExtremePointsTest);
 #include "extreme_points_test.moc"

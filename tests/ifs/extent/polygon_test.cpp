@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/polygon.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -127,5 +128,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PolygonTest)
+BARYCAGE_TEST(PolygonTest);
 #include "polygon_test.moc"

@@ -6,6 +6,7 @@
 #include "ifs/extent/polygon.h"
 #include "ifs/separation/piece_contacts.h"
 #include "ifs/system/barycentric.h"
+#include "support/named_test.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -213,5 +214,5 @@ private:
     static SupportFunction<2> supportOf2(const Maps2& maps) { return *SupportFunction<2>::of(maps); }
 };
 
-QTEST_APPLESS_MAIN(ShearedExtentTest)
+BARYCAGE_TEST(ShearedExtentTest);
 #include "sheared_extent_test.moc"

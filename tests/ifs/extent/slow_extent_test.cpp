@@ -4,6 +4,7 @@
 #include "ifs/extent/convex_hull_3d.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/polygon.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -122,5 +123,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SlowExtentTest)
+BARYCAGE_TEST(SlowExtentTest);
 #include "slow_extent_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/support_function.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -267,5 +268,5 @@ private slots:
     void badSystems3() { badSystems<3>(); }
 };
 
-QTEST_APPLESS_MAIN(SupportFunctionTest)
+BARYCAGE_TEST(SupportFunctionTest);
 #include "support_function_test.moc"

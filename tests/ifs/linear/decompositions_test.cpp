@@ -4,6 +4,7 @@
 #include "ifs/linear/inverse.h"
 #include "ifs/linear/singular_vectors.h"
 #include "ifs/linear/space_columns.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -129,5 +130,5 @@ void DecompositionsTest::columnsComeNearest() {
     QVERIFY(ifs::leastSquares(columns, {3, 2, 9}).isApprox(Eigen::Vector2d(1, 2), 1e-14));
 }
 
-QTEST_APPLESS_MAIN(DecompositionsTest)
+BARYCAGE_TEST(DecompositionsTest);
 #include "decompositions_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/linear/symmetric_matrices.h"
+#include "support/named_test.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -90,5 +91,5 @@ void SymmetricMatricesTest::factorOfADefiniteMatrix() {
     QVERIFY(!ifs::choleskyFactor<2>((Eigen::Matrix2d() << 1, 2, 2, 1).finished()));
 }
 
-QTEST_APPLESS_MAIN(SymmetricMatricesTest)
+BARYCAGE_TEST(SymmetricMatricesTest);
 #include "symmetric_matrices_test.moc"

@@ -7,6 +7,7 @@
 #include "ifs/links/linked_extent.h"
 #include "ifs/links/linked_measure.h"
 #include "ifs/links/linked_systems.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -276,5 +277,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(LinksTest)
+BARYCAGE_TEST(LinksTest);
 #include "links_test.moc"

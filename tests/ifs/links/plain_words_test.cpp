@@ -4,6 +4,7 @@
 #include "ifs/dimension/dimension.h"
 #include "ifs/extent/extent.h"
 #include "ifs/links/linked_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -92,5 +93,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlainWordsTest)
+BARYCAGE_TEST(PlainWordsTest);
 #include "plain_words_test.moc"

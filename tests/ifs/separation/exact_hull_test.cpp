@@ -3,6 +3,7 @@
 
 #include "ifs/canonical_systems.h"
 #include "ifs/facts.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -89,5 +90,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExactHull)
+BARYCAGE_TEST(TestExactHull);
 #include "exact_hull_test.moc"

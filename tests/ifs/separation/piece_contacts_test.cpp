@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/separation/piece_contacts.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -148,5 +149,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PieceContactsTest)
+BARYCAGE_TEST(PieceContactsTest);
 #include "piece_contacts_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/system/affine_map.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <Eigen/Eigenvalues>
@@ -149,5 +150,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AffineMapTest)
+BARYCAGE_TEST(AffineMapTest);
 #include "affine_map_test.moc"

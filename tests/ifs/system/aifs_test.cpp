@@ -3,6 +3,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/extent.h"
 #include "ifs/system/aifs.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -122,5 +123,5 @@ private slots:
     void spaceProperties() { properties<3>(); }
 };
 
-QTEST_APPLESS_MAIN(AifsTest)
+BARYCAGE_TEST(AifsTest);
 #include "aifs_test.moc"

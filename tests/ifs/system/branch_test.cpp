@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/support_function.h"
 #include "ifs/system/branch.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -196,5 +197,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BranchTest)
+BARYCAGE_TEST(BranchTest);
 #include "branch_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/system/decomposition.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <Eigen/LU>
@@ -145,5 +146,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DecompositionTest)
+BARYCAGE_TEST(DecompositionTest);
 #include "decomposition_test.moc"

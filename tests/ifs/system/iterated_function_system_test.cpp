@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/system/iterated_function_system.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -181,5 +182,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(IteratedFunctionSystemTest)
+BARYCAGE_TEST(IteratedFunctionSystemTest);
 #include "iterated_function_system_test.moc"

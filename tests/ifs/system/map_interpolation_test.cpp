@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 #include "ifs/system/map_interpolation.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -85,5 +86,5 @@ private slots:
     void spaceProperties() { properties<3>(); }
 };
 
-QTEST_APPLESS_MAIN(MapInterpolationTest)
+BARYCAGE_TEST(MapInterpolationTest);
 #include "map_interpolation_test.moc"

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/support_function.h"
 #include "ifs/system/recurring_branch.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -123,5 +124,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RecurringBranchTest)
+BARYCAGE_TEST(RecurringBranchTest);
 #include "recurring_branch_test.moc"

@@ -3,6 +3,7 @@
 #include "ifs/extent/support_function.h"
 #include "ifs/system/iterated_function_system.h"
 #include "ifs/system/symmetry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -257,5 +258,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SymmetryTest)
+BARYCAGE_TEST(SymmetryTest);
 #include "symmetry_test.moc"

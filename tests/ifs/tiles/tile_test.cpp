@@ -3,6 +3,7 @@
 
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/support_function.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QtTest>
@@ -121,5 +122,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTile)
+BARYCAGE_TEST(TestTile);
 #include "tile_test.moc"

@@ -2,6 +2,7 @@
 #include "ifs/tops/families.h"
 
 #include "ifs/tops/fractal_transformation.h"
+#include "support/named_test.h"
 #include "top_systems.h"
 
 #include <QTest>
@@ -59,5 +60,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FamiliesTest)
+BARYCAGE_TEST(FamiliesTest);
 #include "families_test.moc"

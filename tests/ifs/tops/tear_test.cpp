@@ -4,6 +4,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/tops/fractal_transformation.h"
 #include "ifs/tops/top_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -158,5 +159,5 @@ void TearTest::homeomorphisms() {
     QCOMPARE(int(ifs::homeomorphism(attractorOf(to), attractorOf(from))), expected);
 }
 
-QTEST_APPLESS_MAIN(TearTest)
+BARYCAGE_TEST(TearTest);
 #include "tear_test.moc"

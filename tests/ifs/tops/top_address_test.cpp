@@ -3,6 +3,7 @@
 
 #include "ifs/canonical_systems.h"
 #include "ifs/tops/top_systems.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QTest>
@@ -306,5 +307,5 @@ void TopAddressTest::degenerateSystems() {
     QVERIFY(near(imageOf(transformation(many, many), {1, 0}), Vector<2>(1, 0), 1e-9));
 }
 
-QTEST_APPLESS_MAIN(TopAddressTest)
+BARYCAGE_TEST(TopAddressTest);
 #include "top_address_test.moc"

@@ -4,6 +4,7 @@
 #include "animation/motion_presets.h"
 #include "document/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -108,5 +109,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrameDrawingTest)
+BARYCAGE_TEST(FrameDrawingTest);
 #include "frame_drawing_test.moc"

@@ -2,6 +2,7 @@
 #include "document/fractal_geometry.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -135,5 +136,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FlameBlendTest)
+BARYCAGE_TEST(FlameBlendTest);
 #include "flame_blend_test.moc"

@@ -5,6 +5,7 @@
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
 #include "io/picture/png_export.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QImage>
@@ -591,5 +592,5 @@ void FlameTest::survivesDamage() {
     }
 }
 
-QTEST_APPLESS_MAIN(FlameTest)
+BARYCAGE_TEST(FlameTest);
 #include "flame_test.moc"

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "io/collection_reader.h"
 #include "io/exchange/aifs.h"
+#include "support/named_test.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -234,5 +235,5 @@ void IfstileTest::namesWhatItDoesNotRead() {
     QCOMPARE(document::system2(*read.file.entries[1].fractal)->maps.size(), std::size_t(1));
 }
 
-QTEST_APPLESS_MAIN(IfstileTest)
+BARYCAGE_TEST(IfstileTest);
 #include "ifstile_test.moc"

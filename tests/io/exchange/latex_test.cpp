@@ -3,6 +3,7 @@
 #include "ifs/canonical_systems.h"
 #include "io/exchange/latex.h"
 #include "io/exchange/text_formats.h"
+#include "support/named_test.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -150,5 +151,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LatexTest)
+BARYCAGE_TEST(LatexTest, QCoreApplication);
 #include "latex_test.moc"

@@ -6,6 +6,7 @@
 #include "io/exchange/text_formats.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/metadata_comments.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -164,5 +165,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LinkedFilesTest)
+BARYCAGE_TEST(LinkedFilesTest, QCoreApplication);
 #include "linked_files_test.moc"

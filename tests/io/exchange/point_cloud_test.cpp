@@ -2,6 +2,7 @@
 #include "document/fractal_geometry.h"
 #include "io/exchange/point_cloud.h"
 #include "io/text/number.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -163,5 +164,5 @@ void PointCloudTest::stopsWithoutAFile() {
     QVERIFY(!QFile::exists(path));
 }
 
-QTEST_APPLESS_MAIN(PointCloudTest)
+BARYCAGE_TEST(PointCloudTest);
 #include "point_cloud_test.moc"

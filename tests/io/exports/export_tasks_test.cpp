@@ -5,6 +5,7 @@
 #include "document/fractal_geometry.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QDir>
@@ -405,5 +406,5 @@ void ExportTasksTest::whatIsNoTaskIsSkipped() {
     QVERIFY(TaskFolder(folder).takeOver().skipped.isEmpty()); // it is said once
 }
 
-QTEST_GUILESS_MAIN(ExportTasksTest)
+BARYCAGE_TEST(ExportTasksTest, QCoreApplication);
 #include "export_tasks_test.moc"

@@ -4,6 +4,7 @@
 #include "document/background_threads.h"
 #include "document/regular_file.h"
 #include "io/file/save_file.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QImage>
@@ -117,5 +118,5 @@ private:
     int m_hanging = 0;
 };
 
-QTEST_GUILESS_MAIN(BackgroundTest)
+BARYCAGE_TEST(BackgroundTest, QCoreApplication);
 #include "background_test.moc"

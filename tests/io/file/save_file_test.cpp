@@ -15,6 +15,7 @@
 
 #ifdef Q_OS_UNIX
 #include "support/file_size_limit.h"
+#include "support/named_test.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -503,5 +504,5 @@ private:
     QString m_path;
 };
 
-QTEST_APPLESS_MAIN(SaveFileTest)
+BARYCAGE_TEST(SaveFileTest);
 #include "save_file_test.moc"

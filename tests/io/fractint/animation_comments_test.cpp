@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -367,5 +368,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AnimationCommentsTest)
+BARYCAGE_TEST(AnimationCommentsTest);
 #include "animation_comments_test.moc"

@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -125,5 +126,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BlendCommentsTest)
+BARYCAGE_TEST(BlendCommentsTest);
 #include "blend_comments_test.moc"

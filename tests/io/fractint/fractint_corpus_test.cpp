@@ -2,6 +2,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "support/fractint_bytes.h"
+#include "support/named_test.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -168,5 +169,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(FractintCorpusTest)
+BARYCAGE_TEST(FractintCorpusTest);
 #include "fractint_corpus_test.moc"

@@ -2,6 +2,7 @@
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_edit.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -266,5 +267,5 @@ void FractintEditTest::longRowsAreWrittenOnTwoLines() {
     readsAs(text, fractal);
 }
 
-QTEST_APPLESS_MAIN(FractintEditTest)
+BARYCAGE_TEST(FractintEditTest);
 #include "fractint_edit_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_entry.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -194,5 +195,5 @@ void FractintEntryTest::textIsDecoded() {
     QCOMPARE(entryOf("\xe9t\xe9 {\n}").fractal.name, QStringLiteral("été"));
 }
 
-QTEST_APPLESS_MAIN(FractintEntryTest)
+BARYCAGE_TEST(FractintEntryTest);
 #include "fractint_entry_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_numbers.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -138,5 +139,5 @@ void FractintNumbersTest::shapes() {
     QCOMPARE(shape.isLineLengthOdd, remark == "lines");
 }
 
-QTEST_APPLESS_MAIN(FractintNumbersTest)
+BARYCAGE_TEST(FractintNumbersTest);
 #include "fractint_numbers_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_reader.h"
 #include "support/fractint_bytes.h"
+#include "support/named_test.h"
 
 #include <QRandomGenerator>
 #include <QtTest>
@@ -415,5 +416,5 @@ void FractintReaderTest::randomBytesNeverLoseAnything() {
     }
 }
 
-QTEST_APPLESS_MAIN(FractintReaderTest)
+BARYCAGE_TEST(FractintReaderTest);
 #include "fractint_reader_test.moc"

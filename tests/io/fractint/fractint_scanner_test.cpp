@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_scanner.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -206,5 +207,5 @@ void FractintScannerTest::blocksAreInOrderAndInside() {
     }
 }
 
-QTEST_APPLESS_MAIN(FractintScannerTest)
+BARYCAGE_TEST(FractintScannerTest);
 #include "fractint_scanner_test.moc"

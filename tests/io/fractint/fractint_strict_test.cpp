@@ -2,6 +2,7 @@
 #include "io/fractint/fractint_strict.h"
 
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -156,5 +157,5 @@ void FractintStrictTest::keepsEveryMapThatTakesPart() {
         QVERIFY(float(*map.weight) > 0);
 }
 
-QTEST_APPLESS_MAIN(FractintStrictTest)
+BARYCAGE_TEST(FractintStrictTest);
 #include "fractint_strict_test.moc"

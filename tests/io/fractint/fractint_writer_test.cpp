@@ -7,6 +7,7 @@
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
 #include "support/fractint_bytes.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QDir>
@@ -591,5 +592,5 @@ void FractintWriterTest::aShorterTextIsStillACollection() {
     QCOMPARE(io::readFractint(after).entries.size(), 2);
 }
 
-QTEST_APPLESS_MAIN(FractintWriterTest)
+BARYCAGE_TEST(FractintWriterTest);
 #include "fractint_writer_test.moc"

@@ -4,6 +4,7 @@
 #include "io/picture/svg_writer.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
+#include "support/named_test.h"
 
 #include <QJsonDocument>
 #include <QPointF>
@@ -214,5 +215,5 @@ void HostileNumbersTest::views() {
     survive(document::sierpinskiTriangle(), camera);
 }
 
-QTEST_GUILESS_MAIN(HostileNumbersTest)
+BARYCAGE_TEST(HostileNumbersTest, QCoreApplication);
 #include "hostile_numbers_test.moc"

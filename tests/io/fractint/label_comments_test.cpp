@@ -7,6 +7,7 @@
 #include "io/fractint/fractint_strict.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -185,5 +186,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LabelCommentsTest)
+BARYCAGE_TEST(LabelCommentsTest, QCoreApplication);
 #include "label_comments_test.moc"

@@ -2,6 +2,7 @@
 #include "document/recurring_branches.h"
 #include "io/fractint/metadata_comments.h"
 #include "io/text/number.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -514,5 +515,5 @@ void MetadataCommentsTest::storedFormKeepsWhatCanBeStored() {
     QVERIFY(io::asStored(stored) == stored);
 }
 
-QTEST_APPLESS_MAIN(MetadataCommentsTest)
+BARYCAGE_TEST(MetadataCommentsTest);
 #include "metadata_comments_test.moc"

@@ -8,6 +8,7 @@
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/symmetry_comments.h"
 #include "io/text/symmetry_text.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -172,5 +173,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SymmetryCommentsTest)
+BARYCAGE_TEST(SymmetryCommentsTest);
 #include "symmetry_comments_test.moc"

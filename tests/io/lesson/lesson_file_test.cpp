@@ -2,6 +2,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/lesson/lesson_reader.h"
 #include "io/lesson/lesson_writer.h"
+#include "support/named_test.h"
 
 #include <QDirIterator>
 #include <QElapsedTimer>
@@ -296,5 +297,5 @@ void LessonFileTest::ourLessonsAreWhole() {
     QVERIFY(lessons >= 2);
 }
 
-QTEST_GUILESS_MAIN(LessonFileTest)
+BARYCAGE_TEST(LessonFileTest, QCoreApplication);
 #include "lesson_file_test.moc"

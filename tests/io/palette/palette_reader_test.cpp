@@ -4,6 +4,7 @@
 #include "attractor/colour/srgb_transfer.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 
 #include <QElapsedTimer>
 #include <QRandomGenerator>
@@ -278,5 +279,5 @@ void PaletteReaderTest::aPaletteTravelsWithItsEntry() {
     QVERIFY(file.entries[0].fractal->appearance.palette == fractal.appearance.palette);
 }
 
-QTEST_GUILESS_MAIN(PaletteReaderTest)
+BARYCAGE_TEST(PaletteReaderTest, QCoreApplication);
 #include "palette_reader_test.moc"

@@ -5,6 +5,7 @@
 #include "io/fractint/entry_writer.h"
 #include "io/picture/space_export.h"
 #include "io/picture/svg_system.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -232,5 +233,5 @@ void PicturePageTest::sizeFollowsTheResolution() {
     QVERIFY(drawn(picture).contains("/MediaBox[0 0 40 30]"));
 }
 
-QTEST_GUILESS_MAIN(PicturePageTest)
+BARYCAGE_TEST(PicturePageTest, QCoreApplication);
 #include "picture_page_test.moc"

@@ -2,6 +2,7 @@
 #include "document/fractal_geometry.h"
 #include "io/picture/png_export.h"
 #include "io/picture/png_system.h"
+#include "support/named_test.h"
 
 #include <QColorSpace>
 #include <QFile>
@@ -137,5 +138,5 @@ void PngExportTest::memoryIsThatOfABand() {
     QVERIFY(memoryFor(picture(300, 200)) < 4U << 20);
 }
 
-QTEST_GUILESS_MAIN(PngExportTest)
+BARYCAGE_TEST(PngExportTest, QCoreApplication);
 #include "png_export_test.moc"

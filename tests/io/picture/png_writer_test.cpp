@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/png_system.h"
 #include "io/picture/png_writer.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -258,5 +259,5 @@ void PngWriterTest::sixteenBitsComeBack() {
     }
 }
 
-QTEST_GUILESS_MAIN(PngWriterTest)
+BARYCAGE_TEST(PngWriterTest, QCoreApplication);
 #include "png_writer_test.moc"

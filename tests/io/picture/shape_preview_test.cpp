@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "io/exports/export_recipe.h"
 #include "io/picture/shape_preview.h"
+#include "support/named_test.h"
 
 #include <QProcess>
 #include <QStandardPaths>
@@ -154,5 +155,5 @@ void ShapePreviewTest::endsWhenStopped() {
     QVERIFY(!shapePreview(fractal, cameraFor(fractal, 200, 160), {}, stop.get_token()));
 }
 
-QTEST_MAIN(ShapePreviewTest)
+BARYCAGE_TEST(ShapePreviewTest, QGuiApplication);
 #include "shape_preview_test.moc"

@@ -4,6 +4,7 @@
 #include "io/picture/pdf_writer.h"
 #include "io/picture/png_export.h"
 #include "io/picture/svg_shapes.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QPainter>
@@ -343,5 +344,5 @@ void ShapesTest::unionStopsOnRequest() {
     QVERIFY(io::leafUnion(*levels.levels, 12, source.get_token()).empty());
 }
 
-QTEST_MAIN(ShapesTest)
+BARYCAGE_TEST(ShapesTest, QGuiApplication);
 #include "shapes_test.moc"

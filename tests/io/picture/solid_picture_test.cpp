@@ -4,6 +4,7 @@
 #include "attractor/light/solid_light.h"
 #include "attractor/render/solid_rendering.h"
 #include "attractor/space_systems.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -146,5 +147,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SolidPictureTest)
+BARYCAGE_TEST(SolidPictureTest, QCoreApplication);
 #include "solid_picture_test.moc"

@@ -4,7 +4,9 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/svg_shapes.h"
 #include "io/picture/svg_writer.h"
+#include "support/named_test.h"
 #include "support/paths.h"
+#include "support/thorough.h"
 
 #include <QDir>
 #include <QTest>
@@ -220,8 +222,7 @@ private:
 
 void SvgAccuracyTest::statedAccuracy_data() {
     QTest::addColumn<document::Fractal>("fractal");
-    // A quarter of them; all with BARYCAGE_WHOLE_COLLECTION in the environment.
-    const bool isWhole = qEnvironmentVariableIsSet("BARYCAGE_WHOLE_COLLECTION");
+    // A quarter of them, or all.
     int systems = 0;
     QDir folder(support::sourcePath(QStringLiteral("ifs_library")));
     for (const QString& name : folder.entryList({QStringLiteral("*.ifs")})) {
@@ -229,7 +230,7 @@ void SvgAccuracyTest::statedAccuracy_data() {
         QVERIFY(file.open(QIODevice::ReadOnly));
         for (const auto& entry : readFractint(file.readAll()).entries) {
             if (!entry.fractal || !document::system2(*entry.fractal)) continue;
-            if (++systems % 4 != 0 && !isWhole) continue;
+            if (++systems % 4 != 0 && !support::isThorough()) continue;
             QTest::newRow(qPrintable(name + u' ' + entry.fractal->name)) << *entry.fractal;
         }
     }
@@ -272,5 +273,5 @@ void SvgAccuracyTest::cleanupTestCase() {
           qPrintable(m_refused.join(QStringLiteral(", "))));
 }
 
-QTEST_GUILESS_MAIN(SvgAccuracyTest)
+BARYCAGE_TEST(SvgAccuracyTest, QCoreApplication);
 #include "svg_accuracy_test.moc"

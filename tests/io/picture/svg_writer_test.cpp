@@ -8,6 +8,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/svg_system.h"
 #include "io/picture/svg_writer.h"
+#include "support/named_test.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -586,5 +587,5 @@ void SvgWriterTest::awkwardTextSurvives() {
     QVERIFY(!comments[1].contains(u'\a'));
 }
 
-QTEST_MAIN(SvgWriterTest)
+BARYCAGE_TEST(SvgWriterTest, QGuiApplication);
 #include "svg_writer_test.moc"

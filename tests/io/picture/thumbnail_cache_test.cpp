@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/thumbnail_cache.h"
+#include "support/named_test.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -112,5 +113,5 @@ void ThumbnailCacheTest::onlyTheOwnerMayLookInside() {
     QVERIFY(!again.find(shifted(0), 16).isNull());
 }
 
-QTEST_GUILESS_MAIN(ThumbnailCacheTest)
+BARYCAGE_TEST(ThumbnailCacheTest, QCoreApplication);
 #include "thumbnail_cache_test.moc"

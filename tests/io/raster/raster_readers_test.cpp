@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/picture_decoder.h"
 #include "io/picture/picture_writers.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -420,5 +421,5 @@ void RasterReadersTest::everySuffixHasAReader() {
     }
 }
 
-QTEST_GUILESS_MAIN(RasterReadersTest)
+BARYCAGE_TEST(RasterReadersTest, QCoreApplication);
 #include "raster_readers_test.moc"

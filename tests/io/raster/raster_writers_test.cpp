@@ -3,6 +3,7 @@
 #include "io/collection_reader.h"
 #include "io/picture/picture_writers.h"
 #include "io/raster/raster_system.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -393,5 +394,5 @@ void RasterWritersTest::fullDisksAreSaid() {
     }
 }
 
-QTEST_GUILESS_MAIN(RasterWritersTest)
+BARYCAGE_TEST(RasterWritersTest, QCoreApplication);
 #include "raster_writers_test.moc"

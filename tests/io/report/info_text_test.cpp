@@ -2,6 +2,7 @@
 #include "io/report/figure_error.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
+#include "support/named_test.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -207,5 +208,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(InfoTextTest)
+BARYCAGE_TEST(InfoTextTest);
 #include "info_text_test.moc"

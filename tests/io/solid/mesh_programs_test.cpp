@@ -2,6 +2,7 @@
 #include "attractor/space_systems.h"
 #include "io/solid/openscad.h"
 #include "io/solid/solid_export.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QProcess>
@@ -188,5 +189,5 @@ void MeshProgramsTest::assimpReadsAllOfIt() {
                  qPrintable(*said));
 }
 
-QTEST_GUILESS_MAIN(MeshProgramsTest)
+BARYCAGE_TEST(MeshProgramsTest, QCoreApplication);
 #include "mesh_programs_test.moc"

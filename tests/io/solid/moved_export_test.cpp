@@ -7,6 +7,7 @@
 #include "io/solid/openscad.h"
 #include "io/solid/printable_solid.h"
 #include "io/text/number.h"
+#include "support/named_test.h"
 
 #include <Eigen/Geometry>
 #include <QFile>
@@ -134,5 +135,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MovedExportTest)
+BARYCAGE_TEST(MovedExportTest, QCoreApplication);
 #include "moved_export_test.moc"

@@ -3,6 +3,7 @@
 #include "attractor/space_systems.h"
 #include "io/solid/openscad.h"
 #include "io/solid/solid_export.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QElapsedTimer>
@@ -529,5 +530,5 @@ void SolidExportTest::stopsWithoutAFile() {
     QVERIFY(!QFile::exists(path));
 }
 
-QTEST_GUILESS_MAIN(SolidExportTest)
+BARYCAGE_TEST(SolidExportTest, QCoreApplication);
 #include "solid_export_test.moc"

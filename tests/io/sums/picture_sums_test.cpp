@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/sums/picture_request.h"
 #include "io/sums/picture_sums.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QFile>
@@ -244,5 +245,5 @@ void PictureSumsTest::aDamagedPartIsNamed() {
     QVERIFY(!QFile::exists(path(QStringLiteral("x.png"))));
 }
 
-QTEST_GUILESS_MAIN(PictureSumsTest)
+BARYCAGE_TEST(PictureSumsTest, QCoreApplication);
 #include "picture_sums_test.moc"

@@ -4,6 +4,7 @@
 #include "document/space_geometry.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/sums/picture_request.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 
 #include <QFile>
@@ -271,5 +272,5 @@ void SpaceSumsTest::resumingAddsAPass() {
     QVERIFY(bytes(QStringLiteral("at once.png")) != whole(what));
 }
 
-QTEST_GUILESS_MAIN(SpaceSumsTest)
+BARYCAGE_TEST(SpaceSumsTest, QCoreApplication);
 #include "space_sums_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/sum_file.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QTest>
@@ -157,5 +158,5 @@ void SumFileTest::refusesEveryDamage() {
     QVERIFY(refused(sound + '\0'));
 }
 
-QTEST_GUILESS_MAIN(SumFileTest)
+BARYCAGE_TEST(SumFileTest, QCoreApplication);
 #include "sum_file_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/table_reader.h"
 #include "io/text/number.h"
+#include "support/named_test.h"
 
 #include <QLocale>
 #include <QRandomGenerator>
@@ -288,5 +289,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TableReaderTest)
+BARYCAGE_TEST(TableReaderTest);
 #include "table_reader_test.moc"

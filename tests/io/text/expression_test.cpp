@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/expression.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -97,5 +98,5 @@ void ExpressionTest::theLocaleDoesNotMatter() {
     if (german) std::setlocale(LC_ALL, "C");
 }
 
-QTEST_APPLESS_MAIN(ExpressionTest)
+BARYCAGE_TEST(ExpressionTest);
 #include "expression_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/number.h"
+#include "support/named_test.h"
 
 #include <QLocale>
 #include <QTest>
@@ -173,5 +174,5 @@ void NumberTest::theLocaleChangesNothing() {
     QVERIFY(!comma);
 }
 
-QTEST_APPLESS_MAIN(NumberTest)
+BARYCAGE_TEST(NumberTest);
 #include "number_test.moc"

@@ -3,6 +3,7 @@
 
 #include "io/exchange/flame.h"
 #include "io/picture/svg_system.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -75,5 +76,5 @@ void XmlTextTest::readersAskIt() {
     QVERIFY(svg.failure && svg.failure->contains(QStringLiteral("1000 levels deep")));
 }
 
-QTEST_APPLESS_MAIN(XmlTextTest)
+BARYCAGE_TEST(XmlTextTest);
 #include "xml_text_test.moc"

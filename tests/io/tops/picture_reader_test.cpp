@@ -3,6 +3,7 @@
 
 #include "attractor/colour/srgb_transfer.h"
 #include "io/picture/picture_decoder.h"
+#include "support/named_test.h"
 
 #include <QBuffer>
 #include <QColorSpace>
@@ -185,5 +186,5 @@ void PictureReaderTest::survivesDamage() {
     QVERIFY(failures > whole.size());
 }
 
-QTEST_GUILESS_MAIN(PictureReaderTest)
+BARYCAGE_TEST(PictureReaderTest, QCoreApplication);
 #include "picture_reader_test.moc"

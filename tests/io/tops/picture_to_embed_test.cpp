@@ -3,6 +3,7 @@
 
 #include "document/tops/kept_theft.h"
 #include "io/tops/picture_reader.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QImage>
@@ -82,5 +83,5 @@ void PictureToEmbedTest::saysWhyNot() {
     QVERIFY(wrong.bytes.isEmpty() && wrong.failure);
 }
 
-QTEST_GUILESS_MAIN(PictureToEmbedTest)
+BARYCAGE_TEST(PictureToEmbedTest, QCoreApplication);
 #include "picture_to_embed_test.moc"

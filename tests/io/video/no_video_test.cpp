@@ -2,6 +2,7 @@
 #include "document/edits/motion_edits.h"
 #include "io/animation/animation_export.h"
 #include "io/video/video_writer.h"
+#include "support/named_test.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -63,5 +64,5 @@ void NoVideoTest::picturesNeedNoLibraries() {
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("a.0001.png")});
 }
 
-QTEST_GUILESS_MAIN(NoVideoTest)
+BARYCAGE_TEST(NoVideoTest, QCoreApplication);
 #include "no_video_test.moc"

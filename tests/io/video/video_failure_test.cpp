@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/video_writer.h"
+#include "support/named_test.h"
 #include "support/refusing_kernel.h"
 
 #include <QFile>
@@ -63,5 +64,5 @@ void VideoFailureTest::failedReadsLeaveTheOldFile() {
     QCOMPARE(contents(path) == "old", failure.has_value());
 }
 
-QTEST_GUILESS_MAIN(VideoFailureTest)
+BARYCAGE_TEST(VideoFailureTest, QCoreApplication);
 #include "video_failure_test.moc"

@@ -2,6 +2,7 @@
 #include "io/collection_reader.h"
 #include "io/video/video_system.h"
 #include "io/video/video_writer.h"
+#include "support/named_test.h"
 
 #include <QFile>
 #include <QRandomGenerator>
@@ -160,5 +161,5 @@ void VideoSystemTest::settingsThatNoFormatHasAreRefused() {
     QVERIFY(!io::videoFormat(QStringLiteral("avi")) && io::videoFormat(QStringLiteral("WebM")));
 }
 
-QTEST_GUILESS_MAIN(VideoSystemTest)
+BARYCAGE_TEST(VideoSystemTest, QCoreApplication);
 #include "video_system_test.moc"

@@ -4,6 +4,7 @@
 #include "document/edits/space_cage_edits.h"
 #include "document/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
@@ -230,5 +231,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(WeaveInSpaceTest)
+BARYCAGE_TEST(WeaveInSpaceTest, QApplication);
 #include "weave_in_space_test.moc"

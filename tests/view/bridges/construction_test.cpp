@@ -6,6 +6,7 @@
 #include "bars/start_shape_box.h"
 #include "bridges/render_bridge.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QComboBox>
@@ -292,5 +293,5 @@ private:
     std::unique_ptr<Construction> m_construction;
 };
 
-QTEST_MAIN(ConstructionTest)
+BARYCAGE_TEST(ConstructionTest, QApplication);
 #include "construction_test.moc"

@@ -8,6 +8,7 @@
 #include "panels/exports/exports_delegate.h"
 #include "panels/exports/exports_model.h"
 #include "panels/exports/exports_panel.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -269,8 +270,8 @@ void ExportQueueTest::goesOnAfterTheEnd() {
 void ExportQueueTest::goesOnAfterAKill() {
     QProcess other;
     other.start(QCoreApplication::applicationFilePath(),
-                {QStringLiteral("--draw"), kept(), out(QStringLiteral("long.png")),
-                 out(QStringLiteral("short.png"))});
+                {QStringLiteral("export_queue_test"), QStringLiteral("--draw"), kept(),
+                 out(QStringLiteral("long.png")), out(QStringLiteral("short.png"))});
     QVERIFY(other.waitForStarted(soon));
     QVERIFY(other.waitForReadyRead(soon)); // it draws
     ExportQueue queue(kept());
@@ -443,7 +444,7 @@ int draw(QApplication& application, const QStringList& arguments) {
 
 } // namespace
 
-int main(int argc, char** argv) {
+static int run(int argc, char** argv) {
     QApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.value(1) == QStringLiteral("--draw") && arguments.size() == 5)
@@ -451,5 +452,7 @@ int main(int argc, char** argv) {
     ExportQueueTest test;
     return QTest::qExec(&test, argc, argv);
 }
+
+static const support::NamedTest namedTest(__FILE__, run);
 
 #include "export_queue_test.moc"

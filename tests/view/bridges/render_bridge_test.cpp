@@ -5,6 +5,7 @@
 #include "document/edit_gesture.h"
 #include "document/fractal.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QSignalSpy>
@@ -123,5 +124,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(RenderBridgeTest)
+BARYCAGE_TEST(RenderBridgeTest, QApplication);
 #include "render_bridge_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QAccessible>
@@ -79,5 +80,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CanvasAccessibleTest)
+BARYCAGE_TEST(CanvasAccessibleTest, QApplication);
 #include "canvas_accessible_test.moc"

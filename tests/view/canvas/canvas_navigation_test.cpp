@@ -3,6 +3,7 @@
 #include "canvas/geometry/coordinate_text.h"
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -347,5 +348,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CanvasNavigationTest)
+BARYCAGE_TEST(CanvasNavigationTest, QApplication);
 #include "canvas_navigation_test.moc"

@@ -6,6 +6,7 @@
 #include "document/edits/cage_actions.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 #include "widgets/number_text.h"
@@ -582,5 +583,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CanvasTest)
+BARYCAGE_TEST(CanvasTest, QApplication);
 #include "canvas_test.moc"

@@ -4,6 +4,7 @@
 #include "canvas/items/map_frames_item.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
+#include "support/named_test.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QSignalSpy>
@@ -139,5 +140,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(DragCostTest)
+BARYCAGE_TEST(DragCostTest, QApplication);
 #include "drag_cost_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/items/motion_path_item.h"
 #include "document/edits/animation_edits.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -132,5 +133,5 @@ private:
     }
 };
 
-QTEST_MAIN(MotionKeysTest)
+BARYCAGE_TEST(MotionKeysTest, QApplication);
 #include "motion_keys_test.moc"

@@ -3,6 +3,7 @@
 
 #include "document/fractal_geometry.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 
 #include <QMimeData>
 #include <QTest>
@@ -148,5 +149,5 @@ void ClipboardTest::nothingToFind() {
     QVERIFY(!view::mayHoldEntries(QMimeData()));
 }
 
-QTEST_GUILESS_MAIN(ClipboardTest)
+BARYCAGE_TEST(ClipboardTest, QCoreApplication);
 #include "clipboard_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/theme.h"
 #include "support/contrast.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QCheckBox>
@@ -152,5 +153,5 @@ void FocusTest::theCurrentCellIsSeenInASelectedRow() {
     QVERIFY2(changed >= around * 3 / 2, qPrintable(QStringLiteral("%1 of %2").arg(changed).arg(around)));
 }
 
-QTEST_MAIN(FocusTest)
+BARYCAGE_TEST(FocusTest, QApplication);
 #include "focus_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/settings.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 
 #include <QDir>
@@ -85,5 +86,5 @@ void SettingsTest::theOwnerAloneReadsThem() {
     QCOMPARE(QSettings().value(QStringLiteral("first")).toInt(), 2);
 }
 
-QTEST_GUILESS_MAIN(SettingsTest)
+BARYCAGE_TEST(SettingsTest, QCoreApplication);
 #include "settings_test.moc"

@@ -2,6 +2,7 @@
 #include "dialogs/command_delegate.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/shortcuts_dialog.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/menu_placeholder.h"
 
@@ -240,5 +241,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CommandPaletteTest)
+BARYCAGE_TEST(CommandPaletteTest, QApplication);
 #include "command_palette_test.moc"

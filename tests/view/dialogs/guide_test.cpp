@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
+#include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
 
@@ -122,5 +123,5 @@ void GuideTest::wordsAreFound() {
     QTRY_VERIFY(!window.findChild<QTextBrowser*>());
 }
 
-QTEST_MAIN(GuideTest)
+BARYCAGE_TEST(GuideTest, QApplication);
 #include "guide_test.moc"

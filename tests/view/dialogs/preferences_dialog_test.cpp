@@ -4,6 +4,7 @@
 #include "dialogs/preferences_dialog.h"
 #include "support/contrast.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -417,5 +418,5 @@ void PreferencesDialogTest::theFocusIsSeen() {
     }
 }
 
-QTEST_MAIN(PreferencesDialogTest)
+BARYCAGE_TEST(PreferencesDialogTest, QApplication);
 #include "preferences_dialog_test.moc"

@@ -2,6 +2,7 @@
 #include "dialogs/transform_dialog.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
@@ -292,5 +293,5 @@ private:
     std::unique_ptr<document::Document> m_document;
 };
 
-QTEST_MAIN(TransformDialogTest)
+BARYCAGE_TEST(TransformDialogTest, QApplication);
 #include "transform_dialog_test.moc"

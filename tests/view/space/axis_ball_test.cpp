@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/items/overlay_style.h"
+#include "support/named_test.h"
 #include "view/space/space_window.h"
 
 #include <QAccessible>
@@ -314,5 +315,5 @@ void AxisBallTest::theRingIsSeen() {
     }
 }
 
-QTEST_MAIN(AxisBallTest)
+BARYCAGE_TEST(AxisBallTest, QApplication);
 #include "axis_ball_test.moc"

@@ -5,6 +5,7 @@
 #include "space/slice_item.h"
 #include "space/space_cage_item.h"
 #include "space/space_outlines_item.h"
+#include "support/named_test.h"
 
 #include <QImage>
 #include <QPainter>
@@ -126,5 +127,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SeenLineTest)
+BARYCAGE_TEST(SeenLineTest, QApplication);
 #include "seen_line_test.moc"

@@ -7,6 +7,7 @@
 #include "document/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
 #include "space/four_views.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
@@ -490,5 +491,5 @@ void SpaceBranchTest::fourViewsShowTheSameBranch() {
         QVERIFY(farthest(corners, other->mapItem().vertices()) < 1e-12);
 }
 
-QTEST_MAIN(SpaceBranchTest)
+BARYCAGE_TEST(SpaceBranchTest, QApplication);
 #include "space_branch_test.moc"

@@ -4,6 +4,7 @@
 #include "document/edits/space_cage_edits.h"
 #include "ifs/cage/map_handles.h"
 #include "space/four_views.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
@@ -345,5 +346,5 @@ void SpaceHandlesTest::theCentreOfASymmetryIsDragged() {
     QVERIFY(!window.view->symmetryItem().knob());
 }
 
-QTEST_MAIN(SpaceHandlesTest)
+BARYCAGE_TEST(SpaceHandlesTest, QApplication);
 #include "space_handles_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
 #include "bench/orbit_bench.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -23,5 +24,5 @@ void SpaceOrbitTest::everyMoveIsPainted() {
     QCOMPARE(orbit.steps.front(), 2);                             // of a drag that begins
 }
 
-QTEST_MAIN(SpaceOrbitTest)
+BARYCAGE_TEST(SpaceOrbitTest, QApplication);
 #include "space_orbit_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "space/four_views.h"
+#include "support/named_test.h"
 #include "view/space/space_window.h"
 
 using namespace space_window;
@@ -147,5 +148,5 @@ void SpacePerspectiveTest::keysOfTheCameraDecideInFourViews() {
     QVERIFY(!navigation.isPerspective());
 }
 
-QTEST_MAIN(SpacePerspectiveTest)
+BARYCAGE_TEST(SpacePerspectiveTest, QApplication);
 #include "space_perspective_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
@@ -142,5 +143,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SpaceTouchTest)
+BARYCAGE_TEST(SpaceTouchTest, QApplication);
 #include "space_touch_test.moc"

@@ -5,6 +5,7 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
 
@@ -584,5 +585,5 @@ void SpaceViewTest::anotherEntryEndsADrag() {
     QTRY_VERIFY(window.view->picture().isNull());
 }
 
-QTEST_MAIN(SpaceViewTest)
+BARYCAGE_TEST(SpaceViewTest, QApplication);
 #include "space_view_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "space/spatial_drag.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -185,5 +186,5 @@ void SpatialDragTest::theNearestAxisIsThatOfTheMotion() {
     QVERIFY(!view::nearestAxis(camera, at, {0, 0}));
 }
 
-QTEST_APPLESS_MAIN(SpatialDragTest)
+BARYCAGE_TEST(SpatialDragTest);
 #include "spatial_drag_test.moc"

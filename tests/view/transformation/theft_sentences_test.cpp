@@ -2,6 +2,7 @@
 #include "transformation/theft_sentences.h"
 
 #include "ifs/tops/top_systems.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -77,5 +78,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TheftSentencesTest)
+BARYCAGE_TEST(TheftSentencesTest);
 #include "theft_sentences_test.moc"

@@ -2,6 +2,7 @@
 #include "transformation/transformation_bar.h"
 
 #include "io/fractint/fractint_reader.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/elided_label.h"
 
@@ -98,5 +99,5 @@ private:
     std::unique_ptr<TransformationBar> m_bar;
 };
 
-QTEST_MAIN(TransformationBarTest)
+BARYCAGE_TEST(TransformationBarTest, QApplication);
 #include "transformation_bar_test.moc"

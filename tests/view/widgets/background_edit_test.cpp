@@ -3,6 +3,7 @@
 
 #include "document/background_threads.h"
 #include "document/document.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QSemaphore>
@@ -84,5 +85,5 @@ private:
     int m_taken = 0;
 };
 
-QTEST_MAIN(BackgroundEditTest)
+BARYCAGE_TEST(BackgroundEditTest, QApplication);
 #include "background_edit_test.moc"

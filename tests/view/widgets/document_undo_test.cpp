@@ -4,6 +4,7 @@
 #include "panels/maps/symmetry_row.h"
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/transport_bar.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -123,5 +124,5 @@ void DocumentUndoTest::theTimingOfAnAnimation() {
     QCOMPARE(panel->timeline().timing().rate, before);
 }
 
-QTEST_MAIN(DocumentUndoTest)
+BARYCAGE_TEST(DocumentUndoTest, QApplication);
 #include "document_undo_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "widgets/icon.h"
 
 #include <QDir>
@@ -170,5 +171,5 @@ void IconTest::applicationIconIsReadable() {
                  qPrintable(QString::number(qGray(image.pixel(point)))));
 }
 
-QTEST_MAIN(IconTest)
+BARYCAGE_TEST(IconTest, QApplication);
 #include "icon_test.moc"

@@ -2,6 +2,7 @@
 #include "widgets/menu_button.h"
 
 #include "desktop/theme.h"
+#include "support/named_test.h"
 
 #include <QMenu>
 #include <QTest>
@@ -46,5 +47,5 @@ void MenuButtonTest::plainToolButtonsHaveRoomForIt() {
     QVERIFY(button.sizeHint().width() >= without + 12);
 }
 
-QTEST_MAIN(MenuButtonTest)
+BARYCAGE_TEST(MenuButtonTest, QApplication);
 #include "menu_button_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/number_box.h"
 
+#include "support/named_test.h"
 #include "widgets/tooltips.h"
 
 #include <QAccessible>
@@ -288,5 +289,5 @@ void NumberBoxTest::decimalsAreRoundedNotJoined() {
     }
 }
 
-QTEST_MAIN(NumberBoxTest)
+BARYCAGE_TEST(NumberBoxTest, QApplication);
 #include "number_box_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "widgets/text_edit_workarounds.h"
 
 #include <QClipboard>
@@ -51,5 +52,5 @@ private:
     }
 };
 
-QTEST_MAIN(TextEditWorkaroundsTest)
+BARYCAGE_TEST(TextEditWorkaroundsTest, QApplication);
 #include "text_edit_workarounds_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_geometry.h"
 #include "io/picture/thumbnail_cache.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/thumbnails.h"
 
@@ -274,5 +275,5 @@ void ThumbnailsTest::aCachedPictureIsNotDrawnAgain() {
     }
 }
 
-QTEST_MAIN(ThumbnailsTest)
+BARYCAGE_TEST(ThumbnailsTest, QApplication);
 #include "thumbnails_test.moc"

@@ -5,6 +5,7 @@
 #include "canvas/geometry/snapping.h"
 #include "canvas/items/gizmo_item.h"
 #include "canvas/tools/pinch_gesture.h"
+#include "support/named_test.h"
 #include "support/near.h"
 
 #include <QRandomGenerator>
@@ -222,5 +223,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CanvasGeometryTest)
+BARYCAGE_TEST(CanvasGeometryTest, QApplication);
 #include "canvas_geometry_test.moc"

@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/attractor_item.h"
+#include "support/named_test.h"
 
 #include <QImage>
 #include <QPaintEngine>
@@ -248,5 +249,5 @@ private:
 
 } // namespace
 
-QTEST_MAIN(GridItemTest)
+BARYCAGE_TEST(GridItemTest, QApplication);
 #include "grid_item_test.moc"

@@ -6,6 +6,7 @@
 #include "canvas/items/overlay_style.h"
 #include "canvas/scene/canvas_scene.h"
 #include "support/contrast.h"
+#include "support/named_test.h"
 
 #include <QPainter>
 #include <QTest>
@@ -246,5 +247,5 @@ void OverlayContrastTest::sentencesAreReadable() {
         }
 }
 
-QTEST_MAIN(OverlayContrastTest)
+BARYCAGE_TEST(OverlayContrastTest, QApplication);
 #include "overlay_contrast_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/items/readout_item.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -31,5 +32,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ReadoutItemTest)
+BARYCAGE_TEST(ReadoutItemTest, QApplication);
 #include "readout_item_test.moc"

@@ -2,6 +2,7 @@
 #include "canvas/marks/address_walk.h"
 
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 
 #include <QtTest>
 
@@ -34,5 +35,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(AddressWalkTest)
+BARYCAGE_TEST(AddressWalkTest, QApplication);
 #include "address_walk_test.moc"

@@ -2,6 +2,7 @@
 #include "bridges/analysis_bridge.h"
 #include "canvas/marks/address_walk.h"
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -111,5 +112,5 @@ private:
     std::unique_ptr<view::AnalysisBridge> m_analysis;
 };
 
-QTEST_MAIN(CylinderWalkTest)
+BARYCAGE_TEST(CylinderWalkTest, QApplication);
 #include "cylinder_walk_test.moc"

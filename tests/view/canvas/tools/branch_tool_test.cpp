@@ -8,6 +8,7 @@
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/map_interpolation.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -478,5 +479,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(BranchToolTest)
+BARYCAGE_TEST(BranchToolTest, QApplication);
 #include "branch_tool_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -75,5 +76,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(DefineToolTest)
+BARYCAGE_TEST(DefineToolTest, QApplication);
 #include "define_tool_test.moc"

@@ -3,6 +3,7 @@
 #include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
 #include "ifs/system/branch.h"
+#include "support/named_test.h"
 #include "view/canvas/canvas_fixture.h"
 
 #include <QSignalSpy>
@@ -123,5 +124,5 @@ private:
     QPointF m_corner;
 };
 
-QTEST_MAIN(LockedMapsTest)
+BARYCAGE_TEST(LockedMapsTest, QApplication);
 #include "locked_maps_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/attractor_existence.h"
 #include "panels/maps/maps_panel.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -414,5 +415,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(MapsToolTest)
+BARYCAGE_TEST(MapsToolTest, QApplication);
 #include "maps_tool_test.moc"

@@ -3,6 +3,7 @@
 
 #include "canvas/items/symmetry_item.h"
 #include "document/edits/symmetry_edits.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -101,5 +102,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SymmetryToolTest)
+BARYCAGE_TEST(SymmetryToolTest, QApplication);
 #include "symmetry_tool_test.moc"

@@ -6,7 +6,9 @@
 #include "io/collection_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
+#include "support/paths.h"
 #include "support/patient_tries.h"
 
 #include <QAbstractButton>
@@ -224,7 +226,7 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
     QVERIFY(from > 0);
     QProcess animate;
     animate.setWorkingDirectory(path(jobs[0]));
-    animate.start(QStringLiteral(BARYCAGE_CLI),
+    animate.start(support::buildPath(QStringLiteral("barycage-cli")),
                   list({"animate", "entry.ifs", "--entry", "#1", "-o", "b.####.png"}) +
                       submit.mid(from).simplified().split(u' '));
     QVERIFY(animate.waitForFinished(60000));
@@ -473,5 +475,5 @@ void AnimationExportDialogTest::slurmIsAskedForTheState() {
     QCOMPARE(over.size(), isOver ? 1 : 0);
 }
 
-QTEST_MAIN(AnimationExportDialogTest)
+BARYCAGE_TEST(AnimationExportDialogTest, QApplication);
 #include "animation_export_dialog_test.moc"

@@ -2,6 +2,7 @@
 #include "dialogs/export/export_data_dialog.h"
 #include "document/fractal_geometry.h"
 #include "io/collection_reader.h"
+#include "support/named_test.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -181,5 +182,5 @@ void ExportDataDialogTest::tellsWhatIsLost() {
     QVERIFY2(message().contains(QStringLiteral("without its cage: other")), qPrintable(message()));
 }
 
-QTEST_MAIN(ExportDataDialogTest)
+BARYCAGE_TEST(ExportDataDialogTest, QApplication);
 #include "export_data_dialog_test.moc"

@@ -11,6 +11,7 @@
 #include "document/space_geometry.h"
 #include "io/picture/png_system.h"
 #include "io/picture/svg_system.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 
@@ -545,5 +546,5 @@ void ExportDialogTest::manyMapsGoOnFurtherPages() {
     QVERIFY(least > 500);
 }
 
-QTEST_MAIN(ExportDialogTest)
+BARYCAGE_TEST(ExportDialogTest, QApplication);
 #include "export_dialog_test.moc"

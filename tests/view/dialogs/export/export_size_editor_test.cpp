@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_size_editor.h"
+#include "support/named_test.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -93,5 +94,5 @@ void ExportSizeEditorTest::lengthsFollowTheResolution() {
     }
 }
 
-QTEST_MAIN(ExportSizeEditorTest)
+BARYCAGE_TEST(ExportSizeEditorTest, QApplication);
 #include "export_size_editor_test.moc"

@@ -2,6 +2,7 @@
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/handout_page.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -328,5 +329,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(HandoutTest)
+BARYCAGE_TEST(HandoutTest, QApplication);
 #include "handout_test.moc"

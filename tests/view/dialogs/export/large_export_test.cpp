@@ -3,6 +3,7 @@
 
 #include "dialogs/export/export_dialog.h"
 #include "dialogs/export/export_size_editor.h"
+#include "support/named_test.h"
 
 #include <QApplication>
 #include <QFileDialog>
@@ -53,5 +54,5 @@ void LargeExportTest::aHugePictureIsAskedAbout() {
     QVERIFY2(asked.contains(QStringLiteral("million pixels")), qPrintable(asked));
 }
 
-QTEST_MAIN(LargeExportTest)
+BARYCAGE_TEST(LargeExportTest, QApplication);
 #include "large_export_test.moc"

@@ -9,6 +9,7 @@
 #include "dialogs/export/space_export_dialog.h"
 #include "document/edits/motion_edits.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -219,5 +220,5 @@ void LastExportTest::theFolderOfTheFileIsTheFirst() {
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
 }
 
-QTEST_MAIN(LastExportTest)
+BARYCAGE_TEST(LastExportTest, QApplication);
 #include "last_export_test.moc"

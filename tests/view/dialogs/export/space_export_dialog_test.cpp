@@ -4,6 +4,7 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/space_geometry.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QCheckBox>
@@ -262,5 +263,5 @@ private:
     std::unique_ptr<SpaceExportDialog> m_dialog;
 };
 
-QTEST_MAIN(SpaceExportDialogTest)
+BARYCAGE_TEST(SpaceExportDialogTest, QApplication);
 #include "space_export_dialog_test.moc"

@@ -5,6 +5,7 @@
 #include "document/edits/entries_edits.h"
 #include "document/edits/map_locks.h"
 #include "document/variations/random_systems.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QCheckBox>
@@ -321,5 +322,5 @@ void MutateDialogTest::closingAtOnceIsSafe() {
     QVERIFY(document.undoStack()->count() == 0);
 }
 
-QTEST_MAIN(MutateDialogTest)
+BARYCAGE_TEST(MutateDialogTest, QApplication);
 #include "mutate_dialog_test.moc"

@@ -2,6 +2,7 @@
 #include "dialogs/variations/random_dialog.h"
 
 #include "dialogs/variations/picture_tiles.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/symmetry_groups.h"
 
@@ -177,5 +178,5 @@ void RandomDialogTest::beginsInTheDimensionOfTheEntry() {
     QCOMPARE(boxesOf(dialog).dimension->currentData().toInt(), 3);
 }
 
-QTEST_MAIN(RandomDialogTest)
+BARYCAGE_TEST(RandomDialogTest, QApplication);
 #include "random_dialog_test.moc"

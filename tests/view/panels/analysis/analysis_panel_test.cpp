@@ -6,6 +6,7 @@
 #include "panels/analysis/analysis_facts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_text.h"
@@ -592,5 +593,5 @@ private:
     }
 };
 
-QTEST_MAIN(AnalysisPanelTest)
+BARYCAGE_TEST(AnalysisPanelTest, QApplication);
 #include "analysis_panel_test.moc"

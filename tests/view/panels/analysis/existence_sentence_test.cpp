@@ -2,6 +2,7 @@
 #include "panels/analysis/existence_sentence.h"
 
 #include "ifs/system/iterated_function_system.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 
 #include <QTest>
@@ -53,5 +54,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExistenceSentenceTest)
+BARYCAGE_TEST(ExistenceSentenceTest, QApplication);
 #include "existence_sentence_test.moc"

@@ -6,6 +6,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
 #include "panels/appearance/palettes/picture_palette_dialog.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -391,5 +392,5 @@ private:
     std::unique_ptr<view::AppearancePanel> m_panel;
 };
 
-QTEST_MAIN(AppearancePanelTest)
+BARYCAGE_TEST(AppearancePanelTest, QApplication);
 #include "appearance_panel_test.moc"

@@ -6,6 +6,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -160,5 +161,5 @@ private:
     std::unique_ptr<view::AppearancePanel> m_panel;
 };
 
-QTEST_MAIN(AppearanceSpaceTest)
+BARYCAGE_TEST(AppearanceSpaceTest, QApplication);
 #include "appearance_space_test.moc"

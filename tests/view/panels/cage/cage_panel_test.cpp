@@ -6,6 +6,7 @@
 #include "widgets/number_field.h"
 
 #include "ifs/extent/polygon.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QAbstractButton>
@@ -307,5 +308,5 @@ private:
     std::unique_ptr<CagePanel> m_panel;
 };
 
-QTEST_MAIN(CagePanelTest)
+BARYCAGE_TEST(CagePanelTest, QApplication);
 #include "cage_panel_test.moc"

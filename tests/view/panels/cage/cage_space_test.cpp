@@ -5,6 +5,7 @@
 #include "ifs/extent/extent.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/cage/cage_texts.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -323,5 +324,5 @@ private:
     std::unique_ptr<CagePanel> m_panel;
 };
 
-QTEST_MAIN(CageSpaceTest)
+BARYCAGE_TEST(CageSpaceTest, QApplication);
 #include "cage_space_test.moc"

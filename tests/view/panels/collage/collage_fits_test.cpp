@@ -3,6 +3,7 @@
 #include "document/edits/map_locks.h"
 #include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
+#include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 
 #include <QCheckBox>
@@ -327,5 +328,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CollageFitsTest)
+BARYCAGE_TEST(CollageFitsTest, QApplication);
 #include "collage_fits_test.moc"

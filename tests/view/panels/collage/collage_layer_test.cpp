@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 
 #include <QComboBox>
@@ -198,5 +199,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CollageLayerTest)
+BARYCAGE_TEST(CollageLayerTest, QApplication);
 #include "collage_layer_test.moc"

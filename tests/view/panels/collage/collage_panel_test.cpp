@@ -3,6 +3,7 @@
 #include "document/edits/maps_edits.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_preview.h"
+#include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 #include "widgets/vertical_scroll_area.h"
 
@@ -575,5 +576,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CollagePanelTest)
+BARYCAGE_TEST(CollagePanelTest, QApplication);
 #include "collage_panel_test.moc"

@@ -7,6 +7,7 @@
 #include "panels/collection/collection_model.h"
 #include "panels/collection/collection_panel.h"
 #include "support/forget_settings.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -349,5 +350,5 @@ void CollectionPanelTest::partnersComeAlong() {
     QVERIFY(dragged->text().contains(u"f {"_s) && dragged->text().contains(u"g {"_s));
 }
 
-QTEST_MAIN(CollectionPanelTest)
+BARYCAGE_TEST(CollectionPanelTest, QApplication);
 #include "collection_panel_test.moc"

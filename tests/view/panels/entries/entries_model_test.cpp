@@ -2,6 +2,7 @@
 #include "document/edit_gesture.h"
 #include "document/edits/entries_edits.h"
 #include "panels/entries/entries_model.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QAbstractItemModelTester>
@@ -279,5 +280,5 @@ void EntriesModelTest::pictureArrives() {
              static_cast<int>(view::Thumbnail::State::Ready));
 }
 
-QTEST_MAIN(EntriesModelTest)
+BARYCAGE_TEST(EntriesModelTest, QApplication);
 #include "entries_model_test.moc"

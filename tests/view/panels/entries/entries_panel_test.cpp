@@ -5,6 +5,7 @@
 #include "panels/entries/entries_list.h"
 #include "panels/entries/entries_model.h"
 #include "panels/entries/entries_panel.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QAction>
@@ -576,5 +577,5 @@ void EntriesPanelTest::everythingIsNamed() {
         QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));
 }
 
-QTEST_MAIN(EntriesPanelTest)
+BARYCAGE_TEST(EntriesPanelTest, QApplication);
 #include "entries_panel_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/history/history_panel.h"
+#include "support/named_test.h"
 
 #include <QImage>
 #include <QTest>
@@ -75,5 +76,5 @@ void HistoryPanelTest::undoneStepsAreDimmed() {
     QCOMPARE(contrast(2), done);
 }
 
-QTEST_MAIN(HistoryPanelTest)
+BARYCAGE_TEST(HistoryPanelTest, QApplication);
 #include "history_panel_test.moc"

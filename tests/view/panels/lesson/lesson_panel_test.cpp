@@ -2,6 +2,7 @@
 #include "panels/lesson/lesson_card.h"
 #include "panels/lesson/lesson_notebook.h"
 #include "panels/lesson/lesson_panel.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 
 #include <QAction>
@@ -249,5 +250,5 @@ void LessonPanelTest::theCardLeadsOnAndBack() {
     QCOMPARE(card.accessibleDescription(), u"Two. B."_s);
 }
 
-QTEST_MAIN(LessonPanelTest)
+BARYCAGE_TEST(LessonPanelTest, QApplication);
 #include "lesson_panel_test.moc"

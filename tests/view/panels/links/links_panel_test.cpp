@@ -6,6 +6,7 @@
 #include "ifs/links/linked_systems.h"
 #include "panels/links/link_graph.h"
 #include "panels/links/links_model.h"
+#include "support/named_test.h"
 
 #include <QHelpEvent>
 #include <QLabel>
@@ -384,5 +385,5 @@ void LinksPanelTest::manyArrowsAreThoseOfOneMap() {
     QCOMPARE(panel.graph()->graph().arrows().size(), std::size_t(39));
 }
 
-QTEST_MAIN(LinksPanelTest)
+BARYCAGE_TEST(LinksPanelTest, QApplication);
 #include "links_panel_test.moc"

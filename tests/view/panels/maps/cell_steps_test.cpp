@@ -3,6 +3,7 @@
 
 #include "document/edits/map_locks.h"
 #include "panels/maps/maps_panel.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 
 #include <QApplication>
@@ -174,5 +175,5 @@ void CellStepsTest::lockedMapsStay() {
     QVERIFY(said[0].contains(QStringLiteral("locked")));
 }
 
-QTEST_MAIN(CellStepsTest)
+BARYCAGE_TEST(CellStepsTest, QApplication);
 #include "cell_steps_test.moc"

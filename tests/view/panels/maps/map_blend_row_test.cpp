@@ -4,6 +4,7 @@
 #include "document/edits/map_locks.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/maps/maps_panel.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
@@ -155,5 +156,5 @@ private:
     std::unique_ptr<MapsPanel> m_panel;
 };
 
-QTEST_MAIN(MapBlendRowTest)
+BARYCAGE_TEST(MapBlendRowTest, QApplication);
 #include "map_blend_row_test.moc"

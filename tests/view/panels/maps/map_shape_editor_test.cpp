@@ -2,6 +2,7 @@
 #include "panels/maps/map_shape_editor.h"
 
 #include "panels/maps/maps_model.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
@@ -80,5 +81,5 @@ void MapShapeEditorTest::aTranslationIsWrittenAlikeInTheTable() {
     QCOMPARE(text(MapShapeEditor::TranslationY), QStringLiteral("1/4"));
 }
 
-QTEST_MAIN(MapShapeEditorTest)
+BARYCAGE_TEST(MapShapeEditorTest, QApplication);
 #include "map_shape_editor_test.moc"

@@ -4,6 +4,7 @@
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/map_thumbnails.h"
 #include "panels/maps/maps_panel.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -329,5 +330,5 @@ private:
     std::unique_ptr<QSignalSpy> m_said;
 };
 
-QTEST_MAIN(MapsLayersTest)
+BARYCAGE_TEST(MapsLayersTest, QApplication);
 #include "maps_layers_test.moc"

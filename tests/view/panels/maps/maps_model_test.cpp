@@ -2,6 +2,7 @@
 #include "document/edits/cage_edits.h"
 #include "document/edits/maps_edits.h"
 #include "panels/maps/maps_model.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
@@ -214,5 +215,5 @@ private:
     std::unique_ptr<document::Document> m_document;
 };
 
-QTEST_MAIN(MapsModelTest)
+BARYCAGE_TEST(MapsModelTest, QApplication);
 #include "maps_model_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/named_test.h"
 #include "widgets/number_field.h"
 
 #include <QAction>
@@ -261,5 +262,5 @@ private:
     NumberField* m_other = nullptr;
 };
 
-QTEST_MAIN(NumberFieldTest)
+BARYCAGE_TEST(NumberFieldTest, QApplication);
 #include "maps_number_field_test.moc"

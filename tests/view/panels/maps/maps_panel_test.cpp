@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/maps_panel.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -548,5 +549,5 @@ private:
     std::unique_ptr<MapsPanel> m_panel;
 };
 
-QTEST_MAIN(MapsPanelTest)
+BARYCAGE_TEST(MapsPanelTest, QApplication);
 #include "maps_panel_test.moc"

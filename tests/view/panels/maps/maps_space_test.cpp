@@ -3,6 +3,7 @@
 #include "document/space_geometry.h"
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/maps_panel.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
@@ -379,5 +380,5 @@ private:
     std::unique_ptr<MapsPanel> m_panel;
 };
 
-QTEST_MAIN(MapsSpaceTest)
+BARYCAGE_TEST(MapsSpaceTest, QApplication);
 #include "maps_space_test.moc"

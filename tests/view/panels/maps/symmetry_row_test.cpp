@@ -2,6 +2,7 @@
 #include "panels/maps/symmetry_row.h"
 
 #include "document/edits/symmetry_edits.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
@@ -171,5 +172,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SymmetryRowTest)
+BARYCAGE_TEST(SymmetryRowTest, QApplication);
 #include "symmetry_row_test.moc"

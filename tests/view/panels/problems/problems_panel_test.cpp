@@ -3,6 +3,7 @@
 #include "panels/problems/problems_panel.h"
 
 #include "document/edits/entries_edits.h"
+#include "support/named_test.h"
 
 #include <QAbstractItemModelTester>
 #include <QClipboard>
@@ -163,5 +164,5 @@ void ProblemsPanelTest::copies() {
     QCOMPARE(QGuiApplication::clipboard()->text(), u"all.ifs:20:5: error: “second”: This is no number."_s);
 }
 
-QTEST_MAIN(ProblemsPanelTest)
+BARYCAGE_TEST(ProblemsPanelTest, QApplication);
 #include "problems_panel_test.moc"

@@ -9,6 +9,7 @@
 #include "panels/snapshots/snapshot_look.h"
 #include "panels/snapshots/snapshots_panel.h"
 #include "space/four_views.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
 
@@ -484,5 +485,5 @@ void SnapshotsTest::theSelectedOneIsCompared() {
     QCOMPARE(list->currentRow(), 0);
 }
 
-QTEST_MAIN(SnapshotsTest)
+BARYCAGE_TEST(SnapshotsTest, QApplication);
 #include "snapshots_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/track_view.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/timeline/timeline_fixture.h"
 
@@ -55,5 +56,5 @@ void EndlessZoomTest::theRowOfTheCameraIsShown() {
     QVERIFY(timeline.tracks()[std::size_t(row)].keys.empty());
 }
 
-QTEST_MAIN(EndlessZoomTest)
+BARYCAGE_TEST(EndlessZoomTest, QApplication);
 #include "endless_zoom_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/track_view.h"
+#include "support/named_test.h"
 #include "view/panels/timeline/timeline_fixture.h"
 
 #include <QMouseEvent>
@@ -100,5 +101,5 @@ void KeyDragTest::clicksAddToTheSelection() {
     QCOMPARE(timeline().selected().size(), std::size_t(1));
 }
 
-QTEST_MAIN(KeyDragTest)
+BARYCAGE_TEST(KeyDragTest, QApplication);
 #include "key_drag_test.moc"

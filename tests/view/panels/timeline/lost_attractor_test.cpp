@@ -5,6 +5,7 @@
 #include "document/edits/animation_edits.h"
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -192,5 +193,5 @@ void LostAttractorTest::theExportSaysWhen() {
     QVERIFY2(warning->text().contains(frame), qPrintable(warning->text()));
 }
 
-QTEST_MAIN(LostAttractorTest)
+BARYCAGE_TEST(LostAttractorTest, QApplication);
 #include "lost_attractor_test.moc"

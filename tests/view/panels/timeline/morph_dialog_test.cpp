@@ -5,6 +5,7 @@
 #include "document/edits/entries_edits.h"
 #include "panels/timeline/morph_lines.h"
 #include "panels/timeline/timeline_panel.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -235,5 +236,5 @@ void MorphDialogTest::longNamesLeaveTheMenuNarrow() {
     QVERIFY(entries->sizeHint().width() < 100 * entries->fontMetrics().averageCharWidth());
 }
 
-QTEST_MAIN(MorphDialogTest)
+BARYCAGE_TEST(MorphDialogTest, QApplication);
 #include "morph_dialog_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/ruler_marks.h"
 #include "panels/timeline/track_view.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/timeline/timeline_fixture.h"
 
@@ -184,5 +185,5 @@ void RulerTest::rowsAreReadWhereTheyChange() {
     QCOMPARE(timeline().tracks().front().keys.size(), std::size_t(1));
 }
 
-QTEST_MAIN(RulerTest)
+BARYCAGE_TEST(RulerTest, QApplication);
 #include "ruler_test.moc"

@@ -2,6 +2,7 @@
 #include "document/recurring_branches.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
+#include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/timeline/timeline_fixture.h"
 
@@ -265,5 +266,5 @@ void TimelinePlayingTest::playingDoesNotScrollTheRows() {
     QCOMPARE(tracks().verticalScrollBar()->value(), 0);
 }
 
-QTEST_MAIN(TimelinePlayingTest)
+BARYCAGE_TEST(TimelinePlayingTest, QApplication);
 #include "timeline_playing_test.moc"

@@ -10,6 +10,7 @@
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
+#include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
 
@@ -596,5 +597,5 @@ void TimelineTest::unreadableEntriesHaveNoRows() {
         QVERIFY(!action->isEnabled());
 }
 
-QTEST_MAIN(TimelineTest)
+BARYCAGE_TEST(TimelineTest, QApplication);
 #include "timeline_test.moc"

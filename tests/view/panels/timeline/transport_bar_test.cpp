@@ -2,6 +2,7 @@
 #include "panels/timeline/ruler_scale.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
+#include "support/named_test.h"
 #include "view/panels/timeline/timeline_fixture.h"
 
 #include <QComboBox>
@@ -120,5 +121,5 @@ void TransportBarTest::theRulerSaysSeconds() {
     QCOMPARE(ruler(), frames);
 }
 
-QTEST_MAIN(TransportBarTest)
+BARYCAGE_TEST(TransportBarTest, QApplication);
 #include "transport_bar_test.moc"

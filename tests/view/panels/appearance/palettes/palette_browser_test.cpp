@@ -7,6 +7,7 @@
 #include "widgets/number_field.h"
 
 #include "attractor/colour/palette_library.h"
+#include "support/named_test.h"
 
 #include <QCheckBox>
 #include <QLineEdit>
@@ -140,5 +141,5 @@ private:
     std::unique_ptr<view::AppearancePanel> m_panel;
 };
 
-QTEST_MAIN(PaletteBrowserTest)
+BARYCAGE_TEST(PaletteBrowserTest, QApplication);
 #include "palette_browser_test.moc"

@@ -3,6 +3,7 @@
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
 #include "ifs/system/map_interpolation.h"
+#include "support/named_test.h"
 
 #include <QTest>
 
@@ -275,5 +276,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MapHandlesTest)
-#include "map_handles_test.moc"
+BARYCAGE_TEST(MapHandlesTest);
+#include "document_map_handles_test.moc"

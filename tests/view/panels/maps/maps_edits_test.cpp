@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/maps_edits.h"
+#include "support/named_test.h"
 #include "view/panels/maps_support.h"
 
 #include <numeric>
@@ -228,5 +229,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(MapsEditsTest)
+BARYCAGE_TEST(MapsEditsTest);
 #include "maps_edits_test.moc"
