@@ -182,6 +182,13 @@ template <int Dim, class Value> bool areValid(const Keys<Value>& keys, int lengt
 
 } // namespace
 
+template <int Dim> Animation<Dim>::Animation() = default;
+template <int Dim> Animation<Dim>::Animation(const Animation& other) = default;
+template <int Dim> Animation<Dim>::Animation(Animation&& other) noexcept = default;
+template <int Dim> Animation<Dim>& Animation<Dim>::operator=(const Animation& other) = default;
+template <int Dim> Animation<Dim>& Animation<Dim>::operator=(Animation&& other) noexcept = default;
+template <int Dim> Animation<Dim>::~Animation() = default;
+
 template <int Dim> Pose<Dim> Animation<Dim>::at(const Moment& moment, Pose<Dim> still) const {
     return Evaluation<Dim>(*this, moment, std::move(still)).pose();
 }

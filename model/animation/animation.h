@@ -56,6 +56,14 @@ struct FrameRate {
 };
 
 template <int Dim> struct Animation {
+    // Compiled once, and not in each of the many files that copy one.
+    Animation();
+    Animation(const Animation& other);
+    Animation(Animation&& other) noexcept;
+    Animation& operator=(const Animation& other);
+    Animation& operator=(Animation&& other) noexcept;
+    ~Animation();
+
     FrameRate rate;
     int length = 48; // frames, 1 … maxLength; keys lie at 0 … length
     Loop loop = Loop::Off;

@@ -116,8 +116,9 @@ template <int Dim> Fractal withBranchAsMap(const Fractal& fractal, const ifs::Wo
     result.appearance.mapBlends = blendsOver(fractal, active, letters, system);
     if (result.appearance.colourBy == attractor::ColourBy::Address)
         result.appearance.colourBy = attractor::ColourBy::Blend; // addresses are others now
-    std::vector<MovedBranch<Dim>> moved = movedOver(shape, active, letters, system);
-    std::get<Shape<Dim>>(result.shape) = {std::move(system), shape.cage, std::move(moved)};
+    Shape<Dim> over(system, shape.cage);
+    over.moved = movedOver(shape, active, letters, system);
+    result.shape = std::move(over);
     return result;
 }
 template Fractal withBranchAsMap<2>(const Fractal&, const ifs::Word&);

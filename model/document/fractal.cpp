@@ -2,6 +2,7 @@
 #include "document/fractal.h"
 
 #include <cmath>
+#include <utility>
 
 namespace document {
 
@@ -12,6 +13,25 @@ template <class Value> bool areSame(const Value* a, const Value* b) {
 }
 
 } // namespace
+
+template <int Dim>
+Shape<Dim>::Shape(ifs::IteratedFunctionSystem<Dim> code, std::optional<ifs::ControlCage<Dim>> held)
+    : system(std::move(code)), cage(std::move(held)) {}
+template <int Dim> Shape<Dim>::Shape(const Shape& other) = default;
+template <int Dim> Shape<Dim>::Shape(Shape&& other) noexcept = default;
+template <int Dim> Shape<Dim>& Shape<Dim>::operator=(const Shape& other) = default;
+template <int Dim> Shape<Dim>& Shape<Dim>::operator=(Shape&& other) noexcept = default;
+template <int Dim> Shape<Dim>::~Shape() = default;
+
+template struct Shape<2>;
+template struct Shape<3>;
+
+Fractal::Fractal() = default;
+Fractal::Fractal(const Fractal& other) = default;
+Fractal::Fractal(Fractal&& other) noexcept = default;
+Fractal& Fractal::operator=(const Fractal& other) = default;
+Fractal& Fractal::operator=(Fractal&& other) noexcept = default;
+Fractal::~Fractal() = default;
 
 int dimension(const Fractal& fractal) {
     if (plane(fractal)) return 2;

@@ -27,6 +27,14 @@ template <int Dim> using MovedBranch = animation::BranchPose<Dim>;
 
 // The code of an entry, by what it is held, and what of it is shown elsewhere.
 template <int Dim> struct Shape {
+    // Compiled once, and not in each of the many files that copy one.
+    Shape(ifs::IteratedFunctionSystem<Dim> code = {}, std::optional<ifs::ControlCage<Dim>> held = {});
+    Shape(const Shape& other);
+    Shape(Shape&& other) noexcept;
+    Shape& operator=(const Shape& other);
+    Shape& operator=(Shape&& other) noexcept;
+    ~Shape();
+
     ifs::IteratedFunctionSystem<Dim> system;
     // nullopt: in the plane, the minimal canonical simplex of the code, at rest
     std::optional<ifs::ControlCage<Dim>> cage{};
@@ -38,6 +46,14 @@ template <int Dim> struct Shape {
 
 // One entry of a file, as a plain value.
 struct Fractal {
+    // Compiled once, and not in each of the many files that copy one.
+    Fractal();
+    Fractal(const Fractal& other);
+    Fractal(Fractal&& other) noexcept;
+    Fractal& operator=(const Fractal& other);
+    Fractal& operator=(Fractal&& other) noexcept;
+    ~Fractal();
+
     QString name;
     QString headerComment; // what follows the opening brace, without the semicolon
     QStringList comments;  // the entry's own comment lines in their order, without the semicolon

@@ -3,6 +3,13 @@
 
 namespace attractor {
 
+Appearance::Appearance() = default;
+Appearance::Appearance(const Appearance& other) = default;
+Appearance::Appearance(Appearance&& other) noexcept = default;
+Appearance& Appearance::operator=(const Appearance& other) = default;
+Appearance& Appearance::operator=(Appearance&& other) noexcept = default;
+Appearance::~Appearance() = default;
+
 bool coloursSamples(ColourBy colourBy) {
     return colourBy == ColourBy::Map || colourBy == ColourBy::Address || colourBy == ColourBy::Blend;
 }

@@ -33,6 +33,14 @@ using MapBlends = MapValues<MapBlend>;
 
 // How densities become colours. docs/mathematics.md, "Density to colour".
 struct Appearance {
+    // Compiled once, and not in each of the many files that copy one.
+    Appearance();
+    Appearance(const Appearance& other);
+    Appearance(Appearance&& other) noexcept;
+    Appearance& operator=(const Appearance& other);
+    Appearance& operator=(Appearance&& other) noexcept;
+    ~Appearance();
+
     ColourBy colourBy = ColourBy::Density;
     Palette palette = builtInPalettes().front();
     MapColours mapColours; // maps absent here take categoricalColour(index in the system)

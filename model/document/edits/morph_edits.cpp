@@ -68,7 +68,9 @@ MorphOutcome morphedIn(const Fractal& from, const Fractal& to, int length,
     if (!(before == after)) morph.animation.look = {{0, before, {}}, {length, after, {}}};
     Fractal fractal = withLook(Fractal(), before);
     fractal.name = from.name + u'-' + to.name;
-    fractal.shape = Shape<Dim>{std::move(morph.system), {}, {}, std::move(morph.animation)};
+    Shape<Dim> shape{std::move(morph.system)};
+    shape.animation = std::move(morph.animation);
+    fractal.shape = std::move(shape);
     return {std::move(fractal), {}, overListed<Dim>(pairs->pairs, begin, end)};
 }
 

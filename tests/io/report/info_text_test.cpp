@@ -21,7 +21,7 @@ io::InfoSubject subjectOf(const Rows& rows) {
         ifs::append(system, ifs::affineMap(a, b, c, d, e, f));
     document::Fractal fractal;
     fractal.name = QStringLiteral("test");
-    fractal.shape = document::Shape<2>{.system = system};
+    fractal.shape = document::Shape<2>{system};
     io::InfoSubject subject;
     document::Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(fractal);
