@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "input.h"
+#include "options.h"
 #include "output.h"
 #include "usage_error.h"
 
@@ -53,49 +54,44 @@ Existing existingOf(const AnimateArguments& arguments) {
 
 } // namespace
 
-void addAnimateOptions(CLI::App& command, AnimateArguments& arguments) {
-    command
-        .add_option("FILE", arguments.file,
-                    "Collection, or picture with an embedded system; - for standard input")
-        ->type_name("FILE")
-        ->group("Files")
-        ->required();
-    command
-        .add_option("-o,--output", arguments.picture.output,
-                    "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
-                    "leading zeros; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
-        ->type_name("OUT")
-        ->group("Files")
-        ->required();
-    addEntriesOption(command, arguments.picture.entries, "the first with an animation")
-        ->description("The entry: its name, or #NUMBER");
-    const auto add = [&](const char* name, const char* shown, auto& value, const char* description,
-                         const char* standard) {
-        command.add_option(name, value, description)
-            ->type_name(shown)
-            ->default_str(standard)
-            ->group("Frames");
-    };
-    add("--frames", "LIST", arguments.frames,
-        "Only these numbers of files, counted from 1: a-b, every x-th with a-bxX, and lists of them", "all");
-    add("--chunk", "I/N", arguments.chunk, "Only every N-th of them, from the I-th on, counted from 0",
-        "0/1");
-    add("--existing", "WHAT", arguments.existing,
+void addAnimateOptions(Command& command, AnimateArguments& arguments) {
+    const OptionGroup files = command.group("Files");
+    files
+        .argument("FILE", &arguments.file,
+                  "Collection, or picture with an embedded system; - for standard input")
+        .required();
+    files
+        .add("-o,--output", "OUT", &arguments.picture.output,
+             "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
+             "leading zeros; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+        .fileName()
+        .required();
+    addEntriesOption(command, arguments.picture.entries, "the first with an animation").description =
+        "The entry: its name, or #NUMBER";
+    const OptionGroup frames = command.group("Frames");
+    frames.add("--frames", "LIST", &arguments.frames,
+               "Only these numbers of files, counted from 1: a-b, every x-th with a-bxX, and lists of them",
+               "all");
+    frames.add("--chunk", "I/N", &arguments.chunk,
+               "Only every N-th of them, from the I-th on, counted from 0", "0/1");
+    frames.add(
+        "--existing", "WHAT", &arguments.existing,
         "What happens to files that exist: skip keeps those that are complete and of the same request, and "
         "replaces the others with a warning; replace replaces all; fail draws nothing",
         "skip; for a video replace");
-    add("--fps", "R", arguments.rate, "Frames per second of a video, such as 24, 29.97 or 30000/1001",
-        "those of the animation");
-    add("--shutter", "DEG", arguments.picture.shutter,
-        "Motion blur: the angle for which the shutter is open around each frame, 0 to 360; 180 is half the "
-        "time of a frame",
-        "0");
-    add("--exposure", "HOW", arguments.picture.exposure,
+    frames.add("--fps", "R", &arguments.rate, "Frames per second of a video, such as 24, 29.97 or 30000/1001",
+               "those of the animation");
+    frames.add("--shutter", "DEG", &arguments.picture.shutter,
+               "Motion blur: the angle for which the shutter is open around each frame, 0 to 360; 180 is "
+               "half the time of a frame",
+               "0");
+    frames.add(
+        "--exposure", "HOW", &arguments.picture.exposure,
         "Brightness: smooth follows the whole animation without flicker, fixed is that of frame 0, each is "
         "measured separately for every frame",
         "smooth");
     addFrameOptions(command, arguments.picture);
-    command.get_option("--points")->description("Samples of each frame, such as 250000, 1e9 or 2G");
+    command.option("--points").description = "Samples of each frame, such as 250000, 1e9 or 2G";
     addVerbosityOptions(command, arguments.picture.verbosity);
 }
 

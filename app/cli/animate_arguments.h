@@ -16,6 +16,8 @@
 // option.
 namespace cli {
 
+struct Command;
+
 // Numbers of files, counted from 1: from the first to the last in steps.
 struct FileRange {
     int first = 1;
@@ -47,7 +49,7 @@ struct AnimateArguments {
     std::optional<animation::FrameRate> framesPerSecond;
 };
 
-void addAnimateOptions(CLI::App& command, AnimateArguments& arguments);
+void addAnimateOptions(Command& command, AnimateArguments& arguments);
 
 // Looks at every value before a file is read.
 void check(AnimateArguments& arguments);

@@ -151,13 +151,13 @@ ExitStatus animate(AnimateArguments arguments) {
 
 } // namespace
 
-Command animateCommand(CLI::App& program) {
+Command animateCommand() {
     auto arguments = std::make_shared<AnimateArguments>();
-    CLI::App* command =
-        program.add_subcommand("animate", "Draw the frames of an animation as pictures or as a video");
-    command->footer("animate FILE -o OUT [OPTION]...");
-    addAnimateOptions(*command, *arguments);
-    return {command, [arguments] { return animate(*arguments); }};
+    Command command("animate", "Draw the frames of an animation as pictures or as a video",
+                    "animate FILE -o OUT [OPTION]...");
+    addAnimateOptions(command, *arguments);
+    command.run = [arguments] { return animate(*arguments); };
+    return command;
 }
 
 } // namespace cli

@@ -196,60 +196,49 @@ ExitStatus collageOf(const CollageArguments& arguments) {
     return writeOutput(fileNameOf(*arguments.report), reportOf(mask, best, found.starts));
 }
 
-void addSearchOptions(CLI::App& command, CollageArguments& arguments) {
-    const auto add = [&](const char* names, const char* shown, auto& value, const char* description,
-                         const char* standard = "") {
-        command.add_option(names, value, description)
-            ->type_name(shown)
-            ->default_str(standard)
-            ->group("Search");
-    };
-    add("--maps", "N|MIN-MAX", arguments.maps,
+void addSearchOptions(Command& command, CollageArguments& arguments) {
+    const OptionGroup search = command.group("Search");
+    search.add(
+        "--maps", "N|MIN-MAX", &arguments.maps,
         "Number of maps, 2 to 16, or a range, in which a map is added only if it improves the fit enough",
         "2-8");
-    add("--seconds", "S", arguments.seconds, "How long to search", "2");
-    add("--starts", "K", arguments.starts,
-        "Number of random starts, instead of a time; the result is then the same on every run");
-    add("--seed", "K", arguments.seed, "Seed of the random starts", "1");
-    command.add_flag("--similarities", arguments.similarities, "Only maps that keep all angles")
-        ->group("Search");
-    command.add_flag("--no-mirrors", arguments.withoutMirrors, "No maps that reflect")->group("Search");
-    add("--angles", "60|90", arguments.angles, "Maps rotate only by multiples of this many degrees", "any");
-    command
-        .add_flag("--stem", arguments.stem,
-                  "The first map flattens the shape to a line, like the stem of a fern")
-        ->group("Search");
-    add("-j,--threads", "N", arguments.threads, "Threads, 1 to 1024; never changes the result of --starts",
-        "all cores");
+    search.add("--seconds", "S", &arguments.seconds, "How long to search", "2");
+    search.add("--starts", "K", &arguments.starts,
+               "Number of random starts, instead of a time; the result is then the same on every run");
+    search.add("--seed", "K", &arguments.seed, "Seed of the random starts", "1");
+    search.flag("--similarities", &arguments.similarities, "Only maps that keep all angles");
+    search.flag("--no-mirrors", &arguments.withoutMirrors, "No maps that reflect");
+    search.add("--angles", "60|90", &arguments.angles, "Maps rotate only by multiples of this many degrees",
+               "any");
+    search.flag("--stem", &arguments.stem,
+                "The first map flattens the shape to a line, like the stem of a fern");
+    search.add("-j,--threads", "N", &arguments.threads,
+               "Threads, 1 to 1024; never changes the result of --starts", "all cores");
 }
 
 } // namespace
 
-Command collageCommand(CLI::App& program) {
+Command collageCommand() {
     auto arguments = std::make_shared<CollageArguments>();
-    CLI::App* command =
-        program.add_subcommand("collage", "Find a system whose attractor looks like a picture");
-    command->footer("collage PICTURE -o OUT.ifs [OPTION]...");
-    const auto add = [&](const char* names, const char* shown, auto& value, const char* description,
-                         const char* group, const char* standard = "") {
-        return command->add_option(names, value, description)
-            ->type_name(shown)
-            ->default_str(standard)
-            ->group(group);
-    };
-    add("PICTURE", "PICTURE", arguments->picture,
-        "PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM; - for standard input", "Files")
-        ->required();
-    add("-o,--output", "OUT.ifs", arguments->output, "File to write; - for standard output", "Files")
-        ->required();
-    add("--report", "R.json", arguments->report, "Write how well it fits, in pixels of the picture", "Files");
-    add("--threshold", "T", arguments->threshold,
-        "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Shape", "Otsu's");
-    command->add_flag("--invert", arguments->invert, "Trace the light or transparent part instead")
-        ->group("Shape");
-    addSearchOptions(*command, *arguments);
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return collageOf(*arguments); }};
+    Command command("collage", "Find a system whose attractor looks like a picture",
+                    "collage PICTURE -o OUT.ifs [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files
+        .argument("PICTURE", &arguments->picture,
+                  "PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM; - for standard input")
+        .required();
+    files.add("-o,--output", "OUT.ifs", &arguments->output, "File to write; - for standard output")
+        .fileName()
+        .required();
+    files.add("--report", "R.json", &arguments->report, "Write how well it fits, in pixels of the picture");
+    const OptionGroup shape = command.group("Shape");
+    shape.add("--threshold", "T", &arguments->threshold,
+              "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Otsu's");
+    shape.flag("--invert", &arguments->invert, "Trace the light or transparent part instead");
+    addSearchOptions(command, *arguments);
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return collageOf(*arguments); };
+    return command;
 }
 
 } // namespace cli

@@ -509,51 +509,41 @@ ExitStatus convert(const Arguments& arguments) {
 
 } // namespace
 
-Command convertCommand(CLI::App& program) {
+Command convertCommand() {
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = program.add_subcommand("convert", "Convert entries to another format");
-    command->footer("convert FILE... OUT [OPTION]...");
-    command
-        ->add_option(
-            "FILE", arguments->files,
-            "Files to read (- for standard input), then the file (- for standard output) or folder to write")
-        ->type_name("FILE... OUT")
-        ->group("Files")
-        ->required()
-        ->expected(2, 1'000'000);
-    addEntriesOption(*command, arguments->entries);
-    const auto add = [&](const char* name, std::optional<std::string>& value, const char* shown,
-                         const char* description, const char* standard, const char* group) {
-        command->add_option(name, value, description)->type_name(shown)->default_str(standard)->group(group);
-    };
-    command
-        ->add_option("--to", arguments->format,
-                     "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad")
-        ->type_name("FORMAT")
-        ->default_str("as the output name determines")
-        ->group("Format");
-    command
-        ->add_flag("--overwrite", arguments->overwrite,
-                   "Replace an input file even if the output contains less")
-        ->group("Files");
-    command->add_flag("--bake", arguments->bake, "Bake the cage into the code")->group("Format");
-    command->add_flag("--strict", arguments->strict, "Write .ifs files that every program can read")
-        ->group("Format");
-    command
-        ->add_flag("--y-as-written", arguments->yAsWritten,
-                   "Keep the y of flames as written; their pictures are then upside down")
-        ->group("Format");
-    add("--columns", arguments->columns, "ORDER",
-        "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p", "Tables");
-    add("--in-columns", arguments->inColumns, "ORDER", "Order of the columns in the table to read",
-        "as in its header", "Tables");
-    add("--points", arguments->points, "N", "Number of points to write (.csv, .ply) instead of the maps", "",
-        "Points");
-    add("--seed", arguments->seed, "N", "Seed of the random numbers for --points", "1", "Points");
-    addSolidOptions(*command, arguments->solid);
-    addSymmetryOptions(*command, arguments->symmetry);
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return convert(*arguments); }};
+    Command command("convert", "Convert entries to another format", "convert FILE... OUT [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files
+        .argument("FILE... OUT", &arguments->files,
+                  "Files to read (- for standard input), then the file (- for standard output) or folder to "
+                  "write")
+        .required()
+        .minimum(2);
+    addEntriesOption(command, arguments->entries);
+    const OptionGroup format = command.group("Format");
+    format.add("--to", "FORMAT", &arguments->format,
+               "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad",
+               "as the output name determines");
+    files.flag("--overwrite", &arguments->overwrite,
+               "Replace an input file even if the output contains less");
+    format.flag("--bake", &arguments->bake, "Bake the cage into the code");
+    format.flag("--strict", &arguments->strict, "Write .ifs files that every program can read");
+    format.flag("--y-as-written", &arguments->yAsWritten,
+                "Keep the y of flames as written; their pictures are then upside down");
+    const OptionGroup tables = command.group("Tables");
+    tables.add("--columns", "ORDER", &arguments->columns,
+               "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p");
+    tables.add("--in-columns", "ORDER", &arguments->inColumns, "Order of the columns in the table to read",
+               "as in its header");
+    const OptionGroup points = command.group("Points");
+    points.add("--points", "N", &arguments->points,
+               "Number of points to write (.csv, .ply) instead of the maps");
+    points.add("--seed", "N", &arguments->seed, "Seed of the random numbers for --points", "1");
+    addSolidOptions(command, arguments->solid);
+    addSymmetryOptions(command, arguments->symmetry);
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return convert(*arguments); };
+    return command;
 }
 
 } // namespace cli

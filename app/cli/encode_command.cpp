@@ -352,37 +352,31 @@ ExitStatus encode(EncodeArguments arguments) {
 
 } // namespace
 
-Command encodeCommand(CLI::App& program) {
+Command encodeCommand() {
     auto arguments = std::make_shared<EncodeArguments>();
-    CLI::App* command = program.add_subcommand("encode", "Make a video from numbered PNG pictures");
-    command->footer("encode NAME.####.png -o OUT [OPTION]...");
-    command
-        ->add_option(
-            "PICTURES", arguments->pattern,
-            "Name of the pictures, all of the same size, such as NAME.####.png: #### stands for their "
-            "numbers with leading zeros, without gaps")
-        ->type_name("NAME.####.png")
-        ->group("Files")
-        ->required();
-    command
-        ->add_option("-o,--output", arguments->output,
-                     "Video to write: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
-        ->type_name("OUT")
-        ->group("Files")
-        ->required();
-    command
-        ->add_option("--frames", arguments->frames,
-                     "Pictures to take, all of which must be there: their numbers, such as 1-240,300, or all "
-                     "frames of the animation that the pictures carry")
-        ->type_name("LIST|all")
-        ->default_str("all that are there")
-        ->group("Frames");
-    command->add_option("--fps", arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001")
-        ->type_name("R")
-        ->default_str("those of the animation in the pictures, else 24")
-        ->group("Frames");
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return encode(*arguments); }};
+    Command command("encode", "Make a video from numbered PNG pictures",
+                    "encode NAME.####.png -o OUT [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files
+        .argument("NAME.####.png", &arguments->pattern,
+                  "Name of the pictures, all of the same size, such as NAME.####.png: #### stands for their "
+                  "numbers with leading zeros, without gaps")
+        .required();
+    files
+        .add("-o,--output", "OUT", &arguments->output,
+             "Video to write: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+        .fileName()
+        .required();
+    const OptionGroup frames = command.group("Frames");
+    frames.add("--frames", "LIST|all", &arguments->frames,
+               "Pictures to take, all of which must be there: their numbers, such as 1-240,300, or all "
+               "frames of the animation that the pictures carry",
+               "all that are there");
+    frames.add("--fps", "R", &arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001",
+               "those of the animation in the pictures, else 24");
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return encode(*arguments); };
+    return command;
 }
 
 } // namespace cli

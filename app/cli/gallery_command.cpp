@@ -180,54 +180,37 @@ ExitStatus gallery(const Arguments& arguments) {
 
 } // namespace
 
-Command galleryCommand(CLI::App& program) {
+Command galleryCommand() {
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = program.add_subcommand("gallery", "Draw all entries of collections on one sheet");
-    command->footer("gallery FILE... -o SHEET [OPTION]...");
-    command->add_option("FILE", arguments->files, "Collections; - for standard input")
-        ->type_name("FILE...")
-        ->group("Files")
-        ->required();
-    command
-        ->add_option("-o,--output", arguments->output,
-                     "Sheet to write: .png, .jpg, .webp, .tiff or .pdf; - for standard output (PNG)")
-        ->type_name("SHEET")
-        ->group("Files")
-        ->required();
-    addEntriesOption(*command, arguments->entries);
-    command->add_option("--palette", arguments->palette, "Palette: a name, as render lists them, or a file")
-        ->type_name("PALETTE")
-        ->default_str("stored in each entry, else Maple")
-        ->group("Colours");
-    command
-        ->add_option("--colour,--color", arguments->colour, "Colour by density, map, address, blend or none")
-        ->type_name("BY")
-        ->default_str("stored in each entry, else density")
-        ->group("Colours");
-    command->add_option("--title", arguments->title, "Title above the sheet")
-        ->type_name("TEXT")
-        ->group("Sheet");
-    command->add_option("--columns", arguments->columns, "Pictures per row, 1 to 1000")
-        ->type_name("N")
-        ->default_str("enough to fill a screen, at most 1920 pixels")
-        ->group("Sheet");
-    command
-        ->add_option("--page", arguments->page,
-                     "Pages of a .pdf: A3, A4, A5, letter, legal, or WIDTHxHEIGHT in millimetres")
-        ->type_name("SIZE")
-        ->default_str("A4")
-        ->group("Sheet");
-    command->add_option("--tile", arguments->tile, "Width and height of a picture in pixels")
-        ->type_name("WxH")
-        ->default_str("240x240")
-        ->group("Sheet");
-    command
-        ->add_option("--paper", arguments->paper, "Background of the sheet and its pictures: dark or light")
-        ->type_name("PAPER")
-        ->default_str("dark")
-        ->group("Sheet");
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return gallery(*arguments); }};
+    Command command("gallery", "Draw all entries of collections on one sheet",
+                    "gallery FILE... -o SHEET [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files.argument("FILE...", &arguments->files, "Collections; - for standard input").required();
+    files
+        .add("-o,--output", "SHEET", &arguments->output,
+             "Sheet to write: .png, .jpg, .webp, .tiff or .pdf; - for standard output (PNG)")
+        .fileName()
+        .required();
+    addEntriesOption(command, arguments->entries);
+    const OptionGroup colours = command.group("Colours");
+    colours
+        .add("--palette", "PALETTE", &arguments->palette, "Palette: a name, as render lists them, or a file",
+             "stored in each entry, else Maple")
+        .fileName();
+    colours.add("--colour,--color", "BY", &arguments->colour,
+                "Colour by density, map, address, blend or none", "stored in each entry, else density");
+    const OptionGroup sheet = command.group("Sheet");
+    sheet.add("--title", "TEXT", &arguments->title, "Title above the sheet").orEmpty();
+    sheet.add("--columns", "N", &arguments->columns, "Pictures per row, 1 to 1000",
+              "enough to fill a screen, at most 1920 pixels");
+    sheet.add("--page", "SIZE", &arguments->page,
+              "Pages of a .pdf: A3, A4, A5, letter, legal, or WIDTHxHEIGHT in millimetres", "A4");
+    sheet.add("--tile", "WxH", &arguments->tile, "Width and height of a picture in pixels", "240x240");
+    sheet.add("--paper", "PAPER", &arguments->paper,
+              "Background of the sheet and its pictures: dark or light", "dark");
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return gallery(*arguments); };
+    return command;
 }
 
 } // namespace cli

@@ -36,30 +36,27 @@ void addRow(std::string& text, const std::string& name, const std::string& descr
     text += line + '\n';
 }
 
-std::string nameOf(const CLI::Option& option) {
-    if (option.get_positional()) return option.get_type_name();
+std::string nameOf(const Option& option) {
+    if (option.isArgument()) return option.valueName;
     std::string names;
-    for (const std::string& name : option.get_snames())
-        names += "-" + name + ", ";
-    for (const std::string& name : option.get_lnames())
-        names += "--" + name + ", ";
-    names.resize(names.size() - 2);
-    return option.get_items_expected_max() == 0 ? names : names + ' ' + option.get_type_name();
+    for (const auto* each : {&option.shortNames, &option.longNames})
+        for (const std::string& name : *each)
+            names += (names.empty() ? "" : ", ") + name;
+    return option.isFlag() ? names : names + ' ' + option.valueName;
 }
 
-std::string descriptionOf(const CLI::Option& option) {
-    std::string standard = option.get_default_str();
-    if (standard.empty()) return option.get_description();
-    standard = "[default: " + standard + "]";
+std::string descriptionOf(const Option& option) {
+    if (option.standard.empty()) return option.description;
+    std::string standard = "[default: " + option.standard + "]";
     if (standard.size() <= lineLength - column) std::ranges::replace(standard, ' ', unbroken);
-    return option.get_description() + ' ' + standard;
+    return option.description + ' ' + standard;
 }
 
-std::string programHelp(const CLI::App& program) {
+std::string programHelp(const Program& program) {
     std::string text =
-        program.get_description() + "\n\nUsage: barycage-cli COMMAND FILE... [OPTION]...\n\nCommands:\n";
-    for (const CLI::App* command : program.get_subcommands({}))
-        addRow(text, command->get_name(), command->get_description());
+        program.description + "\n\nUsage: barycage-cli COMMAND FILE... [OPTION]...\n\nCommands:\n";
+    for (const Command& command : program.commands)
+        addRow(text, command.name, command.description);
     addRow(text, "help COMMAND", "Show the options of a command, as COMMAND --help does");
     text += "\nOptions:\n";
     addRow(text, "-h, --help", "Show this help");
@@ -69,20 +66,17 @@ std::string programHelp(const CLI::App& program) {
 
 } // namespace
 
-std::string helpText(const CLI::App& program, const CLI::App* command) {
+std::string helpText(const Program& program, const Command* command) {
     if (!command) return programHelp(program);
-    std::string text = command->get_description() + "\n\nUsage: barycage-cli " + command->get_footer() + "\n";
+    std::string text = command->description + "\n\nUsage: barycage-cli " + command->usage + "\n";
     std::vector<std::string> groups;
-    for (const CLI::Option* option : command->get_options())
-        if (std::ranges::find(groups, option->get_group()) == groups.end())
-            groups.push_back(option->get_group());
-    const auto isGeneral = [](const std::string& group) { return group == "Options"; };
-    std::stable_partition(groups.begin(), groups.end(),
-                          [&](const std::string& group) { return !isGeneral(group); });
+    for (const Option& option : command->options)
+        if (std::ranges::find(groups, option.group) == groups.end()) groups.push_back(option.group);
+    std::ranges::stable_partition(groups, [](const std::string& group) { return group != generalOptions; });
     for (const std::string& group : groups) {
         text += '\n' + group + ":\n";
-        for (const CLI::Option* option : command->get_options())
-            if (option->get_group() == group) addRow(text, nameOf(*option), descriptionOf(*option));
+        for (const Option& option : command->options)
+            if (option.group == group) addRow(text, nameOf(option), descriptionOf(option));
     }
     return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "options.h"
 
 #include <string>
 
@@ -9,6 +9,6 @@ namespace cli {
 
 // The commands, or the options of one of them by groups, each with what stands for its value and its default;
 // no line is longer than 80 characters.
-std::string helpText(const CLI::App& program, const CLI::App* command);
+std::string helpText(const Program& program, const Command* command);
 
 } // namespace cli

@@ -173,50 +173,34 @@ ExitStatus info(const Arguments& arguments) {
 
 } // namespace
 
-Command infoCommand(CLI::App& program) {
+Command infoCommand() {
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command =
-        program.add_subcommand("info", "Show what a file contains and the properties of its systems");
-    command->footer("info FILE [OPTION]...");
-    command
-        ->add_option("FILE", arguments->file,
-                     "Collection, or picture with an embedded system; - for standard input")
-        ->type_name("FILE")
-        ->group("Files")
-        ->required();
-    addEntriesOption(*command, arguments->entries);
-    CLI::Option* json =
-        command->add_flag("--json", arguments->json, "Print one JSON object at full precision");
-    CLI::Option* names = command->add_flag("--names", arguments->names, "Print only the names, one per line");
-    CLI::Option* list = command->add_flag("--list", arguments->list,
-                                          "Print only the number, dimension, maps and name of each entry");
-    json->excludes(names)->group("Output");
-    names->excludes(list)->group("Output");
-    list->group("Output");
-    command
-        ->add_option("--frame", arguments->frame,
-                     "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2")
-        ->type_name("F")
-        ->default_str("the entry at rest")
-        ->group("Properties");
-    command
-        ->add_option("--hull-tolerance", arguments->hullTolerance,
-                     "Tolerance of the convex hull, in the system's units")
-        ->type_name("LENGTH")
-        ->default_str("1e-6 of the diagonal")
-        ->group("Properties");
-    command
-        ->add_option(
-            "--budget", arguments->budget,
-            "Processor time for each property that can take long, with three times as much for an entry and "
-            "30 times for all, or none for no limit")
-        ->type_name("SECONDS")
-        ->default_str("1")
-        ->group("Properties");
-    command->add_flag("--no-dimension", arguments->noDimension, "Leave out the affinity dimension")
-        ->group("Properties");
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return info(*arguments); }};
+    Command command("info", "Show what a file contains and the properties of its systems",
+                    "info FILE [OPTION]...");
+    command.group("Files")
+        .argument("FILE", &arguments->file,
+                  "Collection, or picture with an embedded system; - for standard input")
+        .required();
+    addEntriesOption(command, arguments->entries);
+    const OptionGroup output = command.group("Output");
+    output.flag("--json", &arguments->json, "Print one JSON object at full precision").excludes("--names");
+    output.flag("--names", &arguments->names, "Print only the names, one per line").excludes("--list");
+    output.flag("--list", &arguments->list, "Print only the number, dimension, maps and name of each entry");
+    const OptionGroup properties = command.group("Properties");
+    properties.add("--frame", "F", &arguments->frame,
+                   "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2",
+                   "the entry at rest");
+    properties.add("--hull-tolerance", "LENGTH", &arguments->hullTolerance,
+                   "Tolerance of the convex hull, in the system's units", "1e-6 of the diagonal");
+    properties.add(
+        "--budget", "SECONDS", &arguments->budget,
+        "Processor time for each property that can take long, with three times as much for an entry and "
+        "30 times for all, or none for no limit",
+        "1");
+    properties.flag("--no-dimension", &arguments->noDimension, "Leave out the affinity dimension");
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return info(*arguments); };
+    return command;
 }
 
 } // namespace cli

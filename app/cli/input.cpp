@@ -2,6 +2,7 @@
 #include "input.h"
 
 #include "messages.h"
+#include "options.h"
 
 #include "io/file/native_path.h"
 #include "io/file/save_file.h"
@@ -119,15 +120,9 @@ bool isLoaded(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
 
-CLI::Option* addEntriesOption(CLI::App& command, std::vector<std::string>& entries, const char* standard) {
-    return command
-        .add_option("--entry", entries, "Only this entry: its name, #NUMBER, or all; may be repeated")
-        ->type_name("NAME")
-        ->group("Files")
-        ->default_str(standard)
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
+Option& addEntriesOption(Command& command, std::vector<std::string>& entries, const char* standard) {
+    return command.group("Files").add(
+        "--entry", "NAME", &entries, "Only this entry: its name, #NUMBER, or all; may be repeated", standard);
 }
 
 namespace {

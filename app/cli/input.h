@@ -9,13 +9,14 @@
 #include <QByteArray>
 #include <QString>
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cli {
+
+struct Command;
+struct Option;
 
 struct Input {
     QString name; // as given, "-" for standard input
@@ -31,8 +32,7 @@ io::Loaded loadBytes(const std::string& file); // of FILE, or of standard input 
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options = {});
 
 // --entry, as often as one likes.
-CLI::Option* addEntriesOption(CLI::App& command, std::vector<std::string>& entries,
-                              const char* standard = "all");
+Option& addEntriesOption(Command& command, std::vector<std::string>& entries, const char* standard = "all");
 
 // The entries named, each once; all when no name is given. A name means the first entry that has exactly this
 // name, else the first that is shown so (printableLine), else for #N the Nth entry of the file, else the

@@ -20,30 +20,25 @@ namespace {
 
 using cli::ExitStatus;
 
-ExitStatus answer(CLI::App& program, const cli::Call& call) {
+ExitStatus answer(const cli::Program& program, const cli::Call& call) {
     const std::string text = call.question == cli::Question::Help ? cli::helpText(program, call.command)
-                                                                  : program.version() + '\n';
+                                                                  : "barycage-cli " BARYCAGE_VERSION "\n";
     return cli::writeOutput(QStringLiteral("-"), QByteArray::fromStdString(text));
 }
 
-ExitStatus call(CLI::App& program, const std::vector<cli::Command>& commands,
-                const std::vector<std::string>& words) {
+ExitStatus call(const cli::Program& program, const std::vector<std::string>& words) {
     const cli::Call call = cli::parse(program, words);
-    if (call.question != cli::Question::None) return answer(program, call);
-    return std::ranges::find(commands, call.command, &cli::Command::app)->run();
+    return call.question != cli::Question::None ? answer(program, call) : call.command->run();
 }
 
-ExitStatus run(CLI::App& program, const std::vector<cli::Command>& commands,
-               const std::vector<std::string>& words) {
+ExitStatus run(const cli::Program& program, const std::vector<std::string>& words) {
     try {
-        return call(program, commands, words);
+        return call(program, words);
     } catch (const cli::InputError& error) {
         cli::reportError(error.fileName, error.sentence);
         return error.status;
     } catch (const cli::UsageError& error) {
-        const bool isCommand = std::ranges::any_of(commands, [&](const cli::Command& command) {
-            return !words.empty() && command.app->get_name() == words.front();
-        });
+        const bool isCommand = !words.empty() && program.find(words.front()) != nullptr;
         cli::reportUsage(isCommand ? QString::fromStdString(words.front()) : QString(), error.sentence);
         return ExitStatus::WrongUsage;
     } catch (const std::bad_alloc&) {
@@ -78,12 +73,10 @@ int main(int argc, char** argv) {
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);
     }
-    CLI::App program("Iterated function systems from the command line", "barycage-cli");
-    program.set_version_flag("-V,--version", "barycage-cli " BARYCAGE_VERSION);
-    const std::vector<cli::Command> commands = {cli::infoCommand(program),    cli::renderCommand(program),
-                                                cli::convertCommand(program), cli::galleryCommand(program),
-                                                cli::animateCommand(program), cli::encodeCommand(program),
-                                                cli::morphCommand(program),   cli::mergeCommand(program),
-                                                cli::collageCommand(program), cli::stealCommand(program)};
-    return int(run(program, commands, words));
+    const cli::Program program("Iterated function systems from the command line",
+                               {cli::infoCommand(), cli::renderCommand(), cli::convertCommand(),
+                                cli::galleryCommand(), cli::animateCommand(), cli::encodeCommand(),
+                                cli::morphCommand(), cli::mergeCommand(), cli::collageCommand(),
+                                cli::stealCommand()});
+    return int(run(program, words));
 }

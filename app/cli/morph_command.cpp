@@ -143,33 +143,25 @@ ExitStatus morph(const MorphArguments& arguments) {
 
 } // namespace
 
-Command morphCommand(CLI::App& program) {
+Command morphCommand() {
     auto arguments = std::make_shared<MorphArguments>();
-    CLI::App* command =
-        program.add_subcommand("morph", "Write an entry whose animation turns one entry into another");
-    command->footer("morph FILE --from A --to B -o OUT.ifs [OPTION]...");
-    const auto add = [&](const char* names, const char* shown, auto& value, const char* description,
-                         const char* group, const char* standard = "") {
-        return command->add_option(names, value, description)
-            ->type_name(shown)
-            ->default_str(standard)
-            ->group(group);
-    };
-    add("FILE", "FILE", arguments->file, "Collection with both entries; - for standard input", "Files")
-        ->required();
-    add("-o,--output", "OUT.ifs", arguments->output, "File to write; - for standard output", "Files")
-        ->required();
-    add("--from", "NAME", arguments->from, "The entry at frame 0: its name, or #NUMBER", "Morph")->required();
-    add("--to", "NAME", arguments->to, "The entry at the last frame", "Morph")->required();
-    add("--length", "FRAMES", arguments->length, "The last frame", "Morph", "120");
-    add("--pin", "I:K", arguments->pins,
-        "Map I of the first becomes map K of the second, as far as their weights allow; may be repeated",
-        "Morph")
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return morph(*arguments); }};
+    Command command("morph", "Write an entry whose animation turns one entry into another",
+                    "morph FILE --from A --to B -o OUT.ifs [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files.argument("FILE", &arguments->file, "Collection with both entries; - for standard input").required();
+    files.add("-o,--output", "OUT.ifs", &arguments->output, "File to write; - for standard output")
+        .fileName()
+        .required();
+    const OptionGroup group = command.group("Morph");
+    group.add("--from", "NAME", &arguments->from, "The entry at frame 0: its name, or #NUMBER").required();
+    group.add("--to", "NAME", &arguments->to, "The entry at the last frame").required();
+    group.add("--length", "FRAMES", &arguments->length, "The last frame", "120");
+    group.add("--pin", "I:K", &arguments->pins,
+              "Map I of the first becomes map K of the second, as far as their weights allow; may be "
+              "repeated");
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return morph(*arguments); };
+    return command;
 }
 
 } // namespace cli

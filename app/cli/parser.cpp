@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
-#include <utility>
 
 namespace cli {
 
@@ -52,46 +52,26 @@ std::string withoutDashes(const std::string& name) {
     return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-std::vector<std::string> namesOf(const CLI::Option& option) {
-    std::vector<std::string> names;
-    for (const std::string& name : option.get_lnames())
-        names.push_back("--" + name);
-    for (const std::string& name : option.get_snames())
-        names.push_back("-" + name);
+// The long ones first.
+std::vector<std::string> namesOf(const Option& option) {
+    std::vector<std::string> names = option.longNames;
+    names.insert(names.end(), option.shortNames.begin(), option.shortNames.end());
     return names;
 }
 
-std::vector<std::string> optionNames(const CLI::App& command) {
+std::vector<std::string> optionNames(const Command& command) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : namesOf(*option))
+    for (const Option& option : command.options)
+        for (const std::string& name : namesOf(option))
             names.push_back(name);
     return names;
 }
 
-std::vector<std::string> commandNames(CLI::App& program) {
+std::vector<std::string> commandNames(const Program& program) {
     std::vector<std::string> names;
-    for (const CLI::App* command : program.get_subcommands({}))
-        names.push_back(command->get_name());
+    for (const Command& command : program.commands)
+        names.push_back(command.name);
     return names;
-}
-
-CLI::App* findCommand(CLI::App& program, const std::string& name) {
-    const auto commands =
-        program.get_subcommands([&](CLI::App* command) { return command->get_name() == name; });
-    return commands.empty() ? nullptr : commands.front();
-}
-
-CLI::Option* findOption(CLI::App& command, const std::string& name) {
-    const auto options = command.get_options([&](CLI::Option* option) {
-        const auto names = namesOf(*option);
-        return std::ranges::find(names, name) != names.end();
-    });
-    return options.empty() ? nullptr : options.front();
-}
-
-bool isFlag(const CLI::Option& option) {
-    return option.get_items_expected_max() == 0;
 }
 
 bool isOptionWord(const std::string& word) {
@@ -99,17 +79,11 @@ bool isOptionWord(const std::string& word) {
            (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])));
 }
 
-// Bytes that are no text make sense only as the name of a file.
-bool isFileName(const CLI::Option& option) {
-    return option.get_positional() || option.check_lname("output") || option.check_lname("palette") ||
-           option.check_lname("picture") || option.check_lname("from-file");
-}
-
-QString unknownOption(CLI::App& program, CLI::App* command, const std::string& name) {
+QString unknownOption(const Program& program, const Command* command, const std::string& name) {
     const QString unknown = tr("unknown option %1").arg(shown(name));
     std::vector<std::string> owners;
-    for (CLI::App* other : program.get_subcommands({}))
-        if (other != command && findOption(*other, name)) owners.push_back(other->get_name());
+    for (const Command& other : program.commands)
+        if (&other != command && other.find(name)) owners.push_back(other.name);
     if (command) {
         if (!owners.empty()) return tr("%1; it is an option of %2.").arg(unknown, listed(owners));
         const std::string meant = nearest(name, optionNames(*command));
@@ -117,11 +91,11 @@ QString unknownOption(CLI::App& program, CLI::App* command, const std::string& n
     }
     if (!owners.empty())
         return tr("%1 must follow its command, such as “%2 %1”.").arg(shown(name), shown(owners.front()));
-    const std::string meant = nearest(name, optionNames(program));
+    const std::string meant = nearest(name, {"--help", "--version"});
     return meant.empty() ? unknown + u'.' : tr("%1; did you mean %2?").arg(unknown, shown(meant));
 }
 
-QString unknownCommand(CLI::App& program, const std::string& name) {
+QString unknownCommand(const Program& program, const std::string& name) {
     const auto names = commandNames(program);
     const std::string meant = nearest(name, names);
     return meant.empty() ? tr("There is no command “%1”; the commands are %2.")
@@ -132,7 +106,7 @@ QString unknownCommand(CLI::App& program, const std::string& name) {
 // One command's words, from left to right.
 class Reader {
 public:
-    Reader(CLI::App& program, CLI::App& command) : m_program(program), m_command(command) {}
+    Reader(const Program& program, const Command& command) : m_program(program), m_command(command) {}
 
     Question read(const std::vector<std::string>& words) {
         for (m_next = 0; m_next < words.size();) {
@@ -162,9 +136,9 @@ private:
     void readLong(const std::vector<std::string>& words, const std::string& word) {
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(0, equals);
-        CLI::Option* option = findOption(m_command, name);
+        const Option* option = m_command.find(name);
         if (!option) throw UsageError{unknownOption(m_program, &m_command, name)};
-        if (isFlag(*option)) {
+        if (option->isFlag()) {
             if (equals != std::string::npos) complain(tr("%1 takes no value.").arg(shown(name)));
             return set(*option, name, "true");
         }
@@ -176,9 +150,9 @@ private:
     void readShort(const std::vector<std::string>& words, const std::string& word) {
         for (std::size_t i = 1; i < word.size(); ++i) {
             const std::string name = std::string("-") + word[i];
-            CLI::Option* option = findOption(m_command, name);
+            const Option* option = m_command.find(name);
             if (!option) throw UsageError{unknownOption(m_program, &m_command, word)};
-            if (isFlag(*option)) {
+            if (option->isFlag()) {
                 set(*option, name, "true");
                 continue;
             }
@@ -187,110 +161,96 @@ private:
         }
     }
 
-    void setNext(CLI::Option& option, const std::string& name, const std::vector<std::string>& words) {
+    void setNext(const Option& option, const std::string& name, const std::vector<std::string>& words) {
         if (m_next < words.size()) return set(option, name, words[m_next++]);
-        complain(tr("%1 needs a value: %1 %2.").arg(shown(name), shown(option.get_type_name())));
+        complain(tr("%1 needs a value: %1 %2.").arg(shown(name), shown(option.valueName)));
     }
 
-    void set(CLI::Option& option, const std::string& name, const std::string& value) {
-        if (option.check_lname("help")) {
+    void set(const Option& option, const std::string& name, const std::string& value) {
+        if (option.asksForHelp()) {
             m_question = Question::Help;
             return;
         }
-        if (value.empty() && !option.check_lname("title"))
-            complain(tr("The value of %1 is empty.").arg(shown(name)));
-        if (!isFlag(option) && !isFileName(option) && !QByteArrayView(value).isValidUtf8())
+        if (value.empty() && !option.mayBeEmpty) complain(tr("The value of %1 is empty.").arg(shown(name)));
+        if (!option.isFlag() && !option.isFileName && !QByteArrayView(value).isValidUtf8())
             complain(tr("The value of %1 is not valid UTF-8.").arg(shown(name)));
-        if (option.count() > 0) {
-            if (isFlag(option)) return;
-            if (option.get_items_expected_max() == 1 &&
-                option.get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll)
-                return complain(tr("%1 can be given only once.").arg(shown(name)));
+        std::vector<std::string>& values = m_values[&option];
+        if (!values.empty() && !option.takesMany()) {
+            if (!option.isFlag()) complain(tr("%1 can be given only once.").arg(shown(name)));
+            return;
         }
-        add(option, value);
-    }
-
-    // One value as it is: CLI11 would take [a,b] for two.
-    static void add(CLI::Option& option, const std::string& value) {
-        option.allow_extra_args(false);
-        option.add_result(value);
+        values.push_back(value);
     }
 
     // One argument for each place, and to the last as many as it takes.
     void placeArguments() {
         std::size_t at = 0;
-        for (CLI::Option* option :
-             m_command.get_options([](CLI::Option* candidate) { return candidate->get_positional(); })) {
-            const auto minItems = std::size_t(option->get_items_expected_min());
-            const auto maxItems = std::size_t(option->get_items_expected_max());
+        for (const Option& option : m_command.options) {
+            if (!option.isArgument()) continue;
             const std::size_t left = m_arguments.size() - at;
-            if (left < minItems && option->get_required() && !isAnswered())
+            if (left < option.minItems && option.isRequired && !isAnswered())
                 throw UsageError{tr("%1 is missing. Usage: barycage-cli %2")
-                                     .arg(missing(*option, left), shown(m_command.get_footer()))};
-            for (const std::size_t end = at + std::min(left, maxItems); at < end; ++at) {
+                                     .arg(missing(option, left), shown(m_command.usage))};
+            const std::size_t taken = option.takesMany() ? left : std::min<std::size_t>(left, 1);
+            for (const std::size_t end = at + taken; at < end; ++at) {
                 if (m_arguments[at].empty()) throw UsageError{tr("The name of a file is empty.")};
-                add(*option, m_arguments[at]);
+                m_values[&option].push_back(m_arguments[at]);
             }
         }
         if (at < m_arguments.size())
             throw UsageError{tr("“%1” is one argument too many. Usage: barycage-cli %2")
-                                 .arg(shown(m_arguments[at]), shown(m_command.get_footer()))};
+                                 .arg(shown(m_arguments[at]), shown(m_command.usage))};
     }
 
     // The name of the first place that is empty: FILE or OUT of "FILE... OUT".
-    static QString missing(const CLI::Option& option, std::size_t given) {
-        const QStringList places = shown(option.get_type_name()).remove(QStringLiteral("...")).split(u' ');
+    static QString missing(const Option& option, std::size_t given) {
+        const QStringList places = shown(option.valueName).remove(QStringLiteral("...")).split(u' ');
         return places[std::min(qsizetype(given), places.size() - 1)];
     }
 
-    // By an option that asks for a list instead of the command's work.
+    bool isGiven(const Option& option) const { return m_values.contains(&option); }
+
     bool isAnswered() const {
-        return std::ranges::any_of(m_command.get_options({}), [](const CLI::Option* option) {
-            return option->count() > 0 && option->get_lnames().size() == 1 &&
-                   option->get_lnames().front().starts_with("list-");
-        });
+        return std::ranges::any_of(
+            m_command.options, [this](const Option& option) { return option.isQuestion && isGiven(option); });
     }
 
     void check() const {
-        for (const CLI::Option* option : m_command.get_options({})) {
-            if (option->count() == 0) {
-                if (option->get_required() && !option->get_positional() && !isAnswered())
+        for (const Option& option : m_command.options) {
+            if (!isGiven(option)) {
+                if (option.isRequired && !option.isArgument() && !isAnswered())
                     throw UsageError{tr("%1 %2 is missing. Usage: barycage-cli %3")
-                                         .arg(shown(namesOf(*option).back()), shown(option->get_type_name()),
-                                              shown(m_command.get_footer()))};
+                                         .arg(shown(namesOf(option).back()), shown(option.valueName),
+                                              shown(m_command.usage))};
                 continue;
             }
-            for (const CLI::Option* other : option->get_excludes())
-                if (other->count() > 0)
+            for (const std::string& name : option.excluded) {
+                const Option* other = m_command.find(name);
+                if (other != nullptr && isGiven(*other))
                     throw UsageError{
                         tr("%1 and %2 cannot be used together.")
-                            .arg(shown(namesOf(*option).front()), shown(namesOf(*other).front()))};
+                            .arg(shown(namesOf(option).front()), shown(namesOf(*other).front()))};
+            }
         }
     }
 
     void store() const {
-        for (CLI::Option* option : m_command.get_options([](CLI::Option*) { return true; })) {
-            if (option->count() == 0) continue;
-            try {
-                option->run_callback();
-            } catch (const CLI::ParseError&) {
-                throw UsageError{tr("%1 “%2” is not valid.")
-                                     .arg(shown(option->get_name()), shown(option->results().front()))};
-            }
-        }
+        for (const Option& option : m_command.options)
+            if (isGiven(option)) option.store(m_values.at(&option));
     }
 
-    CLI::App& m_program;
-    CLI::App& m_command;
-    std::vector<std::string> m_arguments; // that belong to no option
-    std::optional<QString> m_complaint;   // the first
+    const Program& m_program;
+    const Command& m_command;
+    std::map<const Option*, std::vector<std::string>> m_values; // of the options and arguments that are given
+    std::vector<std::string> m_arguments;                       // that belong to no option
+    std::optional<QString> m_complaint;                         // the first
     Question m_question = Question::None;
     std::size_t m_next = 0;
     bool m_optionsEnded = false;
 };
 
-CLI::App& commandNamed(CLI::App& program, const std::string& name) {
-    if (CLI::App* command = findCommand(program, name)) return *command;
+const Command& commandNamed(const Program& program, const std::string& name) {
+    if (const Command* command = program.find(name)) return *command;
     throw UsageError{unknownCommand(program, name)};
 }
 
@@ -317,7 +277,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     return best;
 }
 
-Call parse(CLI::App& program, const std::vector<std::string>& words) {
+Call parse(const Program& program, const std::vector<std::string>& words) {
     if (words.empty()) throw UsageError{tr("Give a command: %1.").arg(listed(commandNames(program)))};
     const std::string& first = words.front();
     if (first == "help" || first == "--help" || first == "-h") {
@@ -327,7 +287,7 @@ Call parse(CLI::App& program, const std::vector<std::string>& words) {
     if (first == "--version" || first == "-V") return {nullptr, Question::Version};
     if (isOptionWord(first))
         throw UsageError{unknownOption(program, nullptr, first.substr(0, first.find('=')))};
-    CLI::App& command = commandNamed(program, first);
+    const Command& command = commandNamed(program, first);
     return {&command, Reader(program, command).read({words.begin() + 1, words.end()})};
 }
 

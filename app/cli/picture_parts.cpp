@@ -301,31 +301,25 @@ ExitStatus resumePicture(const RenderArguments& arguments) {
     return std::visit([&](const auto& sums) { return resume(sums, arguments, interrupt); }, read);
 }
 
-Command mergeCommand(CLI::App& program) {
+Command mergeCommand() {
     auto arguments = std::make_shared<MergeArguments>();
-    CLI::App* command = program.add_subcommand("merge", "Merge the parts of a picture");
-    command->footer("merge FILE... -o OUT [OPTION]...");
-    command->add_option("FILE", arguments->files, "Parts of one picture, written by render or merge")
-        ->type_name("FILE...")
-        ->group("Files")
-        ->required();
-    command
-        ->add_option(
-            "-o,--output", arguments->output,
-            "Picture to write once all parts are present, in a format of render, or their sum (.sum)")
-        ->type_name("OUT")
-        ->group("Files")
-        ->required();
-    command->add_option("--quality", arguments->quality, "Quality of .jpg and .webp, 1 to 100")
-        ->type_name("Q")
-        ->default_str("92; WebP without loss")
-        ->group("Files");
-    command->add_option("-j,--threads", arguments->threads, "Threads, 1 to 1024; never changes the picture")
-        ->type_name("N")
-        ->default_str("all cores")
-        ->group("Algorithm");
-    addVerbosityOptions(*command, arguments->verbosity);
-    return {command, [arguments] { return merge(*arguments); }};
+    Command command("merge", "Merge the parts of a picture", "merge FILE... -o OUT [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files.argument("FILE...", &arguments->files, "Parts of one picture, written by render or merge")
+        .required();
+    files
+        .add("-o,--output", "OUT", &arguments->output,
+             "Picture to write once all parts are present, in a format of render, or their sum (.sum)")
+        .fileName()
+        .required();
+    files.add("--quality", "Q", &arguments->quality, "Quality of .jpg and .webp, 1 to 100",
+              "92; WebP without loss");
+    command.group("Algorithm")
+        .add("-j,--threads", "N", &arguments->threads, "Threads, 1 to 1024; never changes the picture",
+             "all cores");
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return merge(*arguments); };
+    return command;
 }
 
 } // namespace cli

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "messages.h"
+#include "options.h"
 
 #include <algorithm>
 #include <array>
@@ -19,12 +20,11 @@ ProgressMode progressMode(const std::string& text) {
                                : ProgressMode::Auto;
 }
 
-void addVerbosityOptions(CLI::App& command, Verbosity& verbosity) {
-    command
-        .add_option("--progress", verbosity.progress, "Progress bar: always, never, or auto for a terminal")
-        ->type_name("WHEN")
-        ->default_str("auto");
-    command.add_flag("-q,--quiet", verbosity.isQuiet, "No progress bar and no warnings");
+void addVerbosityOptions(Command& command, Verbosity& verbosity) {
+    const OptionGroup general = command.group(generalOptions);
+    general.add("--progress", "WHEN", &verbosity.progress,
+                "Progress bar: always, never, or auto for a terminal", "auto");
+    general.flag("-q,--quiet", &verbosity.isQuiet, "No progress bar and no warnings");
 }
 
 ProgressMode applied(const Verbosity& verbosity) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <string>
 
 namespace cli {
+
+struct Command;
 
 enum class ProgressMode { Always, Never, Auto }; // Auto: when standard error is a terminal
 
@@ -17,7 +17,7 @@ struct Verbosity {
     std::string progress = "auto";
     bool isQuiet = false; // neither progress nor warnings
 };
-void addVerbosityOptions(CLI::App& command, Verbosity& verbosity);
+void addVerbosityOptions(Command& command, Verbosity& verbosity);
 ProgressMode applied(const Verbosity& verbosity); // throws UsageError
 
 // One line on standard error that is drawn over, and gone at the end. Of work that takes longer than a few

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "input.h"
+#include "options.h"
 #include "output.h"
 #include "output_names.h"
 #include "usage_error.h"
@@ -303,169 +304,156 @@ Format checked(RenderArguments& arguments) {
 
 namespace {
 
-// An option of the help's group: its names, what stands for its value, where the value goes, what it means
-// and its default.
-struct OptionGroup {
-    CLI::App& command;
-    const char* name;
-
-    template <class Value>
-    void add(const char* names, const char* shown, Value& value, const char* description,
-             const char* standard = "") const {
-        command.add_option(names, value, description)->type_name(shown)->default_str(standard)->group(name);
-    }
-};
-
-void addColourOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup colours{command, "Colours"};
-    colours.add("--palette", "PALETTE", arguments.palette,
-                "Palette: its name, or a .gpl, .ggr, .ugr or .map file", "stored in the entry, else Maple");
-    colours.add("--colour,--color", "BY", arguments.colour,
+void addColourOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup colours = command.group("Colours");
+    colours
+        .add("--palette", "PALETTE", &arguments.palette,
+             "Palette: its name, or a .gpl, .ggr, .ugr or .map file", "stored in the entry, else Maple")
+        .fileName();
+    colours.add("--colour,--color", "BY", &arguments.colour,
                 "Colour by density, map, address, blend or none; a solid by map, height, depth or none",
                 "stored in the entry, else density");
-    colours.add("--gamma", "G", arguments.gamma, "Gamma of the tone curve", "stored in the entry, else 2.2");
-    colours.add("--brightness", "B", arguments.brightness, "Brightness of the tone curve",
+    colours.add("--gamma", "G", &arguments.gamma, "Gamma of the tone curve", "stored in the entry, else 2.2");
+    colours.add("--brightness", "B", &arguments.brightness, "Brightness of the tone curve",
                 "stored in the entry, else 20");
-    colours.add("--contrast", "C", arguments.contrast,
+    colours.add("--contrast", "C", &arguments.contrast,
                 "Contrast of the tone curve: above 1, light becomes lighter and dark darker",
                 "stored in the entry, else 1");
     colours.add(
-        "--vibrancy", "V", arguments.vibrancy,
+        "--vibrancy", "V", &arguments.vibrancy,
         "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and colours are paler",
         "stored in the entry, else 1");
-    colours.add("--background", "COLOUR", arguments.background,
+    colours.add("--background", "COLOUR", &arguments.background,
                 "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
                 "stored in the entry, else #0d1017");
 }
 
-void addShapeOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup file{command, "File"};
-    file.add("--to", "FORMAT", arguments.format, "png, jpg, webp, tiff, exr, svg or pdf",
+void addShapeOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup file = command.group("File");
+    file.add("--to", "FORMAT", &arguments.format, "png, jpg, webp, tiff, exr, svg or pdf",
              "as the output name determines");
-    file.add("--svg", "KIND", arguments.svg, "Kind of vector graphics: structured, outline or points",
+    file.add("--svg", "KIND", &arguments.svg, "Kind of vector graphics: structured, outline or points",
              "structured");
-    file.add("--depth", "N", arguments.depth, "Levels of copies in vector graphics",
+    file.add("--depth", "N", &arguments.depth, "Levels of copies in vector graphics",
              "as many as the pixels need");
 }
 
-void addPixelOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup file{command, "File"};
+void addPixelOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup file = command.group("File");
     file.add(
-        "--bits", "8|16|32", arguments.bits,
+        "--bits", "8|16|32", &arguments.bits,
         "Bits per channel: 8 or 16 in .png and .tiff, 8 in .jpg and .webp, 16 or 32 (floating point) in .exr",
         "8; 16 in .exr and for --look normals");
-    file.add("--dpi", "D", arguments.dpi, "Resolution stored in the picture, in dots per inch, 1 to 100000",
+    file.add("--dpi", "D", &arguments.dpi, "Resolution stored in the picture, in dots per inch, 1 to 100000",
              "none; 96 of a solid in .svg and .pdf");
 }
 
-void addExplanationOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "Explanations"};
-    group.add("--overlay", "PARTS", arguments.overlay,
+void addExplanationOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("Explanations");
+    group.add("--overlay", "PARTS", &arguments.overlay,
               "Draw over the picture: maps, hull, cage, fixed-points and numbers, separated by commas; the "
               "view includes the cage and the maps");
-    command
-        .add_flag("--legend", arguments.legend,
-                  "Put the table of maps to the right, which makes the picture wider")
-        ->group("Explanations");
+    group.flag("--legend", &arguments.legend,
+               "Put the table of maps to the right, which makes the picture wider");
 }
 
-void addQualityOption(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup file{command, "File"};
-    file.add("--quality", "Q", arguments.quality, "Quality of .jpg and .webp, 1 to 100",
+void addQualityOption(Command& command, RenderArguments& arguments) {
+    const OptionGroup file = command.group("File");
+    file.add("--quality", "Q", &arguments.quality, "Quality of .jpg and .webp, 1 to 100",
              "92 of .jpg; .webp without loss");
 }
 
-void addAlgorithmOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "Algorithm"};
-    group.add("--algorithm", "NAME", arguments.algorithm, "density, chaos-game or deterministic", "density");
+void addAlgorithmOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("Algorithm");
+    group.add("--algorithm", "NAME", &arguments.algorithm, "density, chaos-game or deterministic", "density");
     group.add(
-        "--iterations", "N|M-N", arguments.iterations,
+        "--iterations", "N|M-N", &arguments.iterations,
         "Iterations of the deterministic algorithm; 0-6 draws all from 0 to 6, side by side, or to files of "
         "their own where the output has %i");
 }
 
-void addSampleOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "Algorithm"};
-    group.add("--points", "N", arguments.points,
+void addSampleOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("Algorithm");
+    group.add("--points", "N", &arguments.points,
               "Samples (density), or points plotted (chaos-game, points in SVG), such as 250000, 1e9 or 2G",
               "100 or 2 per pixel, at least 1M");
-    group.add("--supersample", "K", arguments.supersample, "Cells along each side of a pixel, 1 to 4",
+    group.add("--supersample", "K", &arguments.supersample, "Cells along each side of a pixel, 1 to 4",
               "stored in the entry, else 1");
-    group.add("--seed", "S", arguments.seed, "Seed of the random numbers", "1");
-    group.add("-j,--threads", "N", arguments.threads, "Threads, 1 to 1024; never changes the picture",
+    group.add("--seed", "S", &arguments.seed, "Seed of the random numbers", "1");
+    group.add("-j,--threads", "N", &arguments.threads, "Threads, 1 to 1024; never changes the picture",
               "all cores");
-    group.add("--simd", "SET", arguments.simd,
+    group.add("--simd", "SET", &arguments.simd,
               "Instruction set: scalar, sse4, avx2, avx512 or neon; never changes the picture",
               "the fastest");
 }
 
-void addViewOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "View and cage"};
-    group.add("--size", "WxH", arguments.size,
+void addViewOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("View and cage");
+    group.add("--size", "WxH", &arguments.size,
               "Width and height in pixels; 1200x or x900 keeps the proportions of the fractal", "1200x900");
-    group.add("--margin", "PERCENT", arguments.margin, "Margin around the picture, 0 to less than 50", "5");
-    group.add("--view", "CX,CY,HEIGHT", arguments.view,
+    group.add("--margin", "PERCENT", &arguments.margin, "Margin around the picture, 0 to less than 50", "5");
+    group.add("--view", "CX,CY,HEIGHT", &arguments.view,
               "Centre and height of the view; in space \"tx,ty,tz,height\"", "all of the fractal");
-    group.add("--view-rotation", "DEGREES", arguments.viewRotation,
+    group.add("--view-rotation", "DEGREES", &arguments.viewRotation,
               "Turn the view of the plane counter-clockwise", "0, or as keyed in an animation");
-    command.add_flag("--y-down", arguments.yDown, "The y axis points down")->group("View and cage");
+    group.flag("--y-down", &arguments.yDown, "The y axis points down");
 }
 
-void addCageOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "View and cage"};
-    group.add("--cage", "CORNERS", arguments.cage,
+void addCageOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("View and cage");
+    group.add("--cage", "CORNERS", &arguments.cage,
               "Current corners of the cage: \"x,y x,y x,y\", up to 64; more than three, in space four, bend "
               "the picture");
-    group.add("--rest-cage", "CORNERS", arguments.restCage,
+    group.add("--rest-cage", "CORNERS", &arguments.restCage,
               "Corners at rest: \"x,y x,y x,y\", canonical, box, hull or hull:N; in the plane rectangle, "
               "in space octahedron as well");
-    group.add("--frame", "F", arguments.frame,
+    group.add("--frame", "F", &arguments.frame,
               "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2; the view "
               "shows all frames, and the brightness is that of this frame alone",
               "the entry at rest");
 }
 
-void addPartOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "Several machines or runs"};
-    group.add("--part", "I/N", arguments.part,
+void addPartOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("Several machines or runs");
+    group.add("--part", "I/N", &arguments.part,
               "Draw only part I of N, counting from 0, into a .sum file for merge");
-    group.add("--band", "J/M", arguments.band,
+    group.add("--band", "J/M", &arguments.band,
               "Draw only band J of M bands of rows, counting from 0, into a .sum file for merge");
-    group.add("--resume", "FILE", arguments.resume,
+    group.add("--resume", "FILE", &arguments.resume,
               "Add points to the picture in a .sum file, up to --points in all");
 }
 
-void addLimitOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "Limits"};
-    group.add("--time-limit", "SECONDS", arguments.timeLimit,
+void addLimitOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("Limits");
+    group.add("--time-limit", "SECONDS", &arguments.timeLimit,
               "Stop, with exit status 3, if the pictures are not finished by then", "no limit");
-    group.add("--memory-limit", "MB", arguments.memoryLimit,
+    group.add("--memory-limit", "MB", &arguments.memoryLimit,
               "Stop, with exit status 3, rather than use more memory; 64 to 1000000", "no limit");
 }
 
-void addSpaceOptions(CLI::App& command, RenderArguments& arguments) {
-    const OptionGroup group{command, "In space"};
-    group.add("--orbit", "AZ,EL[,ROLL]", arguments.orbit,
+void addSpaceOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup group = command.group("In space");
+    group.add("--orbit", "AZ,EL[,ROLL]", &arguments.orbit,
               "Azimuth, elevation and roll of the camera, in degrees", "30,20");
-    group.add("--perspective", "FOV", arguments.perspective, "Vertical angle of view, in degrees",
+    group.add("--perspective", "FOV", &arguments.perspective, "Vertical angle of view, in degrees",
               "orthographic");
     group.add(
-        "--look", "NAME", arguments.look,
+        "--look", "NAME", &arguments.look,
         "stone, ink (on white), cloud (density), x-ray (coloured by mean depth), depth (16-bit grey) or "
         "normals",
         "that of the entry");
-    group.add("--light", "AZ,EL", arguments.light,
+    group.add("--light", "AZ,EL", &arguments.light,
               "Azimuth and elevation of the key light from the line of sight, in degrees", "-40,40");
-    group.add("--fog", "F", arguments.fog, "How fast colours fade with depth, 0 to 100", "0");
-    group.add("--slice", "NX,NY,NZ,T,W", arguments.slice,
+    group.add("--fog", "F", &arguments.fog, "How fast colours fade with depth, 0 to 100", "0");
+    group.add("--slice", "NX,NY,NZ,T,W", &arguments.slice,
               "Keep only the points p with |n·p - T| <= W; without W, those with n·p <= T");
-    group.add("--stereo", "NAME", arguments.stereo,
+    group.add("--stereo", "NAME", &arguments.stereo,
               "side-by-side (left picture for the left eye) or anaglyph (red and cyan)");
 }
 
 } // namespace
 
-void addFrameOptions(CLI::App& command, RenderArguments& arguments) {
+void addFrameOptions(Command& command, RenderArguments& arguments) {
     addViewOptions(command, arguments);
     addSpaceOptions(command, arguments);
     addSampleOptions(command, arguments);
@@ -473,21 +461,17 @@ void addFrameOptions(CLI::App& command, RenderArguments& arguments) {
     addPixelOptions(command, arguments);
 }
 
-void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
-    command
-        .add_option("FILE", arguments.files,
-                    "Collections, or pictures with an embedded system; - for standard input")
-        ->type_name("FILE...")
-        ->group("Files");
-    command
-        .add_option(
-            "-o,--output", arguments.output,
-            "Picture to write: .png, .jpg, .webp, .tiff, .exr, .svg or .pdf, or its sums: .sum; - for "
-            "standard output; for several, %e is the name of the entry, %n its number, %f its file, %i the "
-            "number of iterations")
-        ->type_name("OUT")
-        ->group("Files")
-        ->required();
+void addRenderOptions(Command& command, RenderArguments& arguments) {
+    const OptionGroup files = command.group("Files");
+    files.argument("FILE...", &arguments.files,
+                   "Collections, or pictures with an embedded system; - for standard input");
+    files
+        .add("-o,--output", "OUT", &arguments.output,
+             "Picture to write: .png, .jpg, .webp, .tiff, .exr, .svg or .pdf, or its sums: .sum; - for "
+             "standard output; for several, %e is the name of the entry, %n its number, %f its file, %i the "
+             "number of iterations")
+        .fileName()
+        .required();
     addEntriesOption(command, arguments.entries, "the first that can be read");
     addFrameOptions(command, arguments);
     addCageOptions(command, arguments);
@@ -497,8 +481,9 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addShapeOptions(command, arguments);
     addQualityOption(command, arguments);
     addExplanationOptions(command, arguments);
-    command.add_flag("--list-palettes", arguments.listPalettes, "List the palettes and exit")
-        ->group("Colours");
+    command.group("Colours")
+        .flag("--list-palettes", &arguments.listPalettes, "List the palettes and exit")
+        .question();
     addVerbosityOptions(command, arguments.verbosity);
 }
 

@@ -9,8 +9,6 @@
 #include "io/picture/svg_writer.h"
 #include "io/raster/picture_writer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -21,6 +19,8 @@
 // The options of barycage-cli render. What makes no sense throws UsageError with a sentence that names the
 // option.
 namespace cli {
+
+struct Command;
 
 constexpr int maxInt = std::numeric_limits<int>::max();
 constexpr std::uint64_t maxPoints = std::numeric_limits<std::uint64_t>::max();
@@ -78,9 +78,9 @@ struct RenderArguments : AppearanceOptions, SpaceOptions, FrameOptions, PartOpti
     Steps steps; // that `iterations` asks for
 };
 
-void addRenderOptions(CLI::App& command, RenderArguments& arguments);
+void addRenderOptions(Command& command, RenderArguments& arguments);
 // Those that animate has as well: view, space, samples, colours, bits and resolution.
-void addFrameOptions(CLI::App& command, RenderArguments& arguments);
+void addFrameOptions(Command& command, RenderArguments& arguments);
 
 // Looks at every value before a file is read, and reads the palette.
 Format checked(RenderArguments& arguments);

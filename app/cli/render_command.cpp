@@ -288,12 +288,12 @@ ExitStatus render(RenderArguments arguments) {
 
 } // namespace
 
-Command renderCommand(CLI::App& program) {
+Command renderCommand() {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = program.add_subcommand("render", "Draw an entry as PNG, SVG or PDF");
-    command->footer("render FILE... -o OUT [OPTION]...");
-    addRenderOptions(*command, *arguments);
-    return {command, [arguments] { return render(*arguments); }};
+    Command command("render", "Draw an entry as PNG, SVG or PDF", "render FILE... -o OUT [OPTION]...");
+    addRenderOptions(command, *arguments);
+    command.run = [arguments] { return render(*arguments); };
+    return command;
 }
 
 } // namespace cli

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "messages.h"
+#include "options.h"
 #include "render_arguments.h"
 #include "usage_error.h"
 
@@ -23,26 +24,23 @@ QString tr(const char* text) {
 
 } // namespace
 
-void addSolidOptions(CLI::App& command, SolidArguments& arguments) {
-    const auto add = [&](const char* name, std::optional<std::string>& value, const char* shown,
-                         const char* description, const char* standard, const char* group) {
-        command.add_option(name, value, description)->type_name(shown)->default_str(standard)->group(group);
-    };
-    add("--voxel", arguments.voxel, "H", "Size of a voxel in mm: the surface is within √3 H of the attractor",
-        "by --resolution", "Solids");
-    add("--resolution", arguments.resolution, "N", "Voxels along the longest side of the solid", "128",
-        "Solids");
-    add("--wall", arguments.wall, "W",
-        "Smallest thickness in mm; thinner parts are thickened. By default, none is", "", "Solids");
-    command.add_flag("--fill", arguments.fill, "Fill cavities that are closed off from outside")
-        ->group("Solids");
-    add("--longest", arguments.longest, "MM", "Longest side of the attractor in mm",
-        "1 mm for 1 unit of the system", "Solids");
-    add("--lift", arguments.lift, "S|auto",
-        "Lift systems in the plane to space: every map scales z by S; auto: by the square root of |det|", "",
-        "Dimension");
-    add("--flatten", arguments.flatten, "X,Y,Z",
-        "Project systems in space to the plane, along a direction that every map keeps", "", "Dimension");
+void addSolidOptions(Command& command, SolidArguments& arguments) {
+    const OptionGroup solids = command.group("Solids");
+    solids.add("--voxel", "H", &arguments.voxel,
+               "Size of a voxel in mm: the surface is within √3 H of the attractor", "by --resolution");
+    solids.add("--resolution", "N", &arguments.resolution, "Voxels along the longest side of the solid",
+               "128");
+    solids.add("--wall", "W", &arguments.wall,
+               "Smallest thickness in mm; thinner parts are thickened. By default, none is");
+    solids.flag("--fill", &arguments.fill, "Fill cavities that are closed off from outside");
+    solids.add("--longest", "MM", &arguments.longest, "Longest side of the attractor in mm",
+               "1 mm for 1 unit of the system");
+    const OptionGroup dimension = command.group("Dimension");
+    dimension.add(
+        "--lift", "S|auto", &arguments.lift,
+        "Lift systems in the plane to space: every map scales z by S; auto: by the square root of |det|");
+    dimension.add("--flatten", "X,Y,Z", &arguments.flatten,
+                  "Project systems in space to the plane, along a direction that every map keeps");
 }
 
 bool asksForVoxels(const SolidArguments& arguments) {

@@ -4,8 +4,6 @@
 #include "document/fractal_file.h"
 #include "io/solid/printable_solid.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 
@@ -13,12 +11,14 @@
 // it.
 namespace cli {
 
+struct Command;
+
 struct SolidArguments {
     std::optional<std::string> voxel, resolution, wall, longest, lift, flatten;
     bool fill = false;
 };
 
-void addSolidOptions(CLI::App& command, SolidArguments& arguments);
+void addSolidOptions(Command& command, SolidArguments& arguments);
 
 bool asksForVoxels(const SolidArguments& arguments);
 

@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "input.h"
 #include "messages.h"
+#include "options.h"
 #include "output.h"
 #include "usage_error.h"
 
@@ -132,69 +133,54 @@ StealTask checked(const StealArguments& arguments) {
 
 namespace {
 
-struct OptionGroup {
-    CLI::App& command;
-    const char* name;
-
-    template <class Value>
-    CLI::Option* add(const char* names, const char* shown, Value& value, const char* description,
-                     const char* standard = "") const {
-        return command.add_option(names, value, description)
-            ->type_name(shown)
-            ->default_str(standard)
-            ->group(name);
-    }
-};
-
-void addPictureOptions(CLI::App& command, StealArguments& arguments) {
-    const OptionGroup group{command, "Picture"};
-    group.add("--picture", "PICTURE", arguments.picture,
-              "Picture on the second entry: PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM");
-    group.add("--picture-view", "CX,CY,HEIGHT", arguments.pictureView,
+void addPictureOptions(Command& command, StealArguments& arguments) {
+    const OptionGroup group = command.group("Picture");
+    group
+        .add("--picture", "PICTURE", &arguments.picture,
+             "Picture on the second entry: PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM")
+        .fileName();
+    group.add("--picture-view", "CX,CY,HEIGHT", &arguments.pictureView,
               "What the picture shows of the second entry", "all of it, with a margin of 5 %");
-    group.add("--size", "WxH", arguments.shown.size,
+    group.add("--size", "WxH", &arguments.shown.size,
               "Width and height in pixels; 1200x or x900 keeps the proportions of the fractal", "1200x900");
-    group.add("--view", "CX,CY,HEIGHT", arguments.shown.view, "Centre and height of the view",
+    group.add("--view", "CX,CY,HEIGHT", &arguments.shown.view, "Centre and height of the view",
               "all of the fractal");
-    group.add("--background", "COLOUR", arguments.shown.background,
+    group.add("--background", "COLOUR", &arguments.shown.background,
               "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
               "stored in the entry, else #0d1017");
-    command
-        .add_flag("--exact", arguments.isExact,
-                  "Go through all addresses down to the pixels instead of drawing samples")
-        ->group("Picture");
-    group.add("--points", "N", arguments.shown.points, "Samples, up to 4.29e9, such as 250000, 1e9 or 2G",
+    group.flag("--exact", &arguments.isExact,
+               "Go through all addresses down to the pixels instead of drawing samples");
+    group.add("--points", "N", &arguments.shown.points, "Samples, up to 4.29e9, such as 250000, 1e9 or 2G",
               "100 per pixel, at least 1M");
-    group.add("--seed", "S", arguments.shown.seed, "Seed of the random numbers", "1");
-    group.add("-j,--threads", "N", arguments.shown.threads, "Threads, 1 to 1024; never changes the picture",
+    group.add("--seed", "S", &arguments.shown.seed, "Seed of the random numbers", "1");
+    group.add("-j,--threads", "N", &arguments.shown.threads, "Threads, 1 to 1024; never changes the picture",
               "all cores");
-    group.add("--simd", "SET", arguments.shown.simd,
+    group.add("--simd", "SET", &arguments.shown.simd,
               "Instruction set: scalar, sse4, avx2, avx512 or neon; never changes the picture",
               "the fastest");
 }
 
 } // namespace
 
-void addStealOptions(CLI::App& command, StealArguments& arguments) {
-    const OptionGroup files{command, "Files"};
-    files.add("FILE", "FILE", arguments.file, "Collection with the entries; - for standard input")
-        ->required();
-    files.add("-o,--output", "OUT.png", arguments.output, "Picture to write; - for standard output");
-    files.add("--entry", "NAME", arguments.entry, "The entry that is drawn: its name, or #NUMBER",
+void addStealOptions(Command& command, StealArguments& arguments) {
+    const OptionGroup files = command.group("Files");
+    files.argument("FILE", &arguments.file, "Collection with the entries; - for standard input").required();
+    files.add("-o,--output", "OUT.png", &arguments.output, "Picture to write; - for standard output")
+        .fileName();
+    files.add("--entry", "NAME", &arguments.entry, "The entry that is drawn: its name, or #NUMBER",
               "the first that can be read");
-    files.add("--from", "NAME", arguments.from, "The entry that colours are taken from",
+    files.add("--from", "NAME", &arguments.from, "The entry that colours are taken from",
               "the partner stored with the entry, and its settings");
-    files.add("--from-file", "FILE2", arguments.fromFile, "Collection with that entry", "FILE");
-    const OptionGroup group{command, "Transformation"};
-    group.add("--order", "I,J,…", arguments.order, "Numbers of the maps, the one on top first", "1,2,…");
-    group.add("--mode", "MODE", arguments.mode,
+    files.add("--from-file", "FILE2", &arguments.fromFile, "Collection with that entry", "FILE").fileName();
+    const OptionGroup group = command.group("Transformation");
+    group.add("--order", "I,J,…", &arguments.order, "Numbers of the maps, the one on top first", "1,2,…");
+    group.add("--mode", "MODE", &arguments.mode,
               "steal, transform, grid, reduce or posterise, as in the window", "steal");
-    group.add("--map", "POINTS", arguments.map,
+    group.add("--map", "POINTS", &arguments.map,
               "Print where these points of the first entry go, and their addresses: \"x,y x,y …\"");
-    group.add("--tear", "EPS", arguments.tear,
+    group.add("--tear", "EPS", &arguments.tear,
               "Print how far neighbouring points are torn apart, at the resolution EPS");
-    command.add_flag("--json", arguments.isJson, "Print JSON, one line for each point")
-        ->group("Transformation");
+    group.flag("--json", &arguments.isJson, "Print JSON, one line for each point");
     addPictureOptions(command, arguments);
     addVerbosityOptions(command, arguments.shown.verbosity);
 }

@@ -5,14 +5,14 @@
 
 #include "document/tops/kept_theft.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 // The options of barycage-cli steal. What makes no sense throws UsageError.
 namespace cli {
+
+struct Command;
 
 struct StealArguments {
     using Text = std::optional<std::string>;
@@ -28,7 +28,7 @@ struct StealArguments {
 
 enum class StealTask { Picture, Map, Tear };
 
-void addStealOptions(CLI::App& command, StealArguments& arguments);
+void addStealOptions(Command& command, StealArguments& arguments);
 // Looks at every value before a file is read.
 StealTask checked(const StealArguments& arguments);
 

@@ -398,13 +398,13 @@ ExitStatus steal(const StealArguments& arguments) {
 
 } // namespace
 
-Command stealCommand(CLI::App& program) {
+Command stealCommand() {
     auto arguments = std::make_shared<StealArguments>();
-    CLI::App* command =
-        program.add_subcommand("steal", "Paint an entry with the colours of a picture on another entry");
-    command->footer("steal FILE --entry F [--from G --picture PICTURE] -o OUT.png [OPTION]...");
-    addStealOptions(*command, *arguments);
-    return {command, [arguments] { return steal(*arguments); }};
+    Command command("steal", "Paint an entry with the colours of a picture on another entry",
+                    "steal FILE --entry F [--from G --picture PICTURE] -o OUT.png [OPTION]...");
+    addStealOptions(command, *arguments);
+    command.run = [arguments] { return steal(*arguments); };
+    return command;
 }
 
 } // namespace cli

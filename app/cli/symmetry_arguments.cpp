@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "symmetry_arguments.h"
+
+#include "options.h"
 #include "usage_error.h"
 
 #include "document/edits/link_expansion.h"
@@ -26,19 +28,14 @@ std::optional<document::Fractal> symmetric(const document::Fractal& fractal, con
 
 } // namespace
 
-void addSymmetryOptions(CLI::App& command, SymmetryArguments& arguments) {
-    command
-        .add_option(
-            "--symmetry", arguments.symmetry,
-            "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
-            "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
-            "centre")
-        ->type_name("GROUP[:DEGREES][@X,Y[,Z]]")
-        ->group("Symmetry");
-    command
-        .add_flag("--expand", arguments.expand,
-                  "Write the plain maps that a symmetry or linked maps stand for, where they exist")
-        ->group("Symmetry");
+void addSymmetryOptions(Command& command, SymmetryArguments& arguments) {
+    const OptionGroup group = command.group("Symmetry");
+    group.add("--symmetry", "GROUP[:DEGREES][@X,Y[,Z]]", &arguments.symmetry,
+              "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
+              "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
+              "centre");
+    group.flag("--expand", &arguments.expand,
+               "Write the plain maps that a symmetry or linked maps stand for, where they exist");
 }
 
 SymmetryChange symmetryChange(const SymmetryArguments& arguments) {

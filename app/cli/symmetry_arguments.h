@@ -4,8 +4,6 @@
 #include "document/fractal_file.h"
 #include "io/text/symmetry_text.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 
@@ -13,12 +11,14 @@
 // for.
 namespace cli {
 
+struct Command;
+
 struct SymmetryArguments {
     std::optional<std::string> symmetry;
     bool expand = false;
 };
 
-void addSymmetryOptions(CLI::App& command, SymmetryArguments& arguments);
+void addSymmetryOptions(Command& command, SymmetryArguments& arguments);
 
 struct SymmetryChange {
     std::optional<io::NamedSymmetry> symmetry;
