@@ -121,15 +121,16 @@ private:
     QtMessageHandler m_handler;
 };
 
-// Throws InputError where there is nothing to trace.
-collage::Mask targetOf(const CollageArguments& arguments) {
+// Empty when stopped. Throws InputError where there is nothing to trace.
+collage::Mask targetOf(const CollageArguments& arguments, const std::stop_token& stop) {
     const QString name = fileNameOf(arguments.picture);
     std::optional<int> threshold;
     if (arguments.threshold) threshold = integerArgument("--threshold", *arguments.threshold, 0, 255);
     const io::Loaded loaded = loadBytes(arguments.picture);
     if (loaded.failure) throw InputError{name, *loaded.failure, ExitStatus::CannotReadOrWrite};
     const QuietReaders quiet;
-    const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes);
+    const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes, stop);
+    if (stop.stop_requested()) return {};
     if (grey.flaw) throw InputError{name, *grey.flaw};
     if (grey.isReduced)
         reportWarning(name, tr("The picture is large; it is traced at %1 × %2 pixels.")
@@ -179,10 +180,12 @@ ExitStatus collageOf(const CollageArguments& arguments) {
     const collage::SearchOptions options = optionsOf(arguments);
     checkOutputs(arguments);
     const Interrupt interrupt;
-    const collage::Mask mask = targetOf(arguments);
+    const collage::Mask mask = targetOf(arguments, interrupt.token());
     ProgressBar bar(mode);
-    const collage::Suggestions found = collage::suggestions(
-        mask, options, [&](double share) { bar.show(share); }, interrupt.token());
+    collage::Suggestions found;
+    if (!interrupt.token().stop_requested())
+        found = collage::suggestions(
+            mask, options, [&](double share) { bar.show(share); }, interrupt.token());
     bar.clear();
     if (interrupt.token().stop_requested()) {
         reportError(QStringLiteral("barycage-cli"), tr("Interrupted; nothing was written."));

@@ -15,6 +15,7 @@
 #include "io/animation/frame_drawing.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
+#include "io/picture/picture_decoder.h"
 #include "io/picture/png_check.h"
 #include "io/picture/png_system.h"
 
@@ -22,7 +23,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
-#include <QImageReader>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -124,11 +124,14 @@ struct Marks {
 struct Looked {
     std::optional<QString> damage;
     Marks marks;
+    QSize size{};
+    bool isDeep = false; // of 16 bits per channel
+    bool hasOpacity = false;
 };
 
 Looked lookedAt(const QString& path) {
     const io::CheckedPng picture = io::checkedPng(path);
-    Looked looked{picture.damage, {}};
+    Looked looked{picture.damage, {}, picture.size, picture.bitsPerChannel > 8, picture.hasOpacity};
     Marks& marks = looked.marks;
     const auto animation = picture.texts.find(io::animationRequestKeyword);
     if (animation != picture.texts.end()) marks.animation = animation->second;
@@ -150,13 +153,12 @@ public:
         }
         learnFromNewest(there);
         if (const ExitStatus status = chooseFrom(there); status != ExitStatus::Done) return status;
-        const QImageReader reader(pathOf(0), "png");
-        m_size = reader.size();
-        if (QImage(1, 1, reader.imageFormat()).pixelFormat().redSize() > 8)
+        m_size = m_looked[numberOf(0)].size;
+        if (m_looked[numberOf(0)].isDeep)
             reportWarning(m_pattern,
                           tr("The pictures have 16 bits per channel, of which the video keeps 8."));
         for (int index = 0; index < int(m_numbers.size()); ++index) // rather than after all that come before
-            if (const auto obstacle = obstacleOf(index, m_looked[numberOf(index)])) {
+            if (const auto obstacle = obstacleOf(m_looked[numberOf(index)])) {
                 reportError(pathOf(index), *obstacle);
                 return ExitStatus::InputProblems;
             }
@@ -274,18 +276,12 @@ private:
 
     // By their headers: whether pixels have an alpha channel.
     bool isAnyTransparent() const {
-        for (int index = 0; index < int(m_numbers.size()); ++index) {
-            const QImageReader reader(pathOf(index), "png");
-            if (!reader.canRead()) return false; // what that is, is said when its turn comes
-            const QImage::Format format = reader.imageFormat();
-            if (QImage(1, 1, format).hasAlphaChannel()) return true;
-        }
-        return false;
+        return std::ranges::any_of(m_numbers, [this](int number) { return m_looked.at(number).hasOpacity; });
     }
 
-    std::optional<QString> obstacleOf(int index, const Looked& looked) const {
+    std::optional<QString> obstacleOf(const Looked& looked) const {
         if (looked.damage) return looked.damage;
-        const QSize size = QImageReader(pathOf(index), "png").size();
+        const QSize& size = looked.size;
         if (size == m_size) return std::nullopt;
         return tr("The picture has %1x%2 pixels, and the first one has %3x%4. All pictures of a video must "
                   "have the same size.")
@@ -313,13 +309,13 @@ private:
     QImage read(int index) {
         const QString path = pathOf(index);
         const Looked now = lookedAt(path); // it may be another one by now
-        if (const auto obstacle = obstacleOf(index, now)) return refused(path, *obstacle);
+        if (const auto obstacle = obstacleOf(now)) return refused(path, *obstacle);
         if (const auto stranger = strangerAmong(now.marks, index)) return refused(path, *stranger);
-        QImageReader reader(path, "png");
-        reader.setAllocationLimit(0); // the video takes pictures of this size
-        const QImage image = reader.read();
-        return image.isNull() ? refused(path, tr("The picture cannot be read: %1.").arg(reader.errorString()))
-                              : image;
+        const io::Loaded loaded = io::loadFile(path);
+        if (loaded.failure) return refused(path, *loaded.failure);
+        const io::DecodedPicture frame = io::decodedFrame(loaded.bytes, m_interrupt.token());
+        if (frame.flaw && m_interrupt.token().stop_requested()) return {};
+        return frame.flaw ? refused(path, *frame.flaw) : frame.image;
     }
 
     QImage refused(const QString& path, const QString& sentence) {

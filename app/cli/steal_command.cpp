@@ -299,8 +299,9 @@ QString picturePath(const Sources& sources, const StealArguments& arguments) {
     return QDir::cleanPath(folder.filePath(kept));
 }
 
-std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
-                                                       const StealArguments& arguments) {
+// Null when stopped.
+std::shared_ptr<const attractor::MipPicture>
+pictureOf(const Sources& sources, const StealArguments& arguments, const std::stop_token& stop) {
     const QString path = picturePath(sources, arguments);
     QByteArray bytes = sources.theft.embedded;
     if (path.isEmpty() && bytes.isEmpty())
@@ -310,7 +311,8 @@ std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
         if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
         bytes = std::move(loaded.bytes);
     }
-    io::ReadPicture read = io::decodePicture(bytes);
+    io::ReadPicture read = io::decodePicture(bytes, stop);
+    if (stop.stop_requested()) return nullptr;
     if (read.failure) throw InputError{path.isEmpty() ? sources.file->name : path, *read.failure};
     return std::make_shared<const attractor::MipPicture>(std::move(read.picture));
 }
@@ -319,7 +321,8 @@ std::shared_ptr<const attractor::MipPicture> pictureOf(const Sources& sources,
 std::optional<document::LaidPicture> laidPicture(const document::CoupledEntries& entries,
                                                  const Sources& sources, const StealArguments& arguments,
                                                  const std::stop_token& stop) {
-    const auto picture = pictureOf(sources, arguments);
+    const auto picture = pictureOf(sources, arguments, stop);
+    if (!picture) return std::nullopt;
     const document::KeptTheft& theft = sources.theft;
     const int width = picture->width(), height = picture->height();
     if (arguments.pictureView && theft.mode == document::TheftMode::StealColours)

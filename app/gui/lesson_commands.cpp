@@ -4,6 +4,7 @@
 #include "desktop/preferences.h"
 #include "file_commands.h"
 #include "io/file/background.h"
+#include "io/file/named_path.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/lesson/lesson_writer.h"
 #include "open_file.h"
@@ -45,12 +46,17 @@ QByteArray resource(const QString& name) {
 
 struct Reading {
     io::Failure failure;
-    io::LessonFile lesson; // when there is no failure
-    QString fractals;      // their path; empty when they are gone
+    io::LessonFile lesson;  // when there is no failure
+    QString fractals;       // their path; empty when they are gone, or elsewhere
+    bool isForeign = false; // they are outside the folder of the lesson, where nothing has been looked at
 };
 
 QString referenceTo(const QString& fractals, const QString& lesson) {
     return QFileInfo(lesson).absoluteDir().relativeFilePath(QFileInfo(fractals).absoluteFilePath());
+}
+
+QString absolutePath(const QString& lesson, const QString& reference) {
+    return QDir::cleanPath(QFileInfo(lesson).absoluteDir().absoluteFilePath(reference));
 }
 
 // Where the lesson says, or beside it when both have been moved. Empty: they are in neither place.
@@ -63,14 +69,17 @@ QString fractalsOf(const QString& lesson, const QString& reference) {
     return {};
 }
 
-QFuture<Reading> readBeside(const QString& path) {
-    return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
+// The file that is open needs no question.
+QFuture<Reading> readBeside(const QString& path, const QString& openFile) {
+    return io::inBackground<Reading>(io::Lane::Reading, [path, openFile](QPromise<Reading>& promise) {
         Reading reading;
         const io::Loaded loaded = io::loadFile(path);
         reading.failure = loaded.failure;
         if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
         const QString& reference = reading.lesson.lesson.file;
-        if (!reference.isEmpty()) reading.fractals = fractalsOf(path, reference);
+        reading.isForeign = !io::liesInside(QFileInfo(path).absolutePath(), reference) &&
+                            absolutePath(path, reference) != openFile;
+        if (!reference.isEmpty() && !reading.isForeign) reading.fractals = fractalsOf(path, reference);
         promise.addResult(std::move(reading));
     });
 }
@@ -211,7 +220,7 @@ bool LessonCommands::adopt(const LessonPlace& place, const QString& name, io::Le
 
 bool LessonCommands::open(const QString& path) {
     const QString name = QFileInfo(path).fileName();
-    QFuture<Reading> work = readBeside(path);
+    QFuture<Reading> work = readBeside(path, m_file->path());
     const QPointer<LessonCommands> self(this);
     if (!view::waitFor(QFuture<void>(work), tr("Reading “%1”…").arg(name), m_parts.window)) return false;
     if (!self) return false;
@@ -222,10 +231,15 @@ bool LessonCommands::open(const QString& path) {
     }
     const document::Lesson& lesson = reading.lesson.lesson;
     if (reading.fractals.isEmpty() && !lesson.file.isEmpty() && !lesson.steps.isEmpty()) {
-        offerToFind(path, std::move(reading.lesson));
+        reading.isForeign ? askForForeign(path, std::move(reading.lesson))
+                          : offerToFind(path, std::move(reading.lesson));
         return false;
     }
-    if (!adopt({path, reading.fractals}, name, std::move(reading.lesson))) return false;
+    return openWith(reading.fractals, path, std::move(reading.lesson));
+}
+
+bool LessonCommands::openWith(const QString& fractals, const QString& path, io::LessonFile lesson) {
+    if (!adopt({path, fractals}, QFileInfo(path).fileName(), std::move(lesson))) return false;
     recent_files::add(path);
     showPanel();
     return true;
@@ -235,6 +249,35 @@ void LessonCommands::showPanel() {
     if (!m_dock) return;
     m_dock->show();
     m_dock->raise();
+}
+
+// A lesson from a stranger could name any collection of the user.
+void LessonCommands::askForForeign(const QString& path, io::LessonFile lesson) {
+    const QString named = absolutePath(path, lesson.lesson.file);
+    auto* box = new QMessageBox(QMessageBox::Warning, QApplication::applicationDisplayName(),
+                                tr("%1 names a file outside its folder.").arg(QFileInfo(path).fileName()),
+                                QMessageBox::Cancel, m_parts.window);
+    box->setInformativeText(tr("Its fractals are in “%1”. Open that file only if you trust the lesson.")
+                                .arg(QDir::toNativeSeparators(named)));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* open = box->addButton(tr("&Open It"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    const auto agree = [this, path, lesson = std::move(lesson)] {
+        const QPointer<LessonCommands> self(this);
+        const QString& reference = lesson.lesson.file;
+        QFuture<QString> found =
+            io::inBackground<QString>(io::Lane::Asking, [path, reference](QPromise<QString>& promise) {
+                promise.addResult(fractalsOf(path, reference));
+            });
+        const QString label = tr("Reading “%1”…").arg(QFileInfo(reference).fileName());
+        if (!view::waitFor(QFuture<void>(found), label, m_parts.window) || !self) return;
+        if (const QString fractals = found.result(); fractals.isEmpty())
+            offerToFind(path, lesson);
+        else
+            openWith(fractals, path, lesson);
+    };
+    connect(open, &QPushButton::clicked, this, agree, Qt::QueuedConnection); // when the question has gone
+    box->open();
 }
 
 // The file of its fractals is not there: perhaps it has another name now, or is elsewhere.

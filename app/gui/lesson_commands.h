@@ -45,6 +45,8 @@ private:
         bool isOther = false; // than the lesson says, as the user has found them
     };
     bool adopt(const LessonPlace& place, const QString& name, io::LessonFile read);
+    bool openWith(const QString& fractals, const QString& path, io::LessonFile lesson);
+    void askForForeign(const QString& path, io::LessonFile lesson);
     void offerToFind(const QString& path, io::LessonFile lesson);
     void showPanel();
     bool save();

@@ -2605,6 +2605,18 @@
         <source>Show the solid from the top, the front and the right, and in perspective</source>
         <translation>Den Körper von oben, von vorne, von rechts und perspektivisch zeigen</translation>
     </message>
+    <message>
+        <source>%1 names a file outside its folder.</source>
+        <translation>%1 nennt eine Datei außerhalb ihres Ordners.</translation>
+    </message>
+    <message>
+        <source>Its fractals are in “%1”. Open that file only if you trust the lesson.</source>
+        <translation>Ihre Fraktale sind in „%1“. Diese Datei nur öffnen, wenn Sie der Lektion vertrauen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open It</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -14214,6 +14226,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>Put the maps back in the order of their numbers</source>
         <translation>Die Abbildungen wieder nach ihren Nummern ordnen</translation>
     </message>
+    <message>
+        <source>Open It</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open this picture, which is outside the folder of the file</source>
+        <translation>Dieses Bild öffnen, das außerhalb des Ordners der Datei liegt</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -14272,6 +14292,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Embed Picture</source>
         <translation>Bild einbetten</translation>
+    </message>
+    <message>
+        <source>The file names a picture outside its folder: %1. Open it only if you trust the file.</source>
+        <translation>Die Datei nennt ein Bild außerhalb ihres Ordners: %1. Es nur öffnen, wenn Sie der Datei vertrauen.</translation>
     </message>
 </context>
 <context>

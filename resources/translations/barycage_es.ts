@@ -2605,6 +2605,18 @@
         <source>Show the solid from the top, the front and the right, and in perspective</source>
         <translation>Mostrar el sólido desde arriba, de frente, desde la derecha y en perspectiva</translation>
     </message>
+    <message>
+        <source>%1 names a file outside its folder.</source>
+        <translation>%1 nombra un archivo fuera de su carpeta.</translation>
+    </message>
+    <message>
+        <source>Its fractals are in “%1”. Open that file only if you trust the lesson.</source>
+        <translation>Sus fractales están en «%1». Abra ese archivo solo si confía en la lección.</translation>
+    </message>
+    <message>
+        <source>&amp;Open It</source>
+        <translation>&amp;Abrir</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -14214,6 +14226,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>Put the maps back in the order of their numbers</source>
         <translation>Volver a poner las aplicaciones en el orden de sus números</translation>
     </message>
+    <message>
+        <source>Open It</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open this picture, which is outside the folder of the file</source>
+        <translation>Abrir esta imagen, que está fuera de la carpeta del archivo</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -14272,6 +14292,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Embed Picture</source>
         <translation>Incrustar imagen</translation>
+    </message>
+    <message>
+        <source>The file names a picture outside its folder: %1. Open it only if you trust the file.</source>
+        <translation>El archivo nombra una imagen fuera de su carpeta: %1. Ábrala solo si confía en el archivo.</translation>
     </message>
 </context>
 <context>

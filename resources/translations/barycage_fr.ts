@@ -2605,6 +2605,18 @@
         <source>Show the solid from the top, the front and the right, and in perspective</source>
         <translation>Montrer le solide de dessus, de face, de droite et en perspective</translation>
     </message>
+    <message>
+        <source>%1 names a file outside its folder.</source>
+        <translation>%1 désigne un fichier hors de son dossier.</translation>
+    </message>
+    <message>
+        <source>Its fractals are in “%1”. Open that file only if you trust the lesson.</source>
+        <translation>Ses fractales sont dans «&#x202f;%1&#x202f;». N’ouvrez ce fichier que si vous avez confiance en la leçon.</translation>
+    </message>
+    <message>
+        <source>&amp;Open It</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -14214,6 +14226,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>Put the maps back in the order of their numbers</source>
         <translation>Remettre les applications dans l’ordre de leurs numéros</translation>
     </message>
+    <message>
+        <source>Open It</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open this picture, which is outside the folder of the file</source>
+        <translation>Ouvrir cette image, qui est hors du dossier du fichier</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -14272,6 +14292,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Embed Picture</source>
         <translation>Incorporer l’image</translation>
+    </message>
+    <message>
+        <source>The file names a picture outside its folder: %1. Open it only if you trust the file.</source>
+        <translation>Le fichier désigne une image hors de son dossier&#x202f;: %1. Ne l’ouvrez que si vous avez confiance en ce fichier.</translation>
     </message>
 </context>
 <context>

@@ -2613,6 +2613,18 @@
         <source>Show the solid from the top, the front and the right, and in perspective</source>
         <translation>Прикажи го телото одозгора, однапред, оддесно и во перспектива</translation>
     </message>
+    <message>
+        <source>%1 names a file outside its folder.</source>
+        <translation>%1 именува датотека надвор од својата папка.</translation>
+    </message>
+    <message>
+        <source>Its fractals are in “%1”. Open that file only if you trust the lesson.</source>
+        <translation>Нејзините фрактали се во „%1“. Отворете ја таа датотека само ако ѝ верувате на лекцијата.</translation>
+    </message>
+    <message>
+        <source>&amp;Open It</source>
+        <translation>&amp;Отвори</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -14248,6 +14260,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Put the maps back in the order of their numbers</source>
         <translation>Подреди ги пресликувањата повторно по нивните броеви</translation>
     </message>
+    <message>
+        <source>Open It</source>
+        <translation>Отвори</translation>
+    </message>
+    <message>
+        <source>Open this picture, which is outside the folder of the file</source>
+        <translation>Отвори ја оваа слика, која е надвор од папката на датотеката</translation>
+    </message>
 </context>
 <context>
     <name>view::TransformationView</name>
@@ -14306,6 +14326,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Embed Picture</source>
         <translation>Вгради слика</translation>
+    </message>
+    <message>
+        <source>The file names a picture outside its folder: %1. Open it only if you trust the file.</source>
+        <translation>Датотеката именува слика надвор од својата папка: %1. Отворете ја само ако ѝ верувате на датотеката.</translation>
     </message>
 </context>
 <context>

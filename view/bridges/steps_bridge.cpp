@@ -59,14 +59,14 @@ void StepsBridge::setLetter(const QString& letter) {
 }
 
 void StepsBridge::readPicture(const QString& path) {
-    m_reading.submit([path](const std::stop_token&) {
+    m_reading.submit([path](const std::stop_token& stop) {
         Read read{nullptr, QFileInfo(path).fileName(), {}};
         const io::Loaded loaded = io::loadFile(path);
         if (loaded.failure) {
             read.flaw = *loaded.failure;
             return std::optional(read);
         }
-        const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes);
+        const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes, stop);
         if (grey.flaw) {
             read.flaw = *grey.flaw;
             return std::optional(read);

@@ -2,8 +2,10 @@
 #include "transformation/picture_source.h"
 
 #include "io/file/background.h"
+#include "io/file/named_path.h"
 
 #include <QCryptographicHash>
+#include <QDir>
 
 #include <utility>
 
@@ -13,14 +15,18 @@ PictureSource::PictureSource(QObject* parent) : QObject(parent) {
     connect(&m_work, &QFutureWatcherBase::finished, this, [this] {
         if (m_work.isCanceled()) return;
         const Outcome outcome = m_work.result();
-        if (outcome.picture)
+        if (outcome.isForeign)
+            emit foreign();
+        else if (outcome.picture)
             emit ready(outcome.picture);
         else
             emit failed(outcome.failure);
     });
 }
 
-PictureSource::~PictureSource() = default;
+PictureSource::~PictureSource() {
+    m_stop.request_stop();
+}
 
 QString PictureSource::wishFor(attractor::Pattern pattern) {
     const auto name = attractor::nameOf(pattern);
@@ -30,10 +36,17 @@ QString PictureSource::wishFor(attractor::Pattern pattern) {
 void PictureSource::draw(attractor::Pattern pattern) {
     const QString wish = wishFor(pattern);
     if (std::exchange(m_wish, wish) == wish) return;
+    m_stop.request_stop();
     m_work.setFuture(io::inBackground<Outcome>([pattern](QPromise<Outcome>& promise) {
         promise.addResult(
             Outcome{std::make_shared<const attractor::MipPicture>(attractor::picture(pattern)), {}});
     }));
+}
+
+void PictureSource::forget() {
+    m_wish.clear();
+    m_stop.request_stop();
+    m_work.setFuture({});
 }
 
 QString PictureSource::wishFor(const QByteArray& file) {
@@ -42,18 +55,41 @@ QString PictureSource::wishFor(const QByteArray& file) {
 
 void PictureSource::read(const QString& path) {
     m_wish = path;
-    wait(io::Lane::Reading, [path] { return io::readPicture(path); });
+    wait(io::Lane::Reading, [path](const std::stop_token& stop) { return io::readPicture(path, stop); });
+}
+
+void PictureSource::readNamed(const QString& folder, const QString& path) {
+    m_wish = absolutePath(folder, path);
+    wait(
+        io::Lane::Reading,
+        [path = m_wish](const std::stop_token& stop) { return io::readPicture(path, stop); },
+        [folder, path] { return isForeign(folder, path); });
+}
+
+bool PictureSource::isForeign(const QString& folder, const QString& path) {
+    return folder.isEmpty() || !io::liesInside(folder, path);
+}
+
+QString PictureSource::absolutePath(const QString& folder, const QString& path) {
+    return QDir::cleanPath(QDir(folder).absoluteFilePath(path));
 }
 
 void PictureSource::decode(const QByteArray& file) {
     m_wish = wishFor(file);
-    wait(io::Lane::Computing, [file] { return io::decodePicture(file); });
+    wait(io::Lane::Computing, [file](const std::stop_token& stop) { return io::decodePicture(file, stop); });
 }
 
-void PictureSource::wait(io::Lane lane, std::function<io::ReadPicture()> reader) {
+void PictureSource::wait(io::Lane lane, Reader reader, std::function<bool()> isForeign) {
+    m_stop.request_stop();
+    m_stop = {};
     m_work.setFuture(
-        io::inBackground<Outcome>(lane, [reader = std::move(reader)](QPromise<Outcome>& promise) {
-            io::ReadPicture read = reader();
+        io::inBackground<Outcome>(lane, [reader = std::move(reader), isForeign = std::move(isForeign),
+                                         stop = m_stop.get_token()](QPromise<Outcome>& promise) {
+            if (isForeign && isForeign()) {
+                promise.addResult(Outcome{nullptr, {}, true});
+                return;
+            }
+            io::ReadPicture read = reader(stop);
             Outcome outcome;
             if (read.failure)
                 outcome.failure = *read.failure;

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <stop_token>
 
 namespace view {
 
@@ -26,26 +27,36 @@ public:
     ~PictureSource() override;
 
     void draw(attractor::Pattern pattern);
-    void read(const QString& path);                // absolute
-    void decode(const QByteArray& file);           // of a picture
-    const QString& wish() const { return m_wish; } // the path, or wishFor() the rest
+    void read(const QString& path); // absolute
+    // The same of what a file in the folder names: foreign(), and nothing is read, where it is foreign.
+    void readNamed(const QString& folder, const QString& path);
+    void decode(const QByteArray& file); // of a picture
+    void forget();
+    const QString& wish() const { return m_wish; } // the path from the root, or wishFor() the rest
+    // Whether it leads out of the folder, which is empty where the file is in none. This asks the disk.
+    static bool isForeign(const QString& folder, const QString& path);
+    static QString absolutePath(const QString& folder, const QString& path);
     static QString wishFor(attractor::Pattern pattern);
     static QString wishFor(const QByteArray& file);
 
 signals:
     void ready(const std::shared_ptr<const attractor::MipPicture>& picture);
     void failed(const QString& sentence);
+    void foreign();
 
 private:
     struct Outcome {
         Picture picture;
         QString failure;
+        bool isForeign = false;
     };
+    using Reader = std::function<io::ReadPicture(const std::stop_token&)>;
 
-    void wait(io::Lane lane, std::function<io::ReadPicture()> reader);
+    void wait(io::Lane lane, Reader reader, std::function<bool()> isForeign = nullptr);
 
     QString m_wish;
     QFutureWatcher<Outcome> m_work;
+    std::stop_source m_stop; // of the work
 };
 
 } // namespace view

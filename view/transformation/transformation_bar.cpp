@@ -137,6 +137,7 @@ TransformationBar::TransformationBar(QWidget* parent)
         if (m_wanted == Remedy::DivideWords) emit divideWanted();
         if (m_wanted == Remedy::ResetOrder) emit resetOrderWanted();
         if (m_wanted == Remedy::FindPicture) emit pictureWanted();
+        if (m_wanted == Remedy::OpenForeignPicture) emit foreignPictureWanted();
     });
     showProblem({}, Remedy::None);
 }
@@ -209,6 +210,8 @@ std::pair<QString, QString> TransformationBar::textsOf(Remedy remedy) {
     switch (remedy) {
     case Remedy::FindPicture:
         return {tr("Find Picture…"), tr("Choose the current location of the picture")};
+    case Remedy::OpenForeignPicture:
+        return {tr("Open It"), tr("Open this picture, which is outside the folder of the file")};
     case Remedy::ResetOrder:
         return {tr("Reset Order"), tr("Put the maps back in the order of their numbers")};
     case Remedy::DivideWords:

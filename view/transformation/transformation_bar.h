@@ -31,7 +31,7 @@ public:
     void show(const document::FractalFile& file, document::EntryId current, document::EntryId partner,
               const document::KeptTheft& theft);
     void showContinuity(const QString& sentence);
-    enum class Remedy { None, DivideWords, ResetOrder, FindPicture };
+    enum class Remedy { None, DivideWords, ResetOrder, FindPicture, OpenForeignPicture };
     void showProblem(const QString& sentence, Remedy remedy); // an empty sentence: there is none
     QString problem() const;
     QString continuity() const;
@@ -43,6 +43,7 @@ signals:
     void modeChosen(document::TheftMode mode);
     void patternChosen(attractor::Pattern pattern);
     void pictureWanted(); // from a file
+    void foreignPictureWanted();
     void embedWanted(bool embedded);
     void starterChosen(document::TheftFamily family);
     void divideWanted();

@@ -3,6 +3,7 @@
 
 #include "canvas/canvas_view.h"
 #include "canvas/marks/map_numbers.h"
+#include "document/reordered_text.h"
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
 #include "io/file/background.h"
@@ -56,6 +57,14 @@ QString pictureProblem(const QString& path, const QString& sentence) {
     return TransformationView::tr("%1: %2").arg(QDir::toNativeSeparators(path), sentence);
 }
 
+// A path from a file, in which nothing pretends to be something else.
+QString shownPath(const QString& path) {
+    QString shown = QDir::toNativeSeparators(path);
+    for (QChar& c : shown)
+        if (!c.isPrint() || document::turnsText(c)) c = QChar::ReplacementCharacter;
+    return shown;
+}
+
 ifs::Tear tearOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunction<2>& to) {
     return ifs::tear(from, to, std::max(2 * from.radius() * resolution, 1e-300), measuredPairs);
 }
@@ -68,7 +77,9 @@ TransformationView::TransformationView(document::Document* document, RenderBridg
       m_document(document),
       m_render(render),
       m_canvas(canvas),
-      m_splitter(new QSplitter(Qt::Horizontal, this)) {
+      m_splitter(new QSplitter(Qt::Horizontal, this)),
+      m_embedding([this](std::optional<Embedding> read) { keepEmbedded(std::move(read)); },
+                  io::Lane::Reading) {
     m_splitter->setChildrenCollapsible(false);
     m_splitter->addWidget(canvas);
     auto* row = new QHBoxLayout;
@@ -141,9 +152,10 @@ void TransformationView::create() {
         measureLater();
         if (change.parts & (document::Change::Current | document::Change::File)) {
             m_wanted.clear(); // by the entry before
-            m_embedding.future().cancel();
+            m_embedding.cancel();
             m_isOwnPicture = false;
         }
+        if (change.parts & document::Change::File) forgetAgreement();
         if (!change.live && m_isShown) refresh();
     });
     connect(&m_partner->document(), &document::Document::changed, this, &TransformationView::measureLater);
@@ -165,18 +177,20 @@ void TransformationView::create() {
 void TransformationView::connectSource() {
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
+        m_isForeign = false;
         if (!m_wanted.isEmpty()) m_refusal.clear(); // else it is the one before, and the refusal still holds
         m_theft->setPicture(picture);
         keepPicture();
         showProblem();
     });
-    connect(&m_embedding, &QFutureWatcherBase::finished, this, &TransformationView::keepEmbedded);
+    connect(m_source, &PictureSource::foreign, this, &TransformationView::refuseForeign);
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
         if (const QString wanted = std::exchange(m_wanted, QString()); !wanted.isEmpty()) {
             m_refusal = pictureProblem(wanted, sentence);
             showPicture(); // the one before
         } else {
             m_pictureFailure = sentence;
+            m_isForeign = false;
             m_theft->setPicture(nullptr);
         }
         showProblem();
@@ -238,6 +252,7 @@ void TransformationView::connectBar() {
     connect(m_order, &MapOrder::ordered, this, putInOrder);
     connect(m_bar, &TransformationBar::resetOrderWanted, this, [putInOrder] { putInOrder({}); });
     connect(m_bar, &TransformationBar::pictureWanted, this, &TransformationView::choosePicture);
+    connect(m_bar, &TransformationBar::foreignPictureWanted, this, &TransformationView::openForeign);
     connect(m_bar, &TransformationBar::embedWanted, this, &TransformationView::embedPicture);
     connect(m_bar, &TransformationBar::starterChosen, this, &TransformationView::start);
     connect(m_bar, &TransformationBar::stacked, this,
@@ -265,7 +280,7 @@ void TransformationView::refresh() {
     if (partner == current) partner = EntryId::None;
     m_refusal.clear();
     const KeptTheft before = std::exchange(m_kept, kept.value_or(KeptTheft()));
-    if (before.picture != m_kept.picture) m_embedding.future().cancel();
+    if (before.picture != m_kept.picture) m_embedding.cancel();
     if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
         const document::Fractal& fractal = *file.entries[index].fractal;
         m_kept.partner = fractal.name;
@@ -292,13 +307,21 @@ void TransformationView::showPicture() {
     const bool isEmbedded = !m_kept.embedded.isEmpty(), isPattern = !isEmbedded && m_kept.picture.isEmpty();
     const QString wish = isEmbedded  ? PictureSource::wishFor(m_kept.embedded)
                          : isPattern ? PictureSource::wishFor(m_kept.pattern)
-                                     : QDir(folder()).filePath(m_kept.picture);
+                                     : picturePath();
+    if (m_isMoving && !isEmbedded && !isPattern) { // it is looked for from the new folder
+        m_source->forget();
+        m_pictureFailure.clear();
+        m_isForeign = false;
+        return m_theft->setPicture(nullptr);
+    }
     const bool isOwn = std::exchange(m_isOwnPicture, true);
     if (m_source->wish() == wish) return;
     m_pictureFailure.clear();
+    m_isForeign = false;
     if (!isOwn) m_theft->setPicture(nullptr); // another entry's must not be seen on this one
     if (isEmbedded) return m_source->decode(m_kept.embedded);
-    isPattern ? m_source->draw(m_kept.pattern) : m_source->read(wish);
+    if (isPattern) return m_source->draw(m_kept.pattern);
+    m_agreed.contains(wish) ? m_source->read(wish) : m_source->readNamed(folder(), m_kept.picture);
 }
 
 void TransformationView::showProblem() {
@@ -312,6 +335,11 @@ void TransformationView::showProblem() {
         return m_bar->showProblem(sentence, Remedy::None);
     }
     if (!m_refusal.isEmpty()) return m_bar->showProblem(m_refusal, Remedy::None);
+    if (m_isForeign)
+        return m_bar->showProblem(tr("The file names a picture outside its folder: %1. Open it only if you "
+                                     "trust the file.")
+                                      .arg(shownPath(picturePath())),
+                                  Remedy::OpenForeignPicture);
     if (!m_pictureFailure.isEmpty())
         return m_bar->showProblem(pictureProblem(m_kept.picture, m_pictureFailure), Remedy::FindPicture);
     if (const auto& flaw = m_theft->flaw()) {
@@ -375,8 +403,9 @@ KeptTheft TransformationView::placed(KeptTheft theft, const document::Fractal& p
 
 void TransformationView::usePicture(const QString& path) {
     if (!m_isShown || path.isEmpty()) return;
-    m_wanted = path;
-    m_source->read(path); // it is kept once its size is known
+    m_wanted = PictureSource::absolutePath({}, path);
+    m_agreed.insert(m_wanted);
+    m_source->read(m_wanted); // it is kept once its size is known
 }
 
 void TransformationView::keepPicture() {
@@ -391,13 +420,14 @@ void TransformationView::keepPicture() {
 }
 
 void TransformationView::embedPicture(bool embedded) {
-    m_embedding.future().cancel();
+    m_embedding.cancel();
     if (embedded) {
-        m_embedding.setFuture(io::inBackground<io::PictureToEmbed>(
-            io::Lane::Reading,
-            [path = QDir(folder()).filePath(m_kept.picture)](QPromise<io::PictureToEmbed>& promise) {
-                promise.addResult(io::pictureToEmbed(path));
-            }));
+        const bool isAgreed = m_agreed.contains(picturePath());
+        m_embedding.submit([path = picturePath(), named = m_kept.picture, folder = folder(),
+                            isAgreed](const std::stop_token& stop) -> std::optional<Embedding> {
+            if (!isAgreed && PictureSource::isForeign(folder, named)) return Embedding{{}, true};
+            return Embedding{io::pictureToEmbed(path, stop)};
+        });
         return;
     }
     KeptTheft theft = m_kept;
@@ -405,18 +435,48 @@ void TransformationView::embedPicture(bool embedded) {
     keep(tr("Do Not Embed Picture"), theft);
 }
 
-void TransformationView::keepEmbedded() {
-    if (m_embedding.isCanceled() || m_embedding.future().resultCount() == 0 || m_kept.picture.isEmpty())
-        return;
-    const io::PictureToEmbed found = m_embedding.result();
-    if (found.failure) {
-        m_refusal = pictureProblem(m_kept.picture, *found.failure);
+void TransformationView::keepEmbedded(std::optional<Embedding> read) {
+    if (!read || m_kept.picture.isEmpty()) return; // memory was short
+    if (read->isForeign || read->found.failure) {
+        if (read->found.failure) m_refusal = pictureProblem(m_kept.picture, *read->found.failure);
         m_bar->show(m_document->file(), m_document->currentId(), m_partner->id(), m_kept);
-        return showProblem();
+        return read->isForeign ? refuseForeign() : showProblem();
     }
     KeptTheft theft = m_kept;
-    theft.embedded = found.bytes;
+    theft.embedded = read->found.bytes;
     keep(tr("Embed Picture"), theft);
+}
+
+QString TransformationView::picturePath() const {
+    return PictureSource::absolutePath(folder(), m_kept.picture);
+}
+
+void TransformationView::refuseForeign() {
+    m_isForeign = true;
+    m_theft->setPicture(nullptr);
+    showProblem();
+}
+
+void TransformationView::openForeign() {
+    m_agreed.insert(picturePath());
+    m_isForeign = false;
+    m_source->read(picturePath());
+    showProblem();
+}
+
+// What was agreed for one file says nothing of another.
+void TransformationView::forgetAgreement() {
+    m_agreed.clear();
+    m_isMoving = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_isMoving = false;
+            if (!m_isShown) return;
+            showPicture();
+            showProblem();
+        },
+        Qt::QueuedConnection);
 }
 
 void TransformationView::choosePicture() {

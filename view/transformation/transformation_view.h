@@ -6,8 +6,10 @@
 #include "ifs/tops/tear.h"
 #include "io/tops/picture_to_embed.h"
 #include "transformation/transformation_bar.h"
+#include "widgets/newest_work.h"
 
 #include <QFutureWatcher>
+#include <QSet>
 #include <QTimer>
 #include <QWidget>
 
@@ -77,7 +79,15 @@ private:
     void choosePicture();
     void keepPicture();
     void embedPicture(bool embedded); // in the entry, once it is read
-    void keepEmbedded();
+    struct Embedding {
+        io::PictureToEmbed found;
+        bool isForeign = false;
+    };
+    void keepEmbedded(std::optional<Embedding> read);
+    QString picturePath() const; // of the one that is kept, absolute
+    void refuseForeign();        // until the user agrees
+    void openForeign();
+    void forgetAgreement();
     bool isOverPartner(const QPoint& position) const;
     QString folder() const; // of the file; empty while it has none
     document::TheftJob job() const;
@@ -102,8 +112,11 @@ private:
     QString m_wanted;                                         // a picture that is to be kept once it is read
     bool m_isOwnPicture = false;                              // the one that is shown is of this entry
     QString m_pictureFailure;                                 // of the one that is kept
-    QString m_refusal;                                        // of one that was chosen
-    QFutureWatcher<io::PictureToEmbed> m_embedding;
+    bool m_isForeign = false;                                 // it is outside the folder of the file
+    QSet<QString> m_agreed;  // absolute paths that the user has chosen, or has agreed to open for this file
+    bool m_isMoving = false; // to another file, the folder of which is known in a moment
+    QString m_refusal;       // of one that was chosen
+    NewestWork<Embedding> m_embedding;
     QTimer m_rest; // runs until the continuity is measured
     QFutureWatcher<Continuity> m_measuring;
 };

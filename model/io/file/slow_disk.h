@@ -12,14 +12,14 @@
 // what has not answered within a moment counts as unknown.
 namespace io {
 
-inline constexpr std::chrono::milliseconds moment{50};
+inline constexpr std::chrono::milliseconds soon{50};
 
 // What `question` returns, if it does so in time. It goes on unheard otherwise, perhaps beyond the end of the
 // program: it holds nothing but values.
-std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::milliseconds patience = moment);
+std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::milliseconds patience = soon);
 
 // The paths without those where there is no file any more, in their order. A path that does not answer is as
 // it was known to be the last time, and there when it was never known. To be called in one thread.
-QStringList withoutGone(const QStringList& paths, std::chrono::milliseconds patience = moment);
+QStringList withoutGone(const QStringList& paths, std::chrono::milliseconds patience = soon);
 
 } // namespace io

@@ -33,9 +33,9 @@ collage::GreyPicture greyOf(const QImage& image) {
 
 } // namespace
 
-LoadedGrey readGreyPicture(const QByteArray& bytes) {
+LoadedGrey readGreyPicture(const QByteArray& bytes, const std::stop_token& stop) {
     LoadedGrey loaded;
-    DecodedPicture decoded = decodedPicture(bytes);
+    DecodedPicture decoded = decodedPicture(bytes, LargePicture::Refused, stop);
     loaded.flaw = decoded.flaw;
     if (loaded.flaw) return loaded;
     QImage& image = decoded.image;

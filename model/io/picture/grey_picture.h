@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <optional>
+#include <stop_token>
 
 namespace io {
 
@@ -21,6 +22,6 @@ constexpr int minTracedSide = 8;    // pixels
 constexpr int maxTracedSide = 1024; // pixels; larger pictures are scaled down
 
 // Reads what decodedPicture() reads. Nearly opaque pixels are seen on white.
-LoadedGrey readGreyPicture(const QByteArray& bytes);
+LoadedGrey readGreyPicture(const QByteArray& bytes, const std::stop_token& stop = {});
 
 } // namespace io

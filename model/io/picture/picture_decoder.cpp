@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/picture_decoder.h"
 
+#include "io/picture/gif_check.h"
 #include "io/picture/jpeg_check.h"
 #include "io/raster/exr_reader.h"
 #include "io/raster/raster_system.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <set>
 #include <utility>
 #include <zlib.h>
@@ -28,8 +30,11 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-constexpr qint64 maxKeptScans = qint64{512} << 20;             // bytes of a JPEG that is not read row by row
-constexpr int megabytes = int(maxDecodedPixels * 8 >> 20) + 1; // 16 bits per channel at most
+constexpr qint64 maxKeptScans = qint64{512} << 20; // bytes of a JPEG that is not read row by row
+
+constexpr int megabytesOf(qint64 pixels) {
+    return int(pixels * 8 >> 20) + 1; // 16 bits per channel at most
+}
 
 bool isKnown(const QByteArray& format) {
     static const QList<QByteArray> formats{"png", "jpeg", "jpg", "gif", "bmp", "pbm", "pgm", "ppm"};
@@ -75,6 +80,50 @@ QByteArray withPixelsOnly(const QByteArray& bytes) {
     return kept;
 }
 
+// What the pixels need at most, in the file of a PNG: each row with a byte for its filter, in up to seven
+// passes.
+quint64 unpackedSize(const QByteArray& png) {
+    constexpr qsizetype widthAt = 16, depthAt = 24, coloursAt = 25;
+    if (png.size() <= coloursAt) return 0;
+    const quint64 width = qFromBigEndian<quint32>(png.constData() + widthAt);
+    const quint64 height = qFromBigEndian<quint32>(png.constData() + widthAt + 4);
+    constexpr std::array<quint64, 8> channelsOf{1, 1, 3, 1, 2, 1, 4, 1}; // by the kind of pixels
+    const quint64 channels = channelsOf[std::size_t(png[coloursAt] & 7)];
+    return (width * channels * quint64(png[depthAt]) / 8 + 2) * height * 2;
+}
+
+// Whether the pixels unpack to far more than they need: the library would unpack all of it, a thousand times
+// the file. Small files are not looked at: that takes a second at most.
+bool isSwollen(const QByteArray& png, const std::stop_token& stop) {
+    constexpr qsizetype small = 1 << 20;
+    constexpr quint64 slack = quint64{64} << 20;
+    if (png.size() <= small) return false;
+    const quint64 allowed = unpackedSize(png) + slack;
+    z_stream stream{};
+    if (inflateInit(&stream) != Z_OK) return true;
+    QByteArray room(1 << 18, Qt::Uninitialized);
+    quint64 unpacked = 0;
+    int status = Z_OK;
+    for (qsizetype at = 8; at + 12 <= png.size() && status == Z_OK && unpacked <= allowed;) {
+        const qsizetype length = qFromBigEndian<quint32>(png.constData() + at);
+        if (png.mid(at + 4, 4) == "IDAT") {
+            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(png.constData() + at + 8));
+            stream.avail_in = uInt(length);
+            do {
+                stream.next_out = reinterpret_cast<Bytef*>(room.data());
+                stream.avail_out = uInt(room.size());
+                status = inflate(&stream, Z_NO_FLUSH);
+                unpacked += quint64(room.size()) - stream.avail_out;
+            } while (status == Z_OK && stream.avail_out == 0 && unpacked <= allowed &&
+                     !stop.stop_requested());
+            if (status == Z_BUF_ERROR) status = Z_OK; // of this chunk, nothing is left
+        }
+        at += length + 12;
+    }
+    inflateEnd(&stream);
+    return unpacked > allowed;
+}
+
 // The bytes, which end with an error once the stop is requested: libraries then give up.
 class StoppableBytes : public QBuffer {
 public:
@@ -93,6 +142,7 @@ private:
 bool isDamaged(const QByteArray& bytes, const QByteArray& format) {
     if (format.startsWith("jp")) return !jpegFacts(bytes).isComplete;
     if (format == "gif") {
+        if (isSwollenGif(bytes)) return true;
         qsizetype end = bytes.size();
         while (end > 0 && bytes[end - 1] == '\0')
             --end;
@@ -151,7 +201,7 @@ bool isTooLargeAtOnce(const QByteArray& bytes, const QByteArray& format, const Q
     if (format != "png" || bytes.size() <= interlaceAt || bytes[interlaceAt] == 0) return false;
     const bool isOneByte = bytes[coloursAt] == 0 || bytes[coloursAt] == 3; // grey, or with a palette
     const qint64 bytesPerPixel = bytes[depthAt] == 16 ? 8 : isOneByte ? 1 : 4;
-    return pixelsOf(size) * bytesPerPixel > qint64(megabytes) << 20;
+    return pixelsOf(size) * bytesPerPixel > qint64(megabytesOf(maxDecodedPixels)) << 20;
 }
 
 // Why the picture cannot be used, as far as can be told before it is decoded.
@@ -175,13 +225,13 @@ std::optional<QString> flawOf(QImageReader& reader, const QByteArray& bytes, Lar
     return std::nullopt;
 }
 
-// Once: the limit is that of the program, and pictures are decoded in several threads.
-void allowDecoding() {
-    static const bool isAllowed = [] {
-        QImageReader::setAllocationLimit(megabytes);
-        return true;
-    }();
-    Q_UNUSED(isAllowed)
+// The limit is that of the program, and pictures are decoded in several threads: it is only raised.
+void allowDecoding(qint64 pixels) {
+    static std::mutex mutex;
+    static int allowed = 0;
+    const std::lock_guard lock(mutex);
+    allowed = std::max(allowed, megabytesOf(pixels));
+    QImageReader::setAllocationLimit(allowed);
 }
 
 QString flawOf(const RasterPicture& picture) {
@@ -200,11 +250,11 @@ QString flawOf(const RasterPicture& picture) {
 }
 
 // Of the formats that Qt reads with a plug-in at best; none when the file has another.
-std::optional<RasterPicture> rasterPicture(const QByteArray& bytes) {
+std::optional<RasterPicture> rasterPicture(const QByteArray& bytes, const std::stop_token& stop) {
     const QString format = rasterFormat(bytes);
-    if (format == u"webp") return readWebP(bytes, maxDecodedPixels);
-    if (format == u"tiff") return readTiff(bytes, maxDecodedPixels);
-    if (format == u"exr") return readExr(bytes, maxDecodedPixels);
+    if (format == u"webp") return readWebP(bytes, maxDecodedPixels, stop);
+    if (format == u"tiff") return readTiff(bytes, maxDecodedPixels, stop);
+    if (format == u"exr") return readExr(bytes, maxDecodedPixels, stop);
     return std::nullopt;
 }
 
@@ -230,8 +280,22 @@ const QStringList& pictureSuffixes() {
     return suffixes;
 }
 
+DecodedPicture decodedFrame(const QByteArray& png, const std::stop_token& stop) {
+    if (formatOf(png) != "png" || !isWholePng(png)) return {{}, damaged()};
+    const QByteArray bytes = withPixelsOnly(png);
+    StoppableBytes source(stop);
+    source.setData(bytes);
+    source.open(QIODevice::ReadOnly);
+    QImageReader reader(&source, "png");
+    if (pixelsOf(reader.size()) > maxFramePixels || isSwollen(bytes, stop)) return {{}, damaged()};
+    allowDecoding(maxFramePixels);
+    DecodedPicture decoded{reader.read(), std::nullopt};
+    if (decoded.image.isNull() || stop.stop_requested()) return {{}, damaged()};
+    return decoded;
+}
+
 DecodedPicture decodedPicture(const QByteArray& given, LargePicture large, const std::stop_token& stop) {
-    if (auto raster = rasterPicture(given)) {
+    if (auto raster = rasterPicture(given, stop)) {
         if (raster->image.isNull()) return {{}, flawOf(*raster)};
         return inSrgb(std::move(raster->image));
     }
@@ -244,14 +308,16 @@ DecodedPicture decodedPicture(const QByteArray& given, LargePicture large, const
     StoppableBytes source(stop);
     source.setData(bytes);
     source.open(QIODevice::ReadOnly);
-    allowDecoding();
+    allowDecoding(maxDecodedPixels);
     QImageReader reader(&source, isKnown(format) ? format : QByteArray("none"));
     reader.setAutoTransform(true);
     if (const auto flaw = flawOf(reader, bytes, large)) return {{}, flaw};
+    if (isPng && isSwollen(bytes, stop)) return {{}, damaged()};
     const QSize size = reader.size();
     const bool isLarge = pixelsOf(size) > maxDecodedPixels;
     if (isLarge) reader.setScaledSize(reduced(size));
     QImage image = reader.read();
+    if (stop.stop_requested()) return {{}, damaged()}; // some readers make do with what they have got
     if (image.isNull()) return {{}, isLarge ? tooLarge(size) : damaged()};
     return inSrgb(std::move(image));
 }

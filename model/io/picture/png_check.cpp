@@ -18,11 +18,12 @@ namespace {
 
 constexpr quint32 maxLength = 0x7fffffff; // of a chunk
 constexpr qint64 piece = 1 << 20;
-constexpr qsizetype maxText = 8 << 20; // that is remembered
+constexpr qsizetype maxText = 8 << 20;                // that is remembered
+constexpr char palette = 1, colours = 2, opacity = 4; // bits of the kind of pixels
 
 struct Chunk {
     QByteArray type;
-    QByteArray data; // of tEXt; of others nothing
+    QByteArray data; // of IHDR and tEXt; of others nothing
 };
 
 std::optional<quint32> readNumber(QIODevice& file) {
@@ -45,13 +46,28 @@ std::optional<Chunk> readChunk(QIODevice& file) {
         if (bytes.isEmpty()) return std::nullopt;
         sum = checksum(sum, bytes);
         left -= bytes.size();
-        if (chunk.type == "tEXt" && chunk.data.size() < maxText) chunk.data += bytes;
+        const bool isKept = chunk.type == "tEXt" || chunk.type == "IHDR";
+        if (isKept && chunk.data.size() < maxText) chunk.data += bytes;
     }
     return readNumber(file) == sum ? std::optional(chunk) : std::nullopt;
 }
 
+// False when it makes no sense.
+bool takeHeader(const QByteArray& header, CheckedPng& found, char* kind) {
+    constexpr qsizetype size = 13, heightAt = 4, depthAt = 8, coloursAt = 9;
+    if (header.size() != size) return false;
+    const auto side = [&](qsizetype at) { return qFromBigEndian<quint32>(header.constData() + at); };
+    if (side(0) == 0 || side(0) > maxLength || side(heightAt) == 0 || side(heightAt) > maxLength)
+        return false;
+    found.size = {int(side(0)), int(side(heightAt))};
+    found.bitsPerChannel = header[depthAt];
+    *kind = header[coloursAt];
+    found.hasOpacity = (*kind & opacity) != 0;
+    return true;
+}
+
 CheckedPng damaged(const QString& sentence) {
-    return {sentence, {}};
+    return {sentence, {}, {}};
 }
 
 } // namespace
@@ -69,9 +85,14 @@ CheckedPng checkedPng(const QString& path) {
     CheckedPng found;
     qsizetype remembered = 0;
     bool hasPixels = false;
+    char kind = 0;
     for (bool isFirst = true;; isFirst = false) {
         const auto chunk = readChunk(file);
         if (!chunk || isFirst != (chunk->type == "IHDR")) return incomplete();
+        if (isFirst && !takeHeader(chunk->data, found, &kind)) return incomplete();
+        const bool isOneColour =
+            (kind & palette) == 0 && ((kind & colours) != 0 || found.bitsPerChannel == 16);
+        if (chunk->type == "tRNS" && isOneColour) found.hasOpacity = true;
         if (chunk->type == "IEND") break;
         hasPixels = hasPixels || chunk->type == "IDAT";
         remembered += chunk->data.size();
@@ -80,6 +101,15 @@ CheckedPng checkedPng(const QString& path) {
             found.texts[chunk->data.first(end)] = chunk->data.sliced(end + 1);
     }
     return hasPixels && file.atEnd() ? found : incomplete();
+}
+
+QSize pngSize(const QByteArray& bytes) {
+    constexpr qsizetype headerAt = 16, headerSize = 13;
+    CheckedPng found;
+    char kind = 0;
+    if (!bytes.startsWith("\x89PNG\r\n\x1a\n")) return {};
+    takeHeader(bytes.mid(headerAt, headerSize), found, &kind);
+    return found.size;
 }
 
 std::optional<QByteArray> textOfCompletePng(const QString& path, const QByteArray& keyword) {

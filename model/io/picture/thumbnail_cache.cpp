@@ -3,6 +3,8 @@
 
 #include "document/regular_file.h"
 #include "io/fractint/entry_writer.h"
+#include "io/picture/picture_decoder.h"
+#include "io/picture/png_check.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
@@ -46,11 +48,14 @@ QImage ThumbnailCache::find(const document::Fractal& fractal, int side) const {
     const QString path = pathOf(fractal, side);
     QFile file;
     if (!document::openRegular(file, QFile::encodeName(path)).isOpen()) return {};
-    QImage picture;
-    if (!picture.loadFromData(file.readAll(), "PNG")) return {};
+    const auto fits = [side](const QSize& size) { return size == QSize(side, side) || size == QSize(1, 1); };
+    const qint64 largest = qint64{8} * side * side + (1 << 16); // of a file, not even compressed
+    const QByteArray bytes = file.read(largest);
+    if (!fits(pngSize(bytes))) return {};
+    const QImage picture = decodedPicture(bytes).image;
+    if (!fits(picture.size())) return {};
     file.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);
-    const bool fits = picture.size() == QSize(side, side) || picture.size() == QSize(1, 1);
-    return fits ? picture.convertToFormat(QImage::Format_ARGB32_Premultiplied) : QImage();
+    return picture.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
 void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QImage& picture) {

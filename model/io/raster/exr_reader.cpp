@@ -21,6 +21,7 @@ namespace io {
 namespace {
 
 constexpr std::uint64_t maxBlock = std::uint64_t{512} << 20; // bytes that are decompressed at once
+constexpr std::uint64_t maxAll = std::uint64_t{4} << 30;     // and altogether
 
 // What a header says before the library, which makes room for what it says, is asked.
 struct Header {
@@ -102,6 +103,13 @@ std::uint64_t blockOf(const Header& header) {
     return width * rows * number * std::max<std::uint64_t>(header.channels, 4);
 }
 
+// Of all channels, also those that are not read.
+std::uint64_t allOf(const Header& header) {
+    constexpr std::uint64_t number = sizeof(float);
+    return std::uint64_t(header.pixels.width()) * std::uint64_t(header.pixels.height()) * number *
+           header.channels;
+}
+
 class Stream final : public Imf::IStream {
 public:
     explicit Stream(const QByteArray& bytes) : IStream(""), m_bytes(bytes) {}
@@ -132,7 +140,7 @@ QRgb straight(const Imf::Rgba& pixel) {
 }
 
 // Null of one that has neither colours nor luminance, such as a map of depths.
-QImage imageOf(Stream& stream, const Header& header) {
+QImage imageOf(Stream& stream, const Header& header, const std::stop_token& stop) {
     constexpr int noThreads = 0; // but this one
     Imf::RgbaInputFile file(stream, noThreads);
     QImage image;
@@ -147,6 +155,7 @@ QImage imageOf(Stream& stream, const Header& header) {
     // The library counts pixels from the origin.
     file.setFrameBuffer(row.data() - header.pixels.left(), 1, sameRow);
     for (int y = shared.top(); y <= shared.bottom(); ++y) {
+        if (stop.stop_requested()) throw std::runtime_error("stopped");
         file.readPixels(y);
         auto* to = reinterpret_cast<QRgb*>(image.scanLine(y - header.seen.top()));
         for (int x = shared.left(); x <= shared.right(); ++x)
@@ -157,17 +166,17 @@ QImage imageOf(Stream& stream, const Header& header) {
 
 } // namespace
 
-RasterPicture readExr(const QByteArray& bytes, qint64 maxPixels) {
+RasterPicture readExr(const QByteArray& bytes, qint64 maxPixels, const std::stop_token& stop) {
     using enum RasterPicture::Flaw;
     const auto header = headerOf(bytes);
     if (!header) return {};
     const QSize size = header->seen.size();
     if (!isWithin(header->seen, maxPixels) || !isWithin(header->pixels, maxPixels))
         return {{}, isWithin(header->seen, maxPixels) ? header->pixels.size() : size, TooLarge};
-    if (blockOf(*header) > maxBlock) return {{}, size, Unreadable};
+    if (blockOf(*header) > maxBlock || allOf(*header) > maxAll) return {{}, size, Unreadable};
     try {
         Stream stream(bytes);
-        return {imageOf(stream, *header), size, Unreadable};
+        return {imageOf(stream, *header, stop), size, Unreadable};
     } catch (const std::bad_alloc&) { // the library throws it of strange headers, too
         return {{}, size, Unreadable};
     } catch (const std::exception&) {

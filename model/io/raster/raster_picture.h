@@ -6,7 +6,8 @@
 
 namespace io {
 
-// The pixels of a picture that a user gives, turned upright, or why there are none.
+// The pixels of a picture that a user gives, turned upright, or why there are none. A stop makes readers end
+// with `Damaged`.
 struct RasterPicture {
     enum class Flaw {
         Damaged,

@@ -18,18 +18,22 @@ namespace {
 
 constexpr tmsize_t maxAllocation = tmsize_t{512} << 20; // bytes of one strip or tile, and of any table
 constexpr std::uint16_t maxSamples = 16;                // for a pixel
+// Of all strips or tiles together, which may be the same ones again and again: as they are in the file, and
+// decompressed.
+constexpr std::uint64_t maxStored = std::uint64_t{512} << 20, maxUnpacked = std::uint64_t{2} << 30;
 
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
 struct Source {
     const QByteArray& bytes;
+    std::stop_token stop;
     toff_t at = 0;
 };
 
 tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) {
     auto* source = static_cast<Source*>(handle);
     const auto size = toff_t(source->bytes.size());
-    if (count < 0 || source->at >= size) return 0;
+    if (count < 0 || source->at >= size || source->stop.stop_requested()) return 0;
     const auto read = std::min(toff_t(count), size - source->at);
     std::memcpy(to, source->bytes.constData() + source->at, std::size_t(read));
     source->at += read;
@@ -109,11 +113,22 @@ QByteArray profileOf(TIFF* tiff) {
     return {static_cast<const char*>(profile), qsizetype(size)};
 }
 
+bool isTooMuch(TIFF* tiff) {
+    const bool isTiled = TIFFIsTiled(tiff) != 0;
+    const std::uint32_t count = isTiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
+    const std::uint64_t size = isTiled ? TIFFTileSize64(tiff) : TIFFStripSize64(tiff);
+    if (size == 0 || size > maxUnpacked / std::max<std::uint32_t>(count, 1)) return true;
+    std::uint64_t stored = 0;
+    for (std::uint32_t k = 0; k < count && stored <= maxStored; ++k)
+        stored += std::min(TIFFGetStrileByteCount(tiff, k), maxStored + 1);
+    return stored > maxStored;
+}
+
 } // namespace
 
-RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels) {
+RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels, const std::stop_token& stop) {
     using enum RasterPicture::Flaw;
-    Source source{bytes};
+    Source source{bytes, stop};
     const Tiff tiff = opened(source);
     std::uint32_t width = 0, height = 0;
     if (!tiff || !TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width) ||
@@ -127,6 +142,7 @@ RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels) {
     TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_ORIENTATION, &orientation);
     char reason[1024];
     if (samples > maxSamples || !TIFFRGBAImageOK(tiff.get(), reason)) return {{}, size, Unreadable};
+    if (isTooMuch(tiff.get())) return {{}, size, Unreadable};
     TIFFSetField(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT); // libtiff mirrors, but does not turn
     constexpr int stopsAtErrors = 1;
     std::vector<std::uint32_t> packed(std::size_t(width) * height);

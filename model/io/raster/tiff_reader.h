@@ -5,10 +5,12 @@
 
 #include <QByteArray>
 
+#include <stop_token>
+
 namespace io {
 
 // The first picture of a TIFF or BigTIFF, with channels of at most 16 bits, as 8 of them; at most so many
 // pixels.
-RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels);
+RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels, const std::stop_token& stop = {});
 
 } // namespace io

@@ -27,15 +27,15 @@ attractor::MipPicture mipPicture(QImage image) {
     return {image.width(), image.height(), pixelsOf(image)};
 }
 
-ReadPicture decodePicture(const QByteArray& bytes) {
-    DecodedPicture decoded = decodedPicture(bytes, LargePicture::Reduced);
+ReadPicture decodePicture(const QByteArray& bytes, const std::stop_token& stop) {
+    DecodedPicture decoded = decodedPicture(bytes, LargePicture::Reduced, stop);
     if (decoded.flaw) return {{}, decoded.flaw};
     return {mipPicture(std::move(decoded.image)), std::nullopt};
 }
 
-ReadPicture readPicture(const QString& path) {
+ReadPicture readPicture(const QString& path, const std::stop_token& stop) {
     const Loaded loaded = loadFile(path);
-    return loaded.failure ? ReadPicture{{}, loaded.failure} : decodePicture(loaded.bytes);
+    return loaded.failure ? ReadPicture{{}, loaded.failure} : decodePicture(loaded.bytes, stop);
 }
 
 } // namespace io

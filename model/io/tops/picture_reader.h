@@ -8,6 +8,8 @@
 #include <QImage>
 #include <QString>
 
+#include <stop_token>
+
 namespace io {
 
 // A picture to steal colours from: what decodedPicture() reads, large ones reduced.
@@ -15,8 +17,8 @@ struct ReadPicture {
     attractor::MipPicture picture;
     Failure failure; // why there is none
 };
-ReadPicture readPicture(const QString& path);
-ReadPicture decodePicture(const QByteArray& bytes);
+ReadPicture readPicture(const QString& path, const std::stop_token& stop = {});
+ReadPicture decodePicture(const QByteArray& bytes, const std::stop_token& stop = {});
 
 attractor::MipPicture mipPicture(QImage image); // not empty, in sRGB
 

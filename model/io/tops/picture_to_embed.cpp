@@ -29,10 +29,10 @@ QByteArray encoded(const QImage& image) {
 
 } // namespace
 
-PictureToEmbed pictureToEmbed(const QString& path) {
+PictureToEmbed pictureToEmbed(const QString& path, const std::stop_token& stop) {
     const Loaded loaded = loadFile(path);
     if (loaded.failure) return {{}, loaded.failure};
-    const DecodedPicture decoded = decodedPicture(loaded.bytes, LargePicture::Reduced);
+    const DecodedPicture decoded = decodedPicture(loaded.bytes, LargePicture::Reduced, stop);
     if (decoded.flaw) return {{}, decoded.flaw};
     if (loaded.bytes.size() <= document::maxEmbeddedPicture) return {loaded.bytes, std::nullopt};
     int side = std::min(largestSide, std::max(decoded.image.width(), decoded.image.height()));

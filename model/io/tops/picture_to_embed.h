@@ -6,6 +6,8 @@
 #include <QByteArray>
 #include <QString>
 
+#include <stop_token>
+
 namespace io {
 
 // A file of the picture that is small enough to be embedded in an entry: the file itself, or else a smaller
@@ -14,6 +16,6 @@ struct PictureToEmbed {
     QByteArray bytes;
     Failure failure; // why there is none
 };
-PictureToEmbed pictureToEmbed(const QString& path);
+PictureToEmbed pictureToEmbed(const QString& path, const std::stop_token& stop = {});
 
 } // namespace io

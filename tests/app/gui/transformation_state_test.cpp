@@ -7,13 +7,16 @@
 #include "window_fixture.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QListWidget>
 #include <QMenu>
 #include <QTemporaryDir>
 #include <QThread>
 #include <QToolButton>
+#include <QUrl>
 
 #include <cstdint>
 #include <vector>
@@ -35,20 +38,33 @@ private slots:
     void anotherEntryDropsWhatIsBeingRead();
     void lateFramesOfAnotherEntryAreDropped();
     void anEmbeddedPictureNeedsNoFile();
+    void picturesOutsideTheFolderAreAskedFor();
+    void picturesAreFoundFromTheFileThatIsOpened();
 
 private:
     document::Document& document() { return m_window->document(); }
     view::TransformationView* view() const { return m_window->findChild<view::TransformationView*>(); }
     void open(const char* text) {
         document().setFile(io::readFractint(text));
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
-        QFAIL("no such action");
+        toggle();
     }
     QToolButton* button(const QString& name) const { // null where none of that name is shown
         for (auto* candidate : view()->findChildren<QToolButton*>())
             if (candidate->isVisible() && candidate->accessibleName() == name) return candidate;
         return nullptr;
+    }
+    QAction* embedding() const {
+        for (const auto* candidate : view()->bar()->findChildren<QToolButton*>())
+            if (const QMenu* menu = candidate->menu())
+                for (QAction* action : menu->actions())
+                    if (action->text() == QStringLiteral("Embed in the File")) return action;
+        return nullptr;
+    }
+    int pictureWidth() const { return view()->theft()->picture() ? view()->theft()->picture()->width() : 0; }
+    void toggle() {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
+        QFAIL("no such action");
     }
     KeptTheft kept() { return document::keptTheft(document().entryFractal()).value_or(KeptTheft()); }
     QString problem() const { return view()->bar()->problem(); }
@@ -70,6 +86,21 @@ constexpr auto threeOfThree = "a {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .5 0 
                               "c {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .4 0 0 .4 0 1 .4\n}\n";
 constexpr auto threeAndThree = "three {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n"
                                "other {\n .5 0 0 .5 0 0 .3\n .4 0 0 .4 1 0 .3\n .5 0 0 .5 0 1 .4\n}\n";
+
+bool saveBlue(const QString& path, int width) {
+    QImage blue(width, 40, QImage::Format_RGB32);
+    blue.fill(QColor(20, 60, 250));
+    return blue.save(path);
+}
+
+// Three entries of three maps, of which the first has a picture on the second.
+bool saveNaming(const QString& path, const QString& picture) {
+    QByteArray text = threeOfThree;
+    text.insert(text.indexOf('}'), "; barycage: partner b\n; barycage: partner-picture " +
+                                       QUrl::toPercentEncoding(picture, "/") + "\n");
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
 
 } // namespace
 
@@ -208,11 +239,7 @@ void TransformationStateTest::lateFramesOfAnotherEntryAreDropped() {
 void TransformationStateTest::anEmbeddedPictureNeedsNoFile() {
     open(threeOfThree);
     QTRY_VERIFY(view()->isPainted());
-    QAction* embed = nullptr;
-    for (const auto* candidate : view()->bar()->findChildren<QToolButton*>())
-        if (const QMenu* menu = candidate->menu())
-            for (QAction* action : menu->actions())
-                if (action->text() == QStringLiteral("Embed in the File")) embed = action;
+    QAction* embed = embedding();
     QVERIFY(embed && !embed->isEnabled()); // a pattern is no file
     const QTemporaryDir folder;
     QImage blue(40, 40, QImage::Format_RGB32);
@@ -241,6 +268,59 @@ void TransformationStateTest::anEmbeddedPictureNeedsNoFile() {
     embed->trigger();
     QTRY_VERIFY(!embed->isChecked()); // it cannot be read
     QVERIFY(kept().embedded.isEmpty());
+}
+
+// By their names or behind links: a file from a stranger could name any other. What was agreed for one file
+// says nothing of the next.
+void TransformationStateTest::picturesOutsideTheFolderAreAskedFor() {
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("sub")));
+    const QString outside = folder.filePath(QStringLiteral("blue.png"));
+    QVERIFY(saveBlue(outside, 40) && saveBlue(folder.filePath(QStringLiteral("sub/inside.png")), 30));
+    QVERIFY(QFile::link(outside, folder.filePath(QStringLiteral("sub/link.png"))));
+    const QString path = folder.filePath(QStringLiteral("sub/a.ifs"));
+    toggle();
+    for (const QString& named : {QStringLiteral("../blue.png"), outside, QStringLiteral("link.png")}) {
+        QVERIFY(saveNaming(path, named));
+        QVERIFY(m_window->openPath(path));
+        QTRY_VERIFY2(problem().startsWith(QStringLiteral("The file names a picture outside its folder: ")),
+                     qPrintable(problem()));
+        QVERIFY(problem().contains(QFileInfo(named).fileName()) && !view()->theft()->picture());
+        embedding()->trigger();
+        QTRY_VERIFY(!embedding()->isChecked());
+        QVERIFY(kept().embedded.isEmpty() && button(QStringLiteral("Open It")));
+        button(QStringLiteral("Open It"))->click();
+        QTRY_COMPARE(pictureWidth(), 40);
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+        const document::EntryId own = document().currentId();
+        document().setCurrent(document().file().entries[2].id);
+        QTRY_VERIFY(view()->isPainted());
+        document().setCurrent(own);
+        QTRY_COMPARE(pictureWidth(), 40);
+        embedding()->trigger();
+        QTRY_VERIFY(!kept().embedded.isEmpty());
+        document().undoStack()->setClean();
+    }
+    QVERIFY(saveNaming(path, QStringLiteral("inside.png")));
+    QVERIFY(m_window->openPath(path));
+    QTRY_COMPARE(pictureWidth(), 30);
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+}
+
+// And not from the folder of the file before.
+void TransformationStateTest::picturesAreFoundFromTheFileThatIsOpened() {
+    const QTemporaryDir folder;
+    toggle();
+    for (const int width : {20, 30}) {
+        const QDir own(folder.filePath(QString::number(width)));
+        QVERIFY(own.mkpath(QStringLiteral(".")));
+        QVERIFY(saveBlue(own.filePath(QStringLiteral("p.png")), width));
+        const QString path = own.filePath(QStringLiteral("a.ifs"));
+        QVERIFY(saveNaming(path, QStringLiteral("p.png")));
+        QVERIFY(m_window->openPath(path));
+        QTRY_COMPARE(pictureWidth(), width);
+        QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    }
 }
 
 BARYCAGE_TEST(TransformationStateTest, QApplication);

@@ -348,6 +348,8 @@ void TransformationWindowTest::aMissingPictureIsSaid() {
     theft.picture = path; // as an opened file may have it
     document().editEntry(QStringLiteral("theft"), document::withTheft(document().entryFractal(), theft));
     QTRY_COMPARE_WITH_TIMEOUT(view()->bar()->problem().count(QStringLiteral("gone.png")), 1, 60'000);
+    click(QStringLiteral("Open It")); // it is in no folder of the file
+    QTRY_COMPARE_WITH_TIMEOUT(view()->bar()->problem().count(QStringLiteral("gone.png")), 1, 60'000);
     QTRY_VERIFY(!view()->isPainted()); // nor is another picture shown in its place
     bool canBeFound = false;
     for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())

@@ -18,6 +18,7 @@
 #include <tiffio.h>
 
 #include <cstring>
+#include <stop_token>
 
 #include <sys/resource.h>
 
@@ -138,6 +139,39 @@ QByteArray tiffOf(const std::vector<std::uint8_t>& pixel, int samples, int forma
     return wholeFile(path);
 }
 
+// In grey, with a strip for each row, or tiles of this width and 16 rows: all of them the same bytes, so
+// many.
+QByteArray greyTiff(int across, int down, int tileWidth, int shared) {
+    const int pieces = tileWidth == 0 ? down : (down + 15) / 16;
+    QByteArray entries;
+    int count = 0;
+    const auto add = [&](int tag, qint64 value, int values = 1) {
+        entries += little16(tag) + little16(4) + little32(values) + little32(value);
+        ++count;
+    };
+    const bool isTiled = tileWidth != 0;
+    const int header = 8, tables = header + 2 + 12 * (isTiled ? 10 : 9) + 4;
+    add(TIFFTAG_IMAGEWIDTH, across);
+    add(TIFFTAG_IMAGELENGTH, down);
+    add(TIFFTAG_BITSPERSAMPLE, 8);
+    add(TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+    add(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    if (!isTiled) add(TIFFTAG_STRIPOFFSETS, tables, pieces);
+    add(TIFFTAG_SAMPLESPERPIXEL, 1);
+    if (!isTiled) {
+        add(TIFFTAG_ROWSPERSTRIP, 1);
+        add(TIFFTAG_STRIPBYTECOUNTS, tables + 4 * pieces, pieces);
+    } else {
+        add(TIFFTAG_TILEWIDTH, tileWidth);
+        add(TIFFTAG_TILELENGTH, 16);
+        add(TIFFTAG_TILEOFFSETS, tables, pieces);
+        add(TIFFTAG_TILEBYTECOUNTS, tables + 4 * pieces, pieces);
+    }
+    const int pixels = tables + 8 * pieces;
+    return "II*" + QByteArray(1, 0) + little32(header) + little16(count) + entries + little32(0) +
+           little32(pixels).repeated(pieces) + little32(shared).repeated(pieces) + QByteArray(shared, '\x55');
+}
+
 // Channels of ½ in the data window.
 QByteArray exrOf(const Imf::Header& plain, const std::vector<const char*>& channels) {
     const QTemporaryDir folder;
@@ -175,6 +209,8 @@ private slots:
     void damagedFilesEndInASentence();
     void hugeHeadersAreRefused_data();
     void hugeHeadersAreRefused();
+    void bombsAreRefused();
+    void stopsEndReading();
     void whatIsNotReadIsSaid();
     void tiffsAreTurnedUpright_data();
     void tiffsAreTurnedUpright();
@@ -317,6 +353,36 @@ void RasterReadersTest::hugeHeadersAreRefused() {
         const DecodedPicture decoded = decodedPicture(bytes, large);
         QVERIFY(decoded.image.isNull());
         QCOMPARE(decoded.flaw.value_or(QString()), sentence);
+    }
+}
+
+// Small files that would keep a reader busy for long: rows that share their bytes, tiles that reach far
+// beyond the picture, channels that are not seen.
+void RasterReadersTest::bombsAreRefused() {
+    constexpr int rows = 2000, shared = 900'000;
+    QCOMPARE(decodedPicture(greyTiff(1, 100, 0, shared)).flaw.value_or(QString()), QString());
+    QCOMPARE(decodedPicture(greyTiff(1, rows, 0, shared)).flaw.value_or(QString()), unreadable);
+    QCOMPARE(decodedPicture(greyTiff(1, 4096, 1 << 20, shared)).flaw.value_or(QString()), unreadable);
+    std::vector<QByteArray> names;
+    for (int k = 0; k < 40; ++k)
+        names.push_back("c" + QByteArray::number(k));
+    std::vector<const char*> channels{"R", "G", "B"};
+    for (const QByteArray& name : names)
+        channels.push_back(name.constData());
+    const QByteArray layers =
+        withAttribute(exrOf(Imf::Header(8, 8), channels), dataWindow, window(0, 0, 999, 31'999));
+    QCOMPARE(decodedPicture(layers).flaw.value_or(QString()), unreadable);
+}
+
+void RasterReadersTest::stopsEndReading() {
+    std::stop_source stop;
+    for (const bool isStopped : {false, true}) {
+        if (isStopped) stop.request_stop();
+        for (const auto& [name, file, depth] : kinds) {
+            const QByteArray bytes = written(file, depth, Kind::Transparent, randomPixels(false));
+            const DecodedPicture decoded = decodedPicture(bytes, LargePicture::Refused, stop.get_token());
+            QVERIFY2(decoded.flaw.has_value() == isStopped, name);
+        }
     }
 }
 

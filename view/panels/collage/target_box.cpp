@@ -261,9 +261,9 @@ void TargetBox::paste() {
         return;
     }
     submit(
-        [picture = std::move(picture)] {
+        [picture = std::move(picture)](const std::stop_token& stop) {
             State state;
-            const io::LoadedGrey grey = io::readGreyPicture(picture());
+            const io::LoadedGrey grey = io::readGreyPicture(picture(), stop);
             keep(grey, state);
             return state;
         },
@@ -281,14 +281,14 @@ void TargetBox::keep(const io::LoadedGrey& grey, State& state) {
 
 void TargetBox::read(const QString& path) {
     submit(
-        [path] {
+        [path](const std::stop_token& stop) {
             State state;
             const io::Loaded loaded = io::loadFile(path);
             if (loaded.failure) {
                 state.sentence = *loaded.failure;
                 return state;
             }
-            const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes);
+            const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes, stop);
             keep(grey, state);
             return state;
         },
@@ -297,7 +297,7 @@ void TargetBox::read(const QString& path) {
 
 void TargetBox::take(const std::shared_ptr<const document::Fractal>& entry) {
     submit(
-        [entry] {
+        [entry](const std::stop_token& /*stop*/) {
             State state;
             state.picture = pictureOf(*entry, state.sentence);
             return state;
@@ -316,10 +316,10 @@ void TargetBox::remove() {
     showState();
 }
 
-void TargetBox::submit(const std::function<State()>& reading, const QString& name) {
+void TargetBox::submit(const std::function<State(const std::stop_token&)>& reading, const QString& name) {
     m_name->setText(tr("Reading “%1”…").arg(name));
-    m_reading.submit([reading, name, entry = m_document->currentId()](const std::stop_token&) {
-        Read read{entry, reading()};
+    m_reading.submit([reading, name, entry = m_document->currentId()](const std::stop_token& stop) {
+        Read read{entry, reading(stop)};
         read.state.name = name;
         return std::optional(std::move(read));
     });

@@ -71,7 +71,7 @@ private:
     void choose();
     void paste();
     void remove();
-    void submit(const std::function<State()>& reading, const QString& name);
+    void submit(const std::function<State(const std::stop_token&)>& reading, const QString& name);
     void finishReading(std::optional<Read> read);
     void follow(const document::Change& change);
     void setOptions(const std::function<void(document::TraceOptions&)>& change);

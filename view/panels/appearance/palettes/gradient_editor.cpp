@@ -164,11 +164,13 @@ void GradientEditor::load(const QString& path) {
         io::PaletteFile file;
         QImage picture; // where the file is one
     };
-    auto reading = io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
+    std::stop_source stop;
+    auto reading = io::inBackground<Reading>(io::Lane::Reading, [path, token = stop.get_token()](
+                                                                    QPromise<Reading>& promise) {
         const io::Loaded loaded = io::loadFile(path);
         Reading result{loaded.failure, {}, {}};
         if (!loaded.failure && isPicture(path)) {
-            io::DecodedPicture decoded = io::decodedPicture(loaded.bytes);
+            io::DecodedPicture decoded = io::decodedPicture(loaded.bytes, io::LargePicture::Refused, token);
             result.picture = std::move(decoded.image);
             result.failure = decoded.flaw;
         } else if (!loaded.failure) {
@@ -176,7 +178,10 @@ void GradientEditor::load(const QString& path) {
         }
         promise.addResult(std::move(result));
     });
-    if (!waitFor(QFuture<void>(reading), tr("Reading “%1”…").arg(name), this)) return;
+    if (!waitFor(QFuture<void>(reading), tr("Reading “%1”…").arg(name), this)) {
+        stop.request_stop();
+        return;
+    }
     const auto [failure, file, picture] = reading.takeResult();
     if (failure) return emit message(*failure);
     if (!picture.isNull()) return takeFrom(picture);
