@@ -2,8 +2,10 @@
 #include "document/fractal_geometry.h"
 #include "io/picture/thumbnail_cache.h"
 #include "support/patient_tries.h"
+#include "support/slow_disk.h"
 #include "widgets/thumbnails.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -11,6 +13,7 @@
 #include <set>
 
 using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
 using view::Thumbnail;
 using view::Thumbnails;
 
@@ -56,6 +59,7 @@ private slots:
     void otherKinds();
     void sidewaysPlacement();
     void aCachedPictureIsNotDrawnAgain();
+    void aCacheThatDoesNotAnswerHoldsNothingUp();
 };
 
 void ThumbnailsTest::drawsTheAttractor() {
@@ -272,6 +276,27 @@ void ThumbnailsTest::aCachedPictureIsNotDrawnAgain() {
         if (first.isNull()) first = image;
         QCOMPARE(image, first);
     }
+}
+
+void ThumbnailsTest::aCacheThatDoesNotAnswerHoldsNothingUp() {
+    constexpr auto never = 30s;
+    const QTemporaryDir folder;
+    const support::SlowDisk disk(folder.path(), never);
+    QElapsedTimer clock;
+    clock.start();
+    {
+        Thumbnails thumbnails;
+        thumbnails.setCache(std::make_unique<io::ThumbnailCache>(folder.path()));
+        const Pointer one = triangle();
+        const Pointer other = changed(one, 0.1);
+        thumbnails.thumbnail(1, one);
+        thumbnails.thumbnail(2, other);
+        QTRY_COMPARE(thumbnails.pending(), 0);
+        QCOMPARE(thumbnails.drawn(), 2);
+        thumbnails.thumbnail(3, changed(one, 0.2));
+    }
+    QVERIFY(disk.waited() > 0);
+    QVERIFY(clock.durationElapsed() < never);
 }
 
 QTEST_MAIN(ThumbnailsTest)
