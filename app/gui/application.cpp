@@ -43,7 +43,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
 }
 
 Application::~Application() {
-    view::finishStoring();
+    view::finishStoring(std::chrono::seconds(2)); // what is late goes on for a while
 }
 
 void Application::speak(const QString& language) {
@@ -111,7 +111,7 @@ bool Application::event(QEvent* event) {
     return done;
 }
 
-void Application::openWindows(const QStringList& files, Start start) {
+bool Application::openWindows(const QStringList& files, Start start) {
     const auto resume = qScopeGuard([] { exports::queue()->resume(); }); // in windows that tell of it
     for (const document::Abandoned& abandoned : Recovery::ask()) {
         auto* window = new MainWindow;
@@ -120,7 +120,7 @@ void Application::openWindows(const QStringList& files, Start start) {
     }
     const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     MainWindow::openEach(again ? session::files() : files);
-    if (start == Start::AsLastTime && !session::windows().isEmpty()) return;
+    if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
     auto* window = new MainWindow;
     window->openFirstPicture();
     window->show();
@@ -130,4 +130,5 @@ void Application::openWindows(const QStringList& files, Start start) {
         window->addRandom();
     else if (!Tour::offer(window))
         Welcome::offer(window);
+    return true;
 }

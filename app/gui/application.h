@@ -14,8 +14,8 @@ public:
     // What a window without files shows first.
     enum class Start { AsLastTime, New, Collection, Random };
     // One window per file; without files one window with the maple, or those of the last run if that is
-    // wished.
-    void openWindows(const QStringList& files, Start start = Start::AsLastTime);
+    // wished. Returns whether there is any: all may have been closed while a file was read.
+    bool openWindows(const QStringList& files, Start start = Start::AsLastTime);
 
     bool notify(QObject* receiver, QEvent* event) override;
 

@@ -73,6 +73,7 @@ bool FileCommands::open(const QString& path) {
     if (m_lessons.open && path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive))
         return m_lessons.open(path);
     if (const io::Failure failure = m_file->open(path)) {
+        if (m_file->isStopped()) return false;
         m_context.messages->fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
         return false;
     }
@@ -195,6 +196,6 @@ void FileCommands::revert() {
                           lost.join(QStringLiteral("\n\n"))))
             return;
     }
-    if (const io::Failure failure = m_file->revert())
+    if (const io::Failure failure = m_file->revert(); failure && !m_file->isStopped())
         m_context.messages->fail(tr("%1 could not be reloaded").arg(m_file->name()), *failure);
 }

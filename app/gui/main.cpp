@@ -3,8 +3,10 @@
 #include "document/background_threads.h"
 #include "identity.h"
 #include "session.h"
+#include "sudden_end.h"
 
 #include <QCommandLineParser>
+#include <QEvent>
 #include <QProcess>
 
 #include <algorithm>
@@ -58,8 +60,11 @@ int main(int argc, char** argv) {
         Application application(argc, argv);
         describe(parser);
         parser.process(application);
-        application.openWindows(parser.positionalArguments(), startAskedFor(parser));
-        code = Application::exec();
+        const SuddenEnd suddenEnd;
+        if (application.openWindows(parser.positionalArguments(), startAskedFor(parser)))
+            code = Application::exec();
+        else
+            Application::sendPostedEvents(nullptr, QEvent::DeferredDelete); // as exec() does at its end
         program = Application::applicationFilePath();
         filesToReopen = session::filesToReopen();
     }

@@ -443,12 +443,14 @@ void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
         if (session::showOther(path, unused)) continue;
         MainWindow* window = unused ? unused : new MainWindow;
         window->show();
-        unused = window->openPath(path) ? nullptr : window;
+        unused = window->openPath(path) || window->m_file.isStopped() ? nullptr : window;
+        if (session::allAreClosed()) return; // while it was read
     }
 }
 
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
     const std::optional<io::Failure> recovered = m_file.recover(abandoned.snapshot);
+    if (m_file.isStopped()) return;
     m_stage->fit();
     if (!recovered)
         return m_messages->say(tr("%1 was not recovered. Barycage will offer it again at the next start.")
@@ -481,7 +483,9 @@ void MainWindow::takeFocusFrom(const QWidget* hidden) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_file.isBusy() || !m_fileCommands->maybeSave() || !exports::mayEnd(this)) {
+    const bool isReading = m_file.isReading(); // whoever waits for that still uses the window
+    m_file.stopReading();
+    if ((m_file.isBusy() && !isReading) || !m_fileCommands->maybeSave() || !exports::mayEnd(this)) {
         event->ignore();
         return;
     }
@@ -491,6 +495,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
     session::remember();
     m_recovery.giveUp();
+    if (isReading) {
+        setAttribute(Qt::WA_DeleteOnClose, false);
+        connect(&m_file, &OpenFile::stopped, this, &QObject::deleteLater);
+    }
     event->accept();
 }
 

@@ -53,6 +53,7 @@ public:
     document::Document& document() { return m_document; }
     QString path() const override { return m_file.path(); }
     void adopt(const view::Preferences& preferences) override;
+    Recovery& recovery() override { return m_recovery; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;

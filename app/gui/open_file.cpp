@@ -112,11 +112,28 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
     remember({}, {});
 }
 
+bool OpenFile::hasRead(const QFuture<void>& reading, const QString& label) {
+    m_reading = reading;
+    m_isReading = true;
+    const bool isRead = view::waitFor(reading, label, m_window);
+    m_isReading = false;
+    m_reading = {};
+    if (m_isStopped) emit stopped();
+    return isRead && !m_isStopped;
+}
+
+void OpenFile::stopReading() {
+    if (!m_isReading) return;
+    m_isStopped = true;
+    m_reading.cancel();
+}
+
 io::Failure OpenFile::open(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
+    m_isStopped = false;
     const auto file = QFileInfo(path).fileName();
     QFuture<Reading> result = readBeside(path);
-    if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(file), m_window))
+    if (!hasRead(QFuture<void>(result), tr("Reading “%1”…").arg(file)))
         return tr("Reading “%1” was cancelled.").arg(file);
     auto [loaded, collection, digest] = result.takeResult();
     if (loaded.failure) return loaded.failure;
@@ -138,7 +155,9 @@ io::Failure OpenFile::open(const QString& path) {
 
 std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot) {
     io::Failure failure;
+    m_isStopped = false;
     if (!snapshot.path.isEmpty()) failure = open(snapshot.path);
+    if (m_isStopped) return std::nullopt;
     if (snapshot.path.isEmpty() || failure) startNew();
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     QFuture<document::FractalFile> reading = io::inBackground<document::FractalFile>(
@@ -148,8 +167,7 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot)
             keepIds(file, before);
             promise.addResult(std::move(file));
         });
-    if (!view::waitFor(QFuture<void>(reading), tr("Reading “%1”…").arg(snapshot.title), m_window))
-        return std::nullopt;
+    if (!hasRead(QFuture<void>(reading), tr("Reading “%1”…").arg(snapshot.title))) return std::nullopt;
     document::FractalFile recovered = reading.takeResult();
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =

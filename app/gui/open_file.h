@@ -6,6 +6,7 @@
 #include "io/file/save_file.h"
 
 #include <QByteArray>
+#include <QFuture>
 #include <QObject>
 #include <QString>
 
@@ -28,6 +29,11 @@ public:
     io::Failure open(const QString& path);
     // A large file is read or written beside the window, and events are handled meanwhile.
     bool isBusy() const { return m_isBusy; }
+    bool isReading() const { return m_isReading; }
+    // The window closes: what is read is not waited for any more, and nothing is said about it. stopped()
+    // follows when nobody uses the window any more.
+    void stopReading();
+    bool isStopped() const { return m_isStopped; }
     // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
     // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
     // nullopt when the user does not wait for it.
@@ -47,17 +53,22 @@ public:
 
 signals:
     void pathChanged();
+    void stopped();
     // A table was opened whose text does not say what its columns are.
     void orderAssumed(const QString& text);
     void flamesOpened();
 
 private:
+    bool hasRead(const QFuture<void>& reading, const QString& label);
     io::Failure write(const QString& path);
     void remember(const QString& path, const QByteArray& digest);
 
     document::Document* m_document;
     QWidget* m_window;
     bool m_isBusy = false;
+    bool m_isReading = false;
+    bool m_isStopped = false;
+    QFuture<void> m_reading;
     QString m_path;
     QByteArray m_digest;
     bool m_isMissing = false; // it was not there to be read, and the user knows

@@ -18,7 +18,11 @@
 using namespace std::chrono_literals;
 
 Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* parent)
-    : QObject(parent), m_document(document), m_file(file), m_journal(folder()) {
+    : QObject(parent),
+      m_document(document),
+      m_file(file),
+      m_journal(std::make_shared<document::Journal>(folder())),
+      m_writer(document::Lane::Saving) {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] {
         if (!m_writing.isEmpty())
@@ -41,11 +45,11 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
         else
             discard();
     });
-    m_writer.setMaxThreadCount(1);
 }
 
 Recovery::~Recovery() {
-    m_writer.waitForDone();
+    m_listener->leave();
+    letGo();
 }
 
 void Recovery::follow(const view::LessonNotebook* lesson) {
@@ -85,15 +89,22 @@ void Recovery::keepNow() {
         snapshot.lessonPath = m_lesson->path();
     }
     m_writing << std::exchange(m_oldest, never);
-    m_writer.start([this, snapshot, file = m_document->file(), old = m_takenOver]() mutable {
+    m_writer.start([this, journal = m_journal, listener = m_listener, snapshot, file = m_document->file(),
+                    old = m_takenOver]() mutable {
         const auto began = std::chrono::steady_clock::now();
         snapshot.bytes = io::writeFractint(file);
-        const bool kept = m_journal.write(snapshot);
+        const bool kept = journal->write(snapshot);
         if (kept && old) document::forget(*old);
-        const auto took = std::chrono::steady_clock::now() - began;
-        QMetaObject::invokeMethod(this, [this, kept, took] {
-            m_lastTook = std::chrono::duration_cast<std::chrono::milliseconds>(took);
-            finish(kept);
+        const auto took =
+            std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - began);
+        listener->tell([this, kept, took] {
+            QMetaObject::invokeMethod(
+                this,
+                [this, kept, took] {
+                    m_lastTook = took;
+                    finish(kept);
+                },
+                Qt::QueuedConnection);
         });
     });
 }
@@ -132,6 +143,17 @@ void Recovery::giveUp() {
     discard();
 }
 
+void Recovery::store() {
+    if (!m_isGivenUp && isModified()) keepNow();
+}
+
+void Recovery::letGo() {
+    m_writer.start([journal = m_journal, old = std::exchange(m_takenOver, std::nullopt)]() mutable {
+        journal->letGo();
+        old.reset();
+    });
+}
+
 void Recovery::report(bool kept) {
     if (!kept && isModified()) keepSoon(); // until it works
     if (std::exchange(m_kept, kept) && !kept)
@@ -145,8 +167,8 @@ void Recovery::discard() {
     m_oldest = never;
     m_writing.fill(never);
     watch();
-    m_writer.start([this, old = std::exchange(m_takenOver, std::nullopt)] {
-        m_journal.discard();
+    m_writer.start([journal = m_journal, old = std::exchange(m_takenOver, std::nullopt)] {
+        journal->discard();
         if (old) document::forget(*old);
     });
 }
@@ -205,7 +227,7 @@ QList<document::Abandoned> Recovery::ask() {
             promise.addResult(std::move(left));
         });
     if (!view::waitFor(QFuture<void>(looking), tr("Looking for unsaved work…"), nullptr)) return {};
-    const auto [found, damaged] = looking.takeResult();
+    auto [found, damaged] = looking.takeResult();
     reportDamaged(damaged);
     if (found.isEmpty()) return {};
     QList<document::Snapshot> snapshots;
@@ -220,8 +242,13 @@ QList<document::Abandoned> Recovery::ask() {
     box.setDefaultButton(recover);
     box.setEscapeButton(later);
     box.exec();
-    if (box.clickedButton() == forget)
-        for (const document::Abandoned& abandoned : found)
-            document::forget(abandoned);
-    return box.clickedButton() == recover ? found : QList<document::Abandoned>{};
+    if (box.clickedButton() == recover) return found;
+    // Where the locks are given up, too.
+    document::startInLane(document::Lane::Saving,
+                          [left = std::move(found), isForgotten = box.clickedButton() == forget]() mutable {
+                              for (const document::Abandoned& abandoned : left)
+                                  if (isForgotten) document::forget(abandoned);
+                              left.clear();
+                          });
+    return {};
 }

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "document/journal.h"
+#include "document/listener.h"
+#include "document/work_in_order.h"
 #include "open_file.h"
 
 #include <QList>
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 
 #include <chrono>
+#include <memory>
 #include <optional>
 
 namespace view {
@@ -24,7 +26,7 @@ class Recovery : public QObject {
 public:
     Recovery(document::Document* document, const OpenFile* file, QObject* parent);
 
-    ~Recovery() override; // when all is written
+    ~Recovery() override; // what is not written yet is so later, if the disk answers
 
     void follow(const view::LessonNotebook* lesson); // its unsaved steps, too. It lives longer
 
@@ -32,6 +34,8 @@ public:
     // discarded.
     void takeOver(const document::Abandoned& abandoned);
     void giveUp(); // the window closes, and its work is saved or not wanted
+    void store();  // what is unsaved, at once
+    void letGo();  // the program ends: what is stored belongs to whoever comes next
 
     static QString folder();
     // Asks about the work of processes that ended without closing; returns what the user wants back.
@@ -60,8 +64,9 @@ private:
     document::Document* m_document;
     const OpenFile* m_file;
     const view::LessonNotebook* m_lesson = nullptr;
-    document::Journal m_journal; // used by the thread alone
-    QThreadPool m_writer;        // of one thread, so that all happens in its order
+    std::shared_ptr<document::Journal> m_journal; // used by the thread alone
+    std::shared_ptr<document::Listener> m_listener = std::make_shared<document::Listener>();
+    document::WorkInOrder m_writer;
     QTimer m_timer;
     bool m_kept = true;         // the last time
     bool m_wasModified = false; // after the change before

@@ -70,6 +70,10 @@ QList<SessionWindow*> windows() {
     return found;
 }
 
+bool allAreClosed() {
+    return shown().isEmpty();
+}
+
 bool showOther(const QString& path, const QWidget* window) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const QList<SessionWindow*> others = shown();

@@ -9,6 +9,8 @@
 
 #include <optional>
 
+class Recovery;
+
 // A window of the program, with a file of its own: what the others need to know of it.
 class SessionWindow : public QMainWindow {
     Q_OBJECT
@@ -17,12 +19,14 @@ public:
     using QMainWindow::QMainWindow;
     virtual QString path() const = 0; // empty while it has no file
     virtual void adopt(const view::Preferences& preferences) = 0;
+    virtual Recovery& recovery() = 0;
 };
 
 // The windows of this run, and the files that were open at its end.
 namespace session {
 
 QList<SessionWindow*> windows();
+bool allAreClosed(); // or none was shown yet
 // Brings another window than this one to the front if it has the file, whatever its path is called. That
 // window says why. false: none has it.
 bool showOther(const QString& path, const QWidget* window);

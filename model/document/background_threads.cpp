@@ -16,13 +16,19 @@ namespace {
 
 using namespace std::chrono_literals;
 
-using Pools = std::array<QThreadPool, 4>; // of each lane
+using Pools = std::array<QThreadPool, 5>; // of each lane
 
-bool finish(QThreadPool& pool, const QDeadlineTimer& end) {
-    return pool.waitForDone(int(end.remainingTime()));
+bool finish(QThreadPool& pool, const QDeadlineTimer& late) {
+    return pool.waitForDone(int(late.remainingTime()));
 }
 
 void finishWithTheApplication();
+
+// Never destroyed, as those who ask are not.
+std::stop_source& end() {
+    static auto* const made = new std::stop_source;
+    return *made;
+}
 
 // Never destroyed: what hangs must not hold up the end of the program.
 Pools& pools() {
@@ -42,8 +48,10 @@ QThreadPool& poolOf(Lane lane) {
 
 // What is under way uses Qt, which is about to go.
 void finishWithTheApplication() {
-    finish(poolOf(Lane::Saving), QDeadlineTimer(10s));
-    finish(poolOf(Lane::Computing), QDeadlineTimer(5s));
+    const QDeadlineTimer late(10s), early(5s);
+    finish(poolOf(Lane::Saving), late);
+    for (const Lane lane : {Lane::Computing, Lane::Exporting})
+        finish(poolOf(lane), early);
     const QDeadlineTimer soon(1s);
     for (const Lane lane : {Lane::Asking, Lane::Reading})
         finish(poolOf(lane), soon);
@@ -56,11 +64,23 @@ void startInLane(Lane lane, std::function<void()> work) {
 }
 
 bool backgroundFinishes(std::chrono::milliseconds patience) {
-    const QDeadlineTimer end(patience);
+    const QDeadlineTimer late(patience);
     bool isDone = true;
     for (QThreadPool& pool : pools())
-        isDone = finish(pool, end) && isDone;
+        isDone = finish(pool, late) && isDone;
     return isDone;
+}
+
+bool laneFinishes(Lane lane, std::chrono::milliseconds patience) {
+    return finish(poolOf(lane), QDeadlineTimer(patience));
+}
+
+std::stop_token endOfProgram() {
+    return end().get_token();
+}
+
+void announceEnd() {
+    end().request_stop();
 }
 
 void quickExit(int status) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <stop_token>
 
 // Threads for what may take long, or never end, as reading from a drive that does not answer. They are not
 // those of QThreadPool::globalInstance(): Qt paints large pictures with those and waits for them, and a
@@ -14,7 +15,8 @@ enum class Lane {
     Computing, // touches no file
     Asking,    // whether and where files are
     Reading,
-    Saving // and what has to be known of a file before it is saved
+    Saving,   // and what has to be known of a file before it is saved
+    Exporting // drawing into files: it can be told to stop
 };
 // Work of one kind waits as soon as so much of it is under way, far more than there are cores. A thread is
 // made when it is needed.
@@ -26,6 +28,13 @@ void startInLane(Lane lane, std::function<void()> work);
 // of the application waits so for a moment, longer for what is being saved. After it, a program in which
 // something still goes on has to end without destroying what that uses: quickExit().
 bool backgroundFinishes(std::chrono::milliseconds patience);
+
+// The same for one kind.
+bool laneFinishes(Lane lane, std::chrono::milliseconds patience);
+
+// The end of the program, which may come suddenly: whatever can stop does so as soon as it is announced.
+std::stop_token endOfProgram();
+void announceEnd();
 
 // Ends the process at once, with all that is written to the standard streams.
 [[noreturn]] void quickExit(int status);

@@ -102,6 +102,10 @@ void Journal::discard() {
     QFile::remove(m_path);
 }
 
+void Journal::letGo() {
+    m_lock.reset();
+}
+
 QList<Abandoned> abandonedSnapshots(const QString& folder) {
     QList<Abandoned> found;
     const QDir dir(folder);

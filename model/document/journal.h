@@ -46,6 +46,7 @@ public:
     // Creates the folder when it is missing. False: not written, the one before is kept.
     bool write(const Snapshot& snapshot);
     void discard();
+    void letGo(); // of the lock: what is written belongs to whoever comes next
 
 private:
     QString m_path;

@@ -83,8 +83,14 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
 
 ExportJob::ExportJob(Export what, const QString& path, Progress progress,
                      std::function<void(const ExportOutcome&)> finished)
-    : m_thread([what = std::move(what), path, progress = std::move(progress), finished = std::move(finished)](
-                   const std::stop_token& stop) { finished(exportTo(what, path, progress, stop)); }) {}
+    : m_work([what = std::move(what), path, progress = std::move(progress),
+              finished = std::move(finished)](const std::stop_token& stop, document::Listener& listener) {
+          const Progress told = [&](double fraction) {
+              if (progress) listener.tell([&] { progress(fraction); });
+          };
+          const ExportOutcome outcome = exportTo(what, path, told, stop);
+          listener.tell([&] { finished(outcome); });
+      }) {}
 
 QFuture<QImage> drawBeside(const PngExport& what) {
     return drawnBeside([what](const Progress& progress, const std::stop_token& stop) {

@@ -3,6 +3,7 @@
 
 #include "io/animation/animation_export.h"
 #include "io/exchange/point_cloud.h"
+#include "io/file/export_work.h"
 #include "io/picture/pdf_writer.h"
 #include "io/picture/picture_strip.h"
 #include "io/picture/png_export.h"
@@ -13,7 +14,7 @@
 #include <QImage>
 
 #include <functional>
-#include <thread>
+#include <stop_token>
 #include <variant>
 
 namespace io {
@@ -32,17 +33,19 @@ using Export =
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},
                        std::stop_token stop = {});
 
-// An export that goes on in a thread of its own. Destroying it stops and waits: milliseconds.
+// An export that goes on in a thread of its own. Destroying it stops it: milliseconds, or at most a second
+// when its drive does not answer.
 class ExportJob {
 public:
-    // `progress` and `finished` are called in that thread; `finished` exactly once, also when stopped.
+    // `progress` and `finished` are called in that thread, not after the end of this; `finished` exactly
+    // once, also when stopped.
     ExportJob(Export what, const QString& path, Progress progress,
               std::function<void(const ExportOutcome&)> finished);
 
-    void stop() { m_thread.request_stop(); }
+    void stop() { m_work.stop(); }
 
 private:
-    std::jthread m_thread;
+    ExportWork m_work;
 };
 
 // The same for a picture that stays in memory, with per cent as progress; null when there is no room for it.

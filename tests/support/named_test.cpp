@@ -19,7 +19,7 @@ support::NamedTest::NamedTest(const char* file, Run run) {
     tests().emplace(std::filesystem::path(file).stem().string(), run);
 }
 
-static int run(int argc, char** argv) {
+int main(int argc, char** argv) {
     const auto named = tests().find(argc > 1 ? argv[1] : "");
     if (named != tests().end()) return named->second(argc - 1, argv + 1);
     const bool isList = argc == 2 && std::string(argv[1]) == "--list";
@@ -28,5 +28,3 @@ static int run(int argc, char** argv) {
         std::puts(name.c_str());
     return isList ? 0 : 2;
 }
-
-static const support::NamedTest namedTest(__FILE__, run);

@@ -6,7 +6,10 @@
 #include <QHash>
 #include <QTimer>
 
+#include <cstring>
+
 // After Qt: these headers define words like None and Bool.
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/extensions/XTest.h>
 
@@ -28,6 +31,41 @@ QByteArray keyOf(QChar character, bool& shift) {
     const char plain = character.toLatin1();
     shift = character.isUpper() || QByteArray("_:+()").contains(plain);
     return names.value(plain, QByteArray(1, character.toLower().toLatin1()));
+}
+
+} // namespace
+
+namespace {
+
+// What a window manager, or a program, says of a window.
+QByteArray property(Display* display, Window window, const char* name) {
+    Atom type = 0;
+    int bits = 0;
+    unsigned long count = 0, left = 0;
+    unsigned char* data = nullptr;
+    constexpr long longest = 4096;
+    XGetWindowProperty(display, window, XInternAtom(display, name, 0), 0, longest, 0, AnyPropertyType, &type,
+                       &bits, &count, &left, &data);
+    const int size = bits == 32 ? int(sizeof(long)) : bits / 8; // that of a long, whatever it holds
+    const QByteArray value(reinterpret_cast<const char*>(data), data ? qsizetype(count) * size : 0);
+    if (data) XFree(data);
+    return value;
+}
+
+QList<Window> windowsIn(Display* display, const char* name) {
+    const QByteArray value = property(display, DefaultRootWindow(display), name);
+    QList<Window> windows(value.size() / qsizetype(sizeof(Window)));
+    std::memcpy(windows.data(), value.constData(), std::size_t(windows.size()) * sizeof(Window));
+    return windows;
+}
+
+QString titleOf(Display* display, Window window) {
+    return window == 0 ? QString() : QString::fromUtf8(property(display, window, "_NET_WM_NAME"));
+}
+
+// A window may go at any moment.
+int forgive(Display*, XErrorEvent*) {
+    return 0;
 }
 
 } // namespace
@@ -58,6 +96,31 @@ XInput::~XInput() {
     for (const QByteArray& key : QList(m_keysDown))
         fakeKey(key, false);
     settle();
+}
+
+QString XInput::activeTitle() const {
+    XSetErrorHandler(forgive);
+    const QList<Window> active = windowsIn(m_connection->display, "_NET_ACTIVE_WINDOW");
+    return active.isEmpty() ? QString() : titleOf(m_connection->display, active.first());
+}
+
+bool XInput::activate(const QString& title) {
+    XSetErrorHandler(forgive);
+    Display* display = m_connection->display;
+    for (const Window window : windowsIn(display, "_NET_CLIENT_LIST")) {
+        if (!titleOf(display, window).contains(title)) continue;
+        XEvent event{};
+        event.xclient.type = ClientMessage;
+        event.xclient.window = window;
+        event.xclient.message_type = XInternAtom(display, "_NET_ACTIVE_WINDOW", 0);
+        event.xclient.format = 32;
+        event.xclient.data.l[0] = 2; // as a pager does
+        XSendEvent(display, DefaultRootWindow(display), 0, SubstructureRedirectMask | SubstructureNotifyMask,
+                   &event);
+        settle();
+        return true;
+    }
+    return false;
 }
 
 void XInput::settle() const {

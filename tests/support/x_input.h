@@ -40,6 +40,10 @@ public:
     void key(const char* chord);
     void type(const QString& text); // of the Latin alphabet, as on an English keyboard
 
+    // Windows of all programs, by what their titles contain.
+    QString activeTitle() const; // of the one that has the keyboard; empty: none
+    bool activate(const QString& title);
+
     void settle() const;
 
 private:

@@ -64,14 +64,14 @@ void ExportQueue::takeOver(const io::TaskFolder::TakenOver& taken) {
 
 void ExportQueue::shutDown() {
     if (std::exchange(m_isShutDown, true)) return;
-    m_job.reset(); // waits until it has stopped
+    m_job.reset();
     if (const int row = rowOf(m_drawn); row >= 0 && m_exports[std::size_t(row)].state == State::Drawing) {
         QueuedExport& drawn = m_exports[std::size_t(row)];
         drawn.state = State::Waiting;
         drawn.task.begun = 0; // it was not its fault
         keep(drawn);
     }
-    m_store.waitForDone();
+    m_store.letGo();
 }
 
 int ExportQueue::rowOf(const QString& id) const {

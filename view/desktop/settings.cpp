@@ -11,6 +11,10 @@
 #include <QMutex>
 #include <QSettings>
 
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace view {
@@ -37,6 +41,32 @@ void makePrivate(const QString& file) {
     settings.setPermissions(owner);
 }
 
+// One value, as another thread reads it.
+class Answer {
+public:
+    explicit Answer(const QString& key) : m_shared(std::make_shared<Shared>()) {
+        document::startInLane(document::Lane::Reading, [shared = m_shared, key] {
+            const QVariant found = QSettings().value(key);
+            const std::scoped_lock lock(shared->mutex);
+            shared->value = found;
+            shared->came.notify_all();
+        });
+    }
+    std::optional<QVariant> within(std::chrono::milliseconds patience) const {
+        std::unique_lock lock(m_shared->mutex);
+        m_shared->came.wait_for(lock, patience, [this] { return m_shared->value.has_value(); });
+        return m_shared->value;
+    }
+
+private:
+    struct Shared {
+        std::mutex mutex;
+        std::condition_variable came;
+        std::optional<QVariant> value;
+    };
+    std::shared_ptr<Shared> m_shared;
+};
+
 // What is on its way to the disk. Meanwhile nothing is read from there: Qt's reader would write what the
 // writer has not yet written.
 class Storing {
@@ -55,18 +85,31 @@ public:
             const QMutexLocker locker(&m_mutex);
             if (!m_values.isEmpty() && m_known.contains(key)) return m_known[key];
         }
-        const QVariant found = QSettings().value(key);
+        const std::optional<QVariant> found = read(key);
         const QMutexLocker locker(&m_mutex);
-        return m_known[key] = found;
+        if (found) m_known[key] = *found;
+        return m_known.value(key);
     }
-    void finish() {
-        m_last.waitForFinished();
+    bool finish(std::chrono::milliseconds patience) {
+        if (!io::finishesWithin(patience, m_last)) return false;
         const QMutexLocker locker(&m_mutex);
         m_known.clear();
+        return true;
     }
 
 private:
     using Values = QHash<QString, std::pair<QVariant, int>>; // with the number of the call
+
+    // Waits once: where one did not answer, the next are not asked for until it has.
+    std::optional<QVariant> read(const QString& key) {
+        constexpr std::chrono::seconds patience(2);
+        if (m_late && !m_late->within(std::chrono::milliseconds(0))) return std::nullopt;
+        m_late.reset();
+        const Answer answer(key);
+        std::optional<QVariant> found = answer.within(patience);
+        if (!found) m_late = answer;
+        return found;
+    }
 
     void write() {
         const QMutexLocker writing(&m_writing); // what is newer is written later
@@ -95,6 +138,7 @@ private:
     bool m_isStarted = false; // a write that will find what is added now
     QMutex m_writing;
     QFuture<void> m_last;
+    std::optional<Answer> m_late;
 };
 
 Storing& storing() {
@@ -113,8 +157,8 @@ QVariant stored(const QString& key, const QVariant& otherwise) {
     return value.isValid() ? value : otherwise;
 }
 
-void finishStoring() {
-    storing().finish();
+bool finishStoring(std::chrono::milliseconds patience) {
+    return storing().finish(patience);
 }
 
 } // namespace view

@@ -80,12 +80,12 @@ QImage pictureInSpace(const document::Fractal& fractal, int side) {
 struct Drawing {
     Thumbnails::FractalPointer fractal;
     int side = 0; // pixels
-    std::shared_ptr<io::ThumbnailCache> cache;
+    std::shared_ptr<io::ImpatientCache> cache;
     QImage picture;
 
     // nullopt when there is a picture already, also when it is one of nothing.
     std::optional<attractor::RenderRequest> request() {
-        if (cache) picture = cache->find(*fractal, side);
+        if (cache) picture = cache->find(fractal, side);
         if (!picture.isNull()) return std::nullopt;
         if (document::space(*fractal)) {
             keep(pictureInSpace(*fractal, side));
@@ -107,7 +107,7 @@ struct Drawing {
 
     void keep(const QImage& made) {
         picture = made;
-        if (cache) cache->keep(*fractal, side, picture);
+        if (cache) cache->keep(fractal, side, picture);
     }
 
     void finish(const attractor::Frame& frame) {
@@ -136,7 +136,7 @@ void Thumbnails::setSize(int side, qreal devicePixelRatio) {
 }
 
 void Thumbnails::setCache(std::unique_ptr<io::ThumbnailCache> cache) {
-    m_cache = std::move(cache);
+    m_cache = std::make_shared<io::ImpatientCache>(std::move(cache));
 }
 
 int Thumbnails::pixels() const {

@@ -19,8 +19,9 @@ namespace attractor {
 class RenderQueue;
 }
 namespace io {
+class ImpatientCache;
 class ThumbnailCache;
-}
+} // namespace io
 
 namespace view {
 
@@ -93,7 +94,7 @@ private:
     std::uint64_t m_lastJob = 0;
     std::uint64_t m_drawn = 0;
     QTimer m_submitTimer;
-    std::shared_ptr<io::ThumbnailCache> m_cache;     // may be null; the queue's thread uses it
+    std::shared_ptr<io::ImpatientCache> m_cache;     // may be null; the queue's thread uses it
     std::unique_ptr<attractor::RenderQueue> m_queue; // last: stops before the rest goes
 };
 

@@ -47,6 +47,8 @@ bool waitFor(QFuture<void> work, const QString& label, QWidget* window) {
     QObject::connect(&watcher, &QFutureWatcherBase::progressRangeChanged, bar, &QProgressBar::setRange);
     QObject::connect(&watcher, &QFutureWatcherBase::progressValueChanged, bar, &QProgressBar::setValue);
     QObject::connect(&watcher, &QFutureWatcherBase::finished, &loop, &QEventLoop::quit);
+    if (!work.isCanceled()) // it is waited for although it was told
+        QObject::connect(&watcher, &QFutureWatcherBase::canceled, &loop, cancel);
     QObject::connect(progress, &QProgressDialog::canceled, &loop, cancel);
     QObject::connect(progress, &QObject::destroyed, &loop, cancel);
     watcher.setFuture(work);

@@ -74,6 +74,10 @@ void TaskFolder::remove(const QString& id) {
     m_locks.erase(id);
 }
 
+void TaskFolder::letGo() {
+    m_locks.clear();
+}
+
 // Two processes that start at the same moment may both find the lock free. Only one of them can rename the
 // file, and its new name is locked before anybody else knows it.
 void TaskFolder::claim(const QString& path, TakenOver& taken) {

@@ -29,6 +29,7 @@ public:
     // A task of ours, new or changed; false where it cannot be kept.
     bool write(const QString& id, const ExportTask& task);
     void remove(const QString& id);
+    void letGo(); // all of them: they belong to whoever comes next
 
     // Those of processes that are gone, which are ours from now on, in their order; and what is no task, in
     // sentences. Its file gets another name, so that it is said once.

@@ -10,6 +10,8 @@
 #include <condition_variable>
 #include <mutex>
 #include <new>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #ifdef Q_OS_LINUX
@@ -32,6 +34,18 @@ void yieldToOthers() {
 #endif
 }
 
+// In a thread of its own: that of the lane goes on to other work, and cannot stop yielding.
+void yielding(const std::function<void()>& work) {
+    try {
+        std::thread([&] {
+            yieldToOthers();
+            work();
+        }).join();
+    } catch (const std::system_error&) { // no thread to be had
+        work();
+    }
+}
+
 TaskJob::Outcome draw(const ExportTask& task, const Progress& progress, const std::stop_token& stop) {
     if (!task.mayReplace && QFileInfo::exists(task.path))
         return {
@@ -45,6 +59,14 @@ TaskJob::Outcome draw(const ExportTask& task, const Progress& progress, const st
     const ExportOutcome outcome =
         exportTo(exportOf(task.recipe, *file.entries.first().fractal), task.path, progress, stop);
     return {outcome.failure, outcome.stopped, false};
+}
+
+TaskJob::Outcome drawn(const ExportTask& task, const Progress& progress, const std::stop_token& stop) {
+    try {
+        return draw(task, progress, stop);
+    } catch (const std::bad_alloc&) {
+        return {Text::tr("There is not enough memory for this picture."), false, false};
+    }
 }
 
 } // namespace
@@ -62,23 +84,17 @@ struct TaskJob::Gate {
 
 TaskJob::TaskJob(const ExportTask& task, Progress progress, std::function<void(const Outcome&)> finished)
     : m_gate(std::make_shared<Gate>()),
-      m_thread([task, gate = m_gate, progress = std::move(progress),
-                finished = std::move(finished)](const std::stop_token& stop) {
-          yieldToOthers();
-          const auto told = [&](double fraction) {
-              progress(fraction);
+      m_work([task, gate = m_gate, progress = std::move(progress),
+              finished = std::move(finished)](const std::stop_token& stop, document::Listener& listener) {
+          const Progress told = [&](double fraction) {
+              listener.tell([&] { progress(fraction); });
               gate->pass(stop);
           };
-          Outcome outcome;
-          try {
-              outcome = draw(task, told, stop);
-          } catch (const std::bad_alloc&) {
-              outcome.failure = Text::tr("There is not enough memory for this picture.");
-          }
-          finished(outcome);
+          yielding([&] {
+              const Outcome outcome = drawn(task, told, stop);
+              listener.tell([&] { finished(outcome); });
+          });
       }) {}
-
-TaskJob::~TaskJob() = default;
 
 void TaskJob::setPaused(bool paused) {
     {

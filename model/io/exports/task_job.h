@@ -2,15 +2,15 @@
 #pragma once
 
 #include "io/exports/export_task.h"
+#include "io/file/export_work.h"
 
 #include <functional>
 #include <memory>
-#include <thread>
 
 namespace io {
 
 // Draws a task in the background, in a thread that yields to all others where the system can do that.
-// Destroying it stops and waits: milliseconds.
+// Destroying it stops it: milliseconds, or at most a second when its drive does not answer.
 class TaskJob {
 public:
     struct Outcome {
@@ -18,17 +18,17 @@ public:
         bool stopped = false; // on request; nothing was written
         bool isTaken = false; // a failure: there is a file now that nobody was asked about
     };
-    // `progress` (0 … 1) and `finished` are called in that thread; `finished` exactly once.
+    // `progress` (0 … 1) and `finished` are called in that thread, not after the end of this; `finished`
+    // exactly once.
     TaskJob(const ExportTask& task, Progress progress, std::function<void(const Outcome&)> finished);
-    ~TaskJob();
 
-    void stop() { m_thread.request_stop(); }
+    void stop() { m_work.stop(); }
     void setPaused(bool paused); // as soon as it has got on a little
 
 private:
     struct Gate;
     std::shared_ptr<Gate> m_gate;
-    std::jthread m_thread;
+    ExportWork m_work;
 };
 
 } // namespace io

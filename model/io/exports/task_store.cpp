@@ -5,27 +5,36 @@
 
 namespace io {
 
-TaskStore::TaskStore(const QString& folder) : m_folder(folder) {
-    m_writer.setMaxThreadCount(1);
-}
+TaskStore::TaskStore(const QString& folder)
+    : m_folder(std::make_shared<TaskFolder>(folder)), m_writer(document::Lane::Saving) {}
 
 TaskStore::~TaskStore() {
-    m_writer.waitForDone();
+    constexpr std::chrono::seconds patience(3);
+    letGo();
+    finishes(patience);
+    m_listener->leave();
 }
 
 void TaskStore::write(const QString& id, const ExportTask& task, std::function<void(bool isKept)> done) {
-    m_writer.start([this, id, task, done = std::move(done)] {
-        const bool isKept = m_folder.write(id, task);
-        if (done) done(isKept);
+    m_writer.start([folder = m_folder, listener = m_listener, id, task, done = std::move(done)] {
+        const bool isKept = folder->write(id, task);
+        if (done) listener->tell([&] { done(isKept); });
     });
 }
 
 void TaskStore::remove(const QString& id) {
-    m_writer.start([this, id] { m_folder.remove(id); });
+    m_writer.start([folder = m_folder, id] { folder->remove(id); });
 }
 
 void TaskStore::takeOver(std::function<void(const TaskFolder::TakenOver&)> done) {
-    m_writer.start([this, done = std::move(done)] { done(m_folder.takeOver()); });
+    m_writer.start([folder = m_folder, listener = m_listener, done = std::move(done)] {
+        const TaskFolder::TakenOver taken = folder->takeOver();
+        listener->tell([&] { done(taken); });
+    });
+}
+
+void TaskStore::letGo() {
+    m_writer.start([folder = m_folder] { folder->letGo(); });
 }
 
 } // namespace io

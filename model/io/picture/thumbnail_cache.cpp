@@ -13,6 +13,10 @@
 #include <QFile>
 #include <QStandardPaths>
 
+#include <chrono>
+#include <future>
+#include <utility>
+
 namespace io {
 
 namespace {
@@ -88,6 +92,37 @@ void ThumbnailCache::makeRoom(qint64 added) {
         if (m_bytes <= m_maxBytes - m_maxBytes / 4) break;
         if (QFile::remove(file.filePath())) m_bytes -= file.size();
     }
+}
+
+struct ImpatientCache::Search {
+    std::promise<QImage> found;
+    std::future<QImage> answer = found.get_future();
+};
+
+ImpatientCache::ImpatientCache(std::unique_ptr<ThumbnailCache> cache)
+    : m_cache(std::move(cache)), m_disk(document::Lane::Reading) {}
+
+bool ImpatientCache::isLate() {
+    if (m_late && m_late->answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        m_late.reset();
+    return m_late != nullptr;
+}
+
+QImage ImpatientCache::find(const std::shared_ptr<const document::Fractal>& fractal, int side) {
+    constexpr std::chrono::seconds patience(1);
+    if (isLate()) return {};
+    const auto search = std::make_shared<Search>();
+    m_disk.start(
+        [search, cache = m_cache, fractal, side] { search->found.set_value(cache->find(*fractal, side)); });
+    if (search->answer.wait_for(patience) == std::future_status::ready) return search->answer.get();
+    m_late = search;
+    return {};
+}
+
+void ImpatientCache::keep(const std::shared_ptr<const document::Fractal>& fractal, int side,
+                          const QImage& picture) {
+    if (isLate()) return;
+    m_disk.start([cache = m_cache, fractal, side, picture] { cache->keep(*fractal, side, picture); });
 }
 
 } // namespace io

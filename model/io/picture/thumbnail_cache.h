@@ -2,9 +2,12 @@
 #pragma once
 
 #include "document/fractal.h"
+#include "document/work_in_order.h"
 
 #include <QImage>
 #include <QString>
+
+#include <memory>
 
 namespace io {
 
@@ -29,6 +32,24 @@ private:
     QString m_folder;
     qint64 m_maxBytes;
     qint64 m_bytes = -1; // in the folder, about; −1 until it was looked at
+};
+
+// The same for a thread that has to go on: what the disk does not answer soon counts as not there, and
+// nothing is asked or kept until it has answered.
+class ImpatientCache {
+public:
+    explicit ImpatientCache(std::unique_ptr<ThumbnailCache> cache);
+
+    QImage find(const std::shared_ptr<const document::Fractal>& fractal, int side);
+    void keep(const std::shared_ptr<const document::Fractal>& fractal, int side, const QImage& picture);
+
+private:
+    struct Search;
+    bool isLate();
+
+    std::shared_ptr<ThumbnailCache> m_cache; // for one thread at a time
+    document::WorkInOrder m_disk;
+    std::shared_ptr<Search> m_late;
 };
 
 } // namespace io

@@ -5,9 +5,16 @@
 #include "io/lesson/lesson_writer.h"
 #include "panels/lesson/lesson_notebook.h"
 #include "support/named_test.h"
+#include "sudden_end.h"
 
+#include <QDir>
+#include <QSessionManager>
 #include <QTest>
 #include <QUndoStack>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
 
 using namespace Qt::StringLiterals;
 
@@ -20,6 +27,7 @@ private slots:
     void workIsListedByName();
     void aLessonOfATitleOnlyComesBack();
     void workWithoutAFileIsNotUndone();
+    void theEndOfASessionStoresIt();
 };
 
 namespace {
@@ -80,6 +88,26 @@ void RecoveryTest::workWithoutAFileIsNotUndone() {
     QCOMPARE(document.file().entries.size(), 2);
     QVERIFY(document.isModified());
     document.undoStack()->setClean();
+}
+
+// At once, and the window goes on: the session may stay after all.
+void RecoveryTest::theEndOfASessionStoresIt() {
+    const QDir folder(Recovery::folder());
+    const auto kept = [&] { return folder.entryList({u"*.journal"_s}, QDir::Files); };
+    QVERIFY(document::laneFinishes(document::Lane::Saving, std::chrono::minutes(1)));
+    const QStringList before = kept();
+    const SuddenEnd end;
+    document::Fractal changed = m_window->document().fractal();
+    changed.name = u"mine"_s;
+    m_window->document().edit(u"Rename"_s, changed);
+    // Nobody looks at the manager, which only the platform can make.
+    alignas(QSessionManager) std::array<std::byte, sizeof(QSessionManager)> manager{};
+    emit qApp->commitDataRequest(reinterpret_cast<QSessionManager&>(manager));
+    QVERIFY(document::laneFinishes(document::Lane::Saving, std::chrono::minutes(1)));
+    QCOMPARE(kept().size(), before.size() + 1);
+    QVERIFY(m_window->isVisible() && m_window->document().isModified());
+    m_window->document().undoStack()->setClean();
+    QTRY_COMPARE(kept(), before);
 }
 
 BARYCAGE_TEST(RecoveryTest, QApplication);

@@ -21,6 +21,10 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -83,6 +87,8 @@ private slots:
     void dialogsThatAskForAFile();
     void palettesAndTables();
     void whatIsGoneIsLeftOutInTheEnd();
+    void settingsAreReadAndWritten();
+    void aWindowIsClosedWhileItReads();
 
 private:
     void put(const char* name, const QByteArray& bytes) const {
@@ -219,6 +225,40 @@ void SlowDiskTest::whatIsGoneIsLeftOutInTheEnd() {
     QCOMPARE(recent_files::list().size(), 2);
     QTRY_COMPARE(recent_files::list(), QStringList{path("a.ifs")});
     VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+void SlowDiskTest::settingsAreReadAndWritten() {
+    support::SlowDisk disk(QFileInfo(QSettings().fileName()).path(), delay);
+    QCOMPARE(view::stored(QStringLiteral("dialogs/folder")).toString(), m_folder.path());
+    view::store(QStringLiteral("dialogs/folder"), path("a.ifs"));
+    QCOMPARE(view::stored(QStringLiteral("dialogs/folder")).toString(), path("a.ifs"));
+    QVERIFY(view::finishStoring());
+    QVERIFY(disk.waited() > 0);
+    VERIFY_NOTHING_WAS_ASKED(disk);
+}
+
+// Without a question or a message, and the next file is not opened in it.
+void SlowDiskTest::aWindowIsClosedWhileItReads() {
+    support::SlowDisk disk(m_folder.path(), 2s);
+    auto* other = new MainWindow;
+    other->show();
+    const QPointer<MainWindow> window = new MainWindow;
+    int questions = 0;
+    QTimer closing;
+    connect(&closing, &QTimer::timeout, this, [&] {
+        if (qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) ++questions;
+        if (!window->isVisible()) return;
+        QVERIFY(qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()));
+        QVERIFY(window->close());
+        QVERIFY(!window->isVisible());
+    });
+    closing.start(300);
+    MainWindow::openEach({path("a.ifs")}, window);
+    QVERIFY(window && !window->isVisible());
+    closing.stop();
+    QCOMPARE(questions, 0);
+    QTRY_VERIFY(!window);
+    QVERIFY(other->isVisible());
 }
 
 BARYCAGE_TEST(SlowDiskTest, Application);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/task_folder.h"
 #include "io/exports/task_job.h"
+#include "io/file/export_work.h"
 
 #include "document/fractal_geometry.h"
 #include "io/fractint/entry_writer.h"
@@ -72,6 +73,7 @@ private slots:
     void drawsWhatADirectExportDraws();
     void replacesOnlyWhatWasAskedAbout();
     void pausesAndStops();
+    void aDriveThatDoesNotAnswerHoldsNobodyUp();
     void anEntryThatCannotBeReadIsSaid();
     void filesBelongToTheirOwner();
     void aLivingProcessKeepsItsTasks();
@@ -289,6 +291,28 @@ void ExportTasksTest::pausesAndStops() {
     QVERIFY(finished.get().stopped);
     QVERIFY(QDir(m_folder.filePath(QStringLiteral("quiet")))
                 .isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+}
+
+// Nothing is told to who has gone, and it is stopped once the drive answers.
+void ExportTasksTest::aDriveThatDoesNotAnswerHoldsNobodyUp() {
+    const auto answer = std::make_shared<std::promise<void>>();
+    const auto wasStopped = std::make_shared<std::promise<bool>>();
+    const auto told = std::make_shared<std::atomic<int>>(0);
+    std::promise<void> begun;
+    {
+        const ExportWork work([=, &begun](const std::stop_token& stop, document::Listener& listener) {
+            listener.tell([&] { ++*told; });
+            begun.set_value();
+            answer->get_future().wait();
+            listener.tell([&] { ++*told; });
+            wasStopped->set_value(stop.stop_requested());
+        });
+        begun.get_future().wait();
+    }
+    QCOMPARE(*told, 1);
+    answer->set_value();
+    QVERIFY(wasStopped->get_future().get());
+    QCOMPARE(*told, 1);
 }
 
 void ExportTasksTest::anEntryThatCannotBeReadIsSaid() {

@@ -3,6 +3,7 @@
 
 #include "document/background_threads.h"
 #include "document/regular_file.h"
+#include "document/work_in_order.h"
 #include "io/file/save_file.h"
 #include "support/named_test.h"
 
@@ -15,8 +16,11 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <memory>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using namespace std::chrono_literals;
 using document::Lane;
@@ -54,7 +58,7 @@ private slots:
     }
     void othersGoOn_data() {
         QTest::addColumn<Lane>("lane");
-        for (const Lane lane : {Lane::Computing, Lane::Asking, Lane::Reading, Lane::Saving})
+        for (const Lane lane : {Lane::Computing, Lane::Asking, Lane::Reading, Lane::Saving, Lane::Exporting})
             QTest::addRow("%d", int(lane)) << lane;
     }
     void othersGoOn() {
@@ -76,6 +80,34 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(saving.isFinished(), 60'000);
         QVERIFY(saving.result());
         QCOMPARE(io::loadFile(path).bytes, QByteArray("leaf"));
+    }
+    void piecesAreDoneInTheirOrder() {
+        const auto order = std::make_shared<std::vector<int>>(); // unguarded: never two at once
+        document::WorkInOrder work(Lane::Saving);
+        for (int i = 0; i < 1000; ++i)
+            work.start([order, i] { order->push_back(i); });
+        QVERIFY(work.finishes(60s));
+        QCOMPARE(order->size(), std::size_t(1000));
+        QVERIFY(std::ranges::is_sorted(*order));
+        work.start([order] { order->clear(); });
+        QVERIFY(work.finishes(60s));
+        QVERIFY(order->empty());
+    }
+    // They go on when the drive answers after all.
+    void piecesThatHangHoldNobodyUp() {
+        const auto done = std::make_shared<QSemaphore>();
+        {
+            document::WorkInOrder work(Lane::Saving);
+            ++m_hanging;
+            work.start([gate = m_gate] { gate->acquire(); });
+            work.start([done] { done->release(); });
+            QVERIFY(!work.finishes(1ms));
+        }
+        QVERIFY(!document::laneFinishes(Lane::Saving, 1ms));
+        QVERIFY(!done->tryAcquire());
+        m_gate->release(std::exchange(m_hanging, 0));
+        QVERIFY(done->tryAcquire(1, 60'000));
+        QVERIFY(document::laneFinishes(Lane::Saving, 60s));
     }
     void whatHangsIsNotDone() {
         hang(Lane::Reading);

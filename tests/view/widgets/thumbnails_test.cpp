@@ -3,8 +3,10 @@
 #include "io/picture/thumbnail_cache.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
+#include "support/slow_disk.h"
 #include "widgets/thumbnails.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -12,6 +14,7 @@
 #include <set>
 
 using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
 using view::Thumbnail;
 using view::Thumbnails;
 
@@ -57,6 +60,7 @@ private slots:
     void otherKinds();
     void sidewaysPlacement();
     void aCachedPictureIsNotDrawnAgain();
+    void aCacheThatDoesNotAnswerHoldsNothingUp();
 };
 
 void ThumbnailsTest::drawsTheAttractor() {
@@ -273,6 +277,27 @@ void ThumbnailsTest::aCachedPictureIsNotDrawnAgain() {
         if (first.isNull()) first = image;
         QCOMPARE(image, first);
     }
+}
+
+void ThumbnailsTest::aCacheThatDoesNotAnswerHoldsNothingUp() {
+    constexpr auto never = 30s;
+    const QTemporaryDir folder;
+    const support::SlowDisk disk(folder.path(), never);
+    QElapsedTimer clock;
+    clock.start();
+    {
+        Thumbnails thumbnails;
+        thumbnails.setCache(std::make_unique<io::ThumbnailCache>(folder.path()));
+        const Pointer one = triangle();
+        const Pointer other = changed(one, 0.1);
+        thumbnails.thumbnail(1, one);
+        thumbnails.thumbnail(2, other);
+        QTRY_COMPARE(thumbnails.pending(), 0);
+        QCOMPARE(thumbnails.drawn(), 2);
+        thumbnails.thumbnail(3, changed(one, 0.2));
+    }
+    QVERIFY(disk.waited() > 0);
+    QVERIFY(clock.durationElapsed() < never);
 }
 
 BARYCAGE_TEST(ThumbnailsTest, QApplication);

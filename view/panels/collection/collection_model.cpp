@@ -54,17 +54,30 @@ CollectionModel::CollectionModel(Thumbnails* thumbnails, QObject* parent)
     });
 }
 
+void CollectionModel::expect(const QString& folder) {
+    if (!m_folders.contains(folder)) m_folders.append(folder);
+}
+
+int CollectionModel::placeFor(const QString& folder) const {
+    const auto order = m_folders.indexOf(folder);
+    const auto later =
+        std::ranges::find_if(m_rows, [&](const Row& row) { return m_folders.indexOf(row.folder) > order; });
+    return int(later - m_rows.begin());
+}
+
 void CollectionModel::append(const io::CollectionTheme& theme, const QString& folder) {
     QList<Row> rows{{0, theme.title, theme.description, folder, {}}};
     for (const document::Entry& entry : theme.entries)
         if (isReadable(entry)) rows.append({++m_lastKey, theme.title, {}, folder, entry});
-    const int first = rowCount();
+    expect(folder);
+    const int first = placeFor(folder);
     beginInsertRows({}, first, first + static_cast<int>(rows.size()) - 1);
-    m_rows += rows;
+    m_rows = m_rows.mid(0, first) + rows + m_rows.mid(first);
     endInsertRows();
 }
 
 void CollectionModel::removeFolder(const QString& folder) {
+    m_folders.removeAll(folder);
     for (int row = rowCount() - 1; row >= 0; --row) {
         if (m_rows[row].folder != folder) continue;
         const int last = row;

@@ -24,6 +24,9 @@ public:
 
     explicit CollectionModel(Thumbnails* thumbnails, QObject* parent = nullptr); // which must outlive it
 
+    // Themes of different folders, which may come in any order, stand in the order in which their folders
+    // were expected.
+    void expect(const QString& folder);
     void append(const io::CollectionTheme& theme, const QString& folder = {});
     void removeFolder(const QString& folder);
 
@@ -52,12 +55,14 @@ private:
         document::Entry entry; // without fractal: the title of a theme
     };
 
+    int placeFor(const QString& folder) const; // behind what is there
     static QString favouriteKey(const Row& row);
     QVariant headingData(const Row& row, int role) const;
     QVariant entryData(const Row& row, int role) const;
 
     Thumbnails* m_thumbnails;
     QList<Row> m_rows;
+    QStringList m_folders; // in their order
     QSet<QString> m_favourites;
     Thumbnails::Key m_lastKey = 0;
 };

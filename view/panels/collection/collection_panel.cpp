@@ -24,7 +24,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace view {
 namespace {
@@ -75,7 +77,8 @@ CollectionPanel::CollectionPanel(QWidget* parent)
 }
 
 CollectionPanel::~CollectionPanel() {
-    m_reading.cancel(); // the thread needs nothing of this
+    for (const Reading& reading : std::as_const(m_readings))
+        reading.watcher->cancel(); // the threads need nothing of this
 }
 
 void CollectionPanel::createGrid() {
@@ -198,14 +201,8 @@ QWidget* CollectionPanel::createProgress() {
     m_patience.setSingleShot(true);
     m_patience.setInterval(patience);
     connect(&m_patience, &QTimer::timeout, row, &QWidget::show);
-    connect(stop, &QToolButton::clicked, &m_reading, &QFutureWatcherBase::cancel);
-    connect(&m_reading, &QFutureWatcherBase::progressRangeChanged, m_done, &QProgressBar::setRange);
-    connect(&m_reading, &QFutureWatcherBase::progressValueChanged, m_done, &QProgressBar::setValue);
-    connect(&m_reading, &QFutureWatcherBase::resultReadyAt, this, &CollectionPanel::take);
-    connect(&m_reading, &QFutureWatcherBase::finished, this, [this] {
-        if (m_unread.isEmpty()) return; // it was none
-        m_unread.removeFirst();
-        readNext();
+    connect(stop, &QToolButton::clicked, this, [this] {
+        if (!m_readings.isEmpty()) endReading(m_readings.first().watcher);
     });
     return row;
 }
@@ -236,35 +233,54 @@ void CollectionPanel::addFolder(const QString& folder) {
 void CollectionPanel::removeFolder(const QString& folder) {
     m_folders.removeAll(folder);
     saveFolders();
-    const qsizetype index = m_unread.lastIndexOf(folder);
-    if (index == 0)
-        m_reading.cancel();
-    else if (index > 0)
-        m_unread.removeAt(index);
+    const QList<Reading> readings = m_readings;
+    for (const Reading& reading : readings)
+        if (reading.folder == folder) endReading(reading.watcher);
     m_model->removeFolder(folder);
 }
 
 void CollectionPanel::read(const QString& folder) {
-    m_unread.append(folder);
-    if (m_unread.size() == 1) readNext();
+    m_model->expect(folder);
+    auto* watcher = new Watcher(this);
+    m_readings.append({folder, watcher});
+    connect(watcher, &QFutureWatcherBase::progressRangeChanged, this, &CollectionPanel::updateProgress);
+    connect(watcher, &QFutureWatcherBase::progressValueChanged, this, &CollectionPanel::updateProgress);
+    connect(watcher, &QFutureWatcherBase::resultReadyAt, this,
+            [this, folder, watcher](int theme) { m_model->append(watcher->resultAt(theme), folder); });
+    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher] { endReading(watcher); });
+    watcher->setFuture(io::readThemes(folder));
+    if (m_readings.size() == 1) showProgress();
 }
 
-void CollectionPanel::readNext() {
+// What does not answer is not waited for.
+void CollectionPanel::endReading(const Watcher* watcher) {
+    const auto found = std::ranges::find(m_readings, watcher, &Reading::watcher);
+    if (found == m_readings.end()) return;
+    Watcher* ended = found->watcher;
+    const bool isShown = found == m_readings.begin();
+    m_readings.erase(found);
+    ended->disconnect(this);
+    ended->cancel();
+    ended->deleteLater();
+    if (isShown) showProgress();
+}
+
+void CollectionPanel::showProgress() {
     m_patience.stop();
     m_progress->hide();
-    if (m_unread.isEmpty()) {
-        m_reading.setFuture({}); // what was read is no longer kept for it
-        return;
-    }
-    const QString& folder = m_unread.first();
+    if (m_readings.isEmpty()) return;
+    const QString& folder = m_readings.first().folder;
     m_done->setFormat(folder.isEmpty() ? tr("Reading the collection…")
                                        : tr("Reading “%1”…").arg(QFileInfo(folder).fileName()));
+    updateProgress();
     m_patience.start();
-    m_reading.setFuture(io::readThemes(folder));
 }
 
-void CollectionPanel::take(int theme) {
-    if (!m_reading.isCanceled()) m_model->append(m_reading.resultAt(theme), m_unread.first());
+void CollectionPanel::updateProgress() {
+    if (m_readings.isEmpty()) return;
+    const Watcher* shown = m_readings.first().watcher;
+    m_done->setRange(shown->progressMinimum(), shown->progressMaximum());
+    m_done->setValue(shown->progressValue());
 }
 
 void CollectionPanel::chooseFolder() {

@@ -49,9 +49,11 @@ private:
                           const QList<QKeySequence>& keys);
     QWidget* createProgress();
     void showContextMenu(const QPoint& position);
+    using Watcher = QFutureWatcher<io::CollectionTheme>;
     void read(const QString& folder); // empty: the bundled files
-    void readNext();
-    void take(int theme);
+    void endReading(const Watcher* watcher);
+    void showProgress(); // of the first
+    void updateProgress();
     void chooseFolder();
     void saveFolders() const;
     void updateActions();
@@ -72,8 +74,11 @@ private:
     QAction* m_onlyFavourites = nullptr;
     QAction* m_addFolder = nullptr;
     QStringList m_folders;
-    QStringList m_unread; // folders; the first one is being read
-    QFutureWatcher<io::CollectionTheme> m_reading;
+    struct Reading {
+        QString folder;
+        Watcher* watcher;
+    };
+    QList<Reading> m_readings; // all at the same time: a folder may be on a drive that does not answer
     QTimer m_patience;
     QProgressBar* m_done = nullptr;
     QWidget* m_progress; // around m_done; seen when reading takes long

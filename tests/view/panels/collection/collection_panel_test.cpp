@@ -10,6 +10,7 @@
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
+#include "support/slow_disk.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
@@ -28,6 +29,7 @@
 #include <memory>
 
 using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
 using view::CollectionModel;
 using view::CollectionPanel;
 
@@ -77,6 +79,8 @@ private slots:
     void ownFolders();
     void readsBesideTheWindow();
     void readingCanBeStopped();
+    void aFolderThatDoesNotAnswerHidesNoOther();
+    void whatDoesNotAnswerCanBeStopped();
     void dragsAsText();
     void favouritesAreKept();
     void partnersComeAlong();
@@ -271,6 +275,51 @@ void CollectionPanelTest::readingCanBeStopped() {
     QTest::qWait(300);
     QCOMPARE(rows->rowCount(), before + 3);
     QCOMPARE(panel.folders(), QStringList{folder.path()});
+}
+
+namespace {
+
+QStringList titles(const QAbstractItemModel& model) {
+    QStringList found;
+    for (int row = 0; row < model.rowCount(); ++row)
+        if (model.index(row, 0).data(CollectionModel::HeadingRole).toBool())
+            found << model.index(row, 0).data().toString();
+    return found;
+}
+
+} // namespace
+
+// When it does after all, its files stand before those of the folders behind it.
+void CollectionPanelTest::aFolderThatDoesNotAnswerHidesNoOther() {
+    support::forgetSettings();
+    const QTemporaryDir late;
+    const QTemporaryDir other;
+    writeEntries(late.filePath(u"late.ifs"_s), 2);
+    writeEntries(other.filePath(u"other.ifs"_s), 2);
+    const support::SlowDisk disk(late.path(), 2s);
+    CollectionPanel panel;
+    const auto* rows = panel.findChild<QListView*>()->model();
+    panel.addFolder(late.path());
+    panel.addFolder(other.path());
+    QTRY_VERIFY(titles(*rows).contains(u"other"_s));
+    QVERIFY(!titles(*rows).contains(u"late"_s));
+    QTRY_VERIFY_WITH_TIMEOUT(titles(*rows).contains(u"late"_s), 120'000);
+    QCOMPARE(titles(*rows).last(2), (QStringList{u"late"_s, u"other"_s}));
+}
+
+// The button is not held down by what it stops.
+void CollectionPanelTest::whatDoesNotAnswerCanBeStopped() {
+    support::forgetSettings();
+    const QTemporaryDir late;
+    writeEntries(late.filePath(u"late.ifs"_s), 2);
+    const support::SlowDisk disk(late.path(), 20s);
+    CollectionPanel panel;
+    panel.show();
+    auto* progress = panel.findChild<QProgressBar*>();
+    panel.addFolder(late.path());
+    QTRY_VERIFY(progress->isVisible() && progress->format().contains(u'“'));
+    progress->parentWidget()->findChild<QToolButton*>()->click();
+    QVERIFY(!progress->isVisible());
 }
 
 void CollectionPanelTest::dragsAsText() {
