@@ -13,6 +13,7 @@
 #include "tour.h"
 #include "welcome.h"
 #include "widgets/tooltips.h"
+#include "widgets/wheel_needs_focus.h"
 
 #include <QDialog>
 #include <QEvent>
@@ -36,6 +37,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/barycage.svg")));
 
     new view::Tooltips(this);
+    new view::WheelNeedsFocus(this);
     const view::Preferences preferences = view::Preferences::stored();
     view::applyTheme(preferences.theme);
     view::Preferences::setSpokenLanguage(preferences.language);

@@ -21,7 +21,7 @@ template <class Value> bool isCurved(const Segment<Value>& way) {
 }
 
 // Rotations of the plane, by angles that do not jump from key to key; half a turn is counter-clockwise.
-ifs::Matrix<2> turned(const KeysAround<ifs::Matrix<2>>& rotations, double t) {
+ifs::Matrix<2> turned(const KeysAround<ifs::Matrix<2>>& rotations, double t, const TangentShares& shares) {
     const KeysAround<double> angles = rotations.of(
         [](const ifs::Matrix<2>& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); });
     const auto turn = [](double from, double to) {
@@ -32,13 +32,13 @@ ifs::Matrix<2> turned(const KeysAround<ifs::Matrix<2>>& rotations, double t) {
     unwrapped.to = angles.from + turn(angles.from, angles.to);
     if (angles.before) unwrapped.before = angles.from - turn(*angles.before, angles.from);
     if (angles.after) unwrapped.after = unwrapped.to + turn(angles.to, *angles.after);
-    return Eigen::Rotation2Dd(smoothCurve<Flat<double>>(unwrapped, t)).toRotationMatrix();
+    return Eigen::Rotation2Dd(smoothCurve<Flat<double>>(unwrapped, t, shares)).toRotationMatrix();
 }
 
-ifs::Matrix<3> turned(const KeysAround<ifs::Matrix<3>>& rotations, double t) {
+ifs::Matrix<3> turned(const KeysAround<ifs::Matrix<3>>& rotations, double t, const TangentShares& shares) {
     const auto orientations =
         rotations.of([](const ifs::Matrix<3>& rotation) { return attractor::Orientation(rotation); });
-    return smoothCurve<Rotations>(orientations, t).toRotationMatrix();
+    return smoothCurve<Rotations>(orientations, t, shares).toRotationMatrix();
 }
 
 // Of a symmetric matrix.
@@ -51,14 +51,42 @@ double normOf(const ifs::Matrix<3>& stretch) {
     return ifs::spectralNorm<3>(stretch);
 }
 
-template <int Dim> ifs::Matrix<Dim> stretched(const KeysAround<ifs::Matrix<Dim>>& stretches, double t) {
+template <int Dim>
+ifs::Matrix<Dim> stretched(const KeysAround<ifs::Matrix<Dim>>& stretches, double t,
+                           const TangentShares& most) {
     constexpr double rounding = 1e-14;
     const auto limitOf = [](const ifs::Matrix<Dim>& a, const ifs::Matrix<Dim>& b) {
         return [most = std::max(normOf(a), normOf(b)) * (1 + rounding)](const ifs::Matrix<Dim>& stretch) {
             return normOf(stretch) <= most;
         };
     };
-    return smoothCurve<Flat<ifs::Matrix<Dim>>>(stretches, t, sharesWithin(stretches, limitOf));
+    const TangentShares shares = sharesWithin(stretches, limitOf);
+    return smoothCurve<Flat<ifs::Matrix<Dim>>>(
+        stretches, t, {std::min(shares.from, most.from), std::min(shares.to, most.to)});
+}
+
+// The polar parts of maps, and where the curves through them stop: at a key whose rotation is open, because
+// there it is another one on either side.
+template <int Dim> struct PolarWay {
+    KeysAround<ifs::Polar<Dim>> keys;
+    TangentShares shares{};
+};
+
+template <int Dim> PolarWay<Dim> polarWay(const KeysAround<ifs::AffineMap<Dim>>& maps) {
+    const auto linear = maps.of([](const ifs::AffineMap<Dim>& map) { return map.linear; });
+    const auto [from, to] = ifs::polarPair<Dim>(linear.from, linear.to);
+    PolarWay<Dim> way{{from, to, std::nullopt, std::nullopt, maps.begin, maps.end}};
+    if (linear.before) way.keys.before = ifs::polarNear<Dim>(*linear.before, from.rotation);
+    if (linear.after) way.keys.after = ifs::polarNear<Dim>(*linear.after, to.rotation);
+    if (linear.before && ifs::isRotationOpen<Dim>(linear.from)) {
+        way.keys.before->rotation = from.rotation;
+        way.shares.from = 0;
+    }
+    if (linear.after && ifs::isRotationOpen<Dim>(linear.to)) {
+        way.keys.after->rotation = to.rotation;
+        way.shares.to = 0;
+    }
+    return way;
 }
 
 // nullopt: a number became too large.
@@ -66,11 +94,11 @@ template <int Dim>
 std::optional<ifs::AffineMap<Dim>> smoothMap(const KeysAround<ifs::AffineMap<Dim>>& maps, double t,
                                              const ifs::Vector<Dim>& reference) {
     using Map = ifs::AffineMap<Dim>;
-    const auto polar = maps.of([](const Map& map) { return ifs::polar<Dim>(map.linear); });
+    const auto [polar, shares] = polarWay<Dim>(maps);
     const auto rotations = polar.of([](const ifs::Polar<Dim>& parts) { return parts.rotation; });
     const auto stretches = polar.of([](const ifs::Polar<Dim>& parts) { return parts.stretch; });
     const auto images = maps.of([&](const Map& map) { return map(reference); });
-    const ifs::Matrix<Dim> linear = turned(rotations, t) * stretched<Dim>(stretches, t);
+    const ifs::Matrix<Dim> linear = turned(rotations, t, shares) * stretched<Dim>(stretches, t, shares);
     const Map map{linear, smoothCurve<Flat<ifs::Vector<Dim>>>(images, t) - linear * reference};
     return ifs::isFinite<Dim>(map) ? std::optional(map) : std::nullopt;
 }

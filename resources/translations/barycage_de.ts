@@ -11186,6 +11186,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Eine Zahl mit Dezimalpunkt oder Komma oder ein Ausdruck wie 1/2, sqrt(3)/6, cos(36°) oder pi. Die Pfeiltasten und das Mausrad ändern sie: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc stellt die vorherige Zahl wieder her.</translation>
     </message>
+    <message>
+        <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Ein Winkel in Grad, mit oder ohne °, oder ein Ausdruck wie 360/7. Ein Ausdruck mit pi oder mit asin, acos, atan oder atan2 steht im Bogenmaß und wird in Grad umgerechnet: pi/2 ist 90. Die Pfeiltasten und das Mausrad ändern ihn: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc stellt die vorherige Zahl wieder her.</translation>
+    </message>
 </context>
 <context>
     <name>view::PaletteBrowser</name>

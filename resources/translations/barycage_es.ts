@@ -11186,6 +11186,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un número, con punto o coma decimal, o una expresión como 1/2, sqrt(3)/6, cos(36°) o pi. Las teclas de flecha y la rueda lo cambian: diez veces más rápido con Mayús, diez veces más lento con Alt. Esc restaura el número anterior.</translation>
     </message>
+    <message>
+        <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Un ángulo en grados, con o sin °, o una expresión como 360/7. Una expresión con pi, o con asin, acos, atan o atan2, está en radianes y se convierte en grados: pi/2 es 90. Las teclas de flecha y la rueda lo cambian: diez veces más rápido con Mayús, diez veces más lento con Alt. Esc restaura el número anterior.</translation>
+    </message>
 </context>
 <context>
     <name>view::PaletteBrowser</name>

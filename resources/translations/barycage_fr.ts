@@ -11186,6 +11186,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un nombre, avec un point ou une virgule décimale, ou une expression comme 1/2, sqrt(3)/6, cos(36°) ou pi. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
     </message>
+    <message>
+        <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Un angle en degrés, avec ou sans °, ou une expression comme 360/7. Une expression avec pi, ou avec asin, acos, atan ou atan2, est en radians et devient des degrés : pi/2 est 90. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
+    </message>
 </context>
 <context>
     <name>view::PaletteBrowser</name>

@@ -11216,6 +11216,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Број, со децимална точка или запирка, или израз како 1/2, sqrt(3)/6, cos(36°) или pi. Стрелките и тркалцето го менуваат: десет пати побрзо со Shift, десет пати побавно со Alt. Esc го враќа претходниот број.</translation>
     </message>
+    <message>
+        <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
+        <translation>Агол во степени, со или без °, или израз како 360/7. Израз со pi, или со asin, acos, atan или atan2, е во радијани и се претвора во степени: pi/2 е 90. Стрелките и тркалцето го менуваат: десет пати побрзо со Shift, десет пати побавно со Alt. Esc го враќа претходниот број.</translation>
+    </message>
 </context>
 <context>
     <name>view::PaletteBrowser</name>

@@ -205,6 +205,7 @@ NumberField* TransformDialog::addField(Value value, const QString& name, double 
     auto* field = new NumberField(this);
     field->setAccessibleName(name);
     field->setToolTip(name);
+    if (value == Rotation || value == Mirror) field->setDegrees();
     field->setStep(step);
     field->setValue(start);
     m_fields[value] = field;

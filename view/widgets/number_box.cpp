@@ -21,6 +21,10 @@ template <class Box> QString withoutUnits(const Box& box, QString text) {
     return text.remove(groupSeparator).trimmed();
 }
 
+template <class Box> io::NumberUnit unitOf(const Box& box) {
+    return box.suffix().trimmed() == u"°" ? io::NumberUnit::Degrees : io::NumberUnit::None;
+}
+
 std::optional<double> rounded(const std::optional<double>& value, int decimals) {
     if (!value) return {};
     return QString::number(*value, 'f', decimals).toDouble();
@@ -48,8 +52,10 @@ template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Valu
 
 } // namespace
 
-void TypedExpression::keep(const QString& text, double value) {
-    m_text = isExpression(text) && typedNumber(text) ? text : QString(); // a box may show a word for a value
+void TypedExpression::keep(const QString& text, double value, io::NumberUnit unit) {
+    m_text = staysAsTyped(text, unit) && typedNumber(text, unit)
+                 ? text
+                 : QString(); // a box may show a word for a value
     m_value = value;
 }
 
@@ -64,7 +70,7 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
         if (!m_before) m_before = value();
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
-            m_typed.keep(withoutUnits(*this, text), valueFromText(text));
+            m_typed.keep(withoutUnits(*this, text), valueFromText(text), unitOf(*this));
         else if (isWithoutValue(withoutUnits(*this, text)) && value() != *m_before)
             bringBack(*this, *lineEdit(), *m_before);
     });
@@ -84,13 +90,13 @@ QValidator::State NumberBox::validate(QString& text, int& position) const {
         position = at;
         return QValidator::Acceptable;
     }
-    const auto value = rounded(typedNumber(withoutUnits(*this, text)), decimals());
+    const auto value = rounded(typedNumber(withoutUnits(*this, text), unitOf(*this)), decimals());
     return value && *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
                                                                : QValidator::Intermediate;
 }
 
 double NumberBox::valueFromText(const QString& text) const {
-    const auto value = rounded(typedNumber(withoutUnits(*this, text)), decimals());
+    const auto value = rounded(typedNumber(withoutUnits(*this, text), unitOf(*this)), decimals());
     return value ? *value : QDoubleSpinBox::valueFromText(text); // a text that stands for the least value
 }
 
@@ -105,7 +111,7 @@ WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
         if (!m_before) m_before = value();
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
-            m_typed.keep(withoutUnits(*this, text), valueFromText(text));
+            m_typed.keep(withoutUnits(*this, text), valueFromText(text), unitOf(*this));
         else if (isWithoutValue(withoutUnits(*this, text)) && value() != *m_before)
             bringBack(*this, *lineEdit(), *m_before);
     });
@@ -129,8 +135,8 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
         typed.toLongLong(&isNumber);
         return state == QValidator::Invalid && isNumber ? QValidator::Intermediate : state;
     }
-    return whole(typedNumber(typed), minimum(), maximum()) ? QValidator::Acceptable
-                                                           : QValidator::Intermediate;
+    return whole(typedNumber(typed, unitOf(*this)), minimum(), maximum()) ? QValidator::Acceptable
+                                                                          : QValidator::Intermediate;
 }
 
 // The nearest number that the box can have, where a plain number was typed.
@@ -146,7 +152,8 @@ void WholeNumberBox::wheelEvent(QWheelEvent* event) {
 
 int WholeNumberBox::valueFromText(const QString& text) const {
     const QString typed = withoutUnits(*this, text);
-    const auto value = isExpression(typed) ? whole(typedNumber(typed), minimum(), maximum()) : std::nullopt;
+    const auto value =
+        isExpression(typed) ? whole(typedNumber(typed, unitOf(*this)), minimum(), maximum()) : std::nullopt;
     return value ? *value : QSpinBox::valueFromText(QString(text).remove(groupSeparator));
 }
 

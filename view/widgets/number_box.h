@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/text/expression.h"
+
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 
@@ -11,8 +13,9 @@ namespace view {
 // An expression that was typed, and the value that it gave.
 class TypedExpression {
 public:
-    void keep(const QString& text, double value); // a plain number, which is no expression, forgets it
-    QString of(double value) const;               // empty when it gave another value, or there is none
+    // A text that does not stay as it was typed, such as a plain number, is forgotten.
+    void keep(const QString& text, double value, io::NumberUnit unit);
+    QString of(double value) const; // empty when it gave another value, or there is none
 
 private:
     QString m_text;
@@ -22,7 +25,8 @@ private:
 // Spin boxes that take what number fields take: a comma as the decimal point, and expressions such as 1/2 or
 // sqrt(3)/6, which are shown as long as the box has the value that they gave. What is unfinished changes
 // nothing, and Enter takes it back; what has no finite value, such as 1/0, brings back the value before. The
-// wheel does nothing without the focus, so that what the box stands in can be scrolled.
+// wheel does nothing without the focus, so that what the box stands in can be scrolled. Where the suffix is
+// °, angles are taken as degrees: io::evaluate().
 class NumberBox : public QDoubleSpinBox {
 public:
     explicit NumberBox(QWidget* parent = nullptr);

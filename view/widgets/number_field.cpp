@@ -29,13 +29,15 @@ double paceOf(Qt::KeyboardModifiers modifiers) {
 // Lets anything be typed, and accepts numbers only: item views then refuse to commit the rest.
 class NumberValidator : public QValidator {
 public:
-    NumberValidator(NumberRange range, QObject* parent) : QValidator(parent), m_range(range) {}
+    NumberValidator(NumberRange range, io::NumberUnit unit, QObject* parent)
+        : QValidator(parent), m_range(range), m_unit(unit) {}
     State validate(QString& text, int&) const override {
-        return numberProblem(text, m_range).isEmpty() ? Acceptable : Intermediate;
+        return numberProblem(text, m_range, m_unit).isEmpty() ? Acceptable : Intermediate;
     }
 
 private:
     NumberRange m_range;
+    io::NumberUnit m_unit;
 };
 
 } // namespace
@@ -46,7 +48,7 @@ QColor problemColour(const QPalette& palette) {
 
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
-    setValidator(new NumberValidator(m_range, this));
+    setValidator(new NumberValidator(m_range, m_unit, this));
     setWhatsThis(
         tr("A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) "
            "or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as "
@@ -59,11 +61,21 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
 void NumberField::setRange(const NumberRange& range) {
     m_range = range;
     delete validator();
-    setValidator(new NumberValidator(range, this));
+    setValidator(new NumberValidator(range, m_unit, this));
+}
+
+void NumberField::setDegrees() {
+    m_unit = io::NumberUnit::Degrees;
+    setRange(m_range);
+    setWhatsThis(
+        tr("An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, "
+           "or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys "
+           "and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores "
+           "the previous number."));
 }
 
 QString NumberField::problem() const {
-    return m_edited ? numberProblem(text(), m_range) : QString();
+    return m_edited ? numberProblem(text(), m_range, m_unit) : QString();
 }
 
 void NumberField::setValue(double value, const QString& typed) {
@@ -82,7 +94,7 @@ void NumberField::editValue(double value, const QString& typed) {
 }
 
 void NumberField::keepTyped(const QString& text) {
-    m_typed = isExpression(text) ? text.trimmed() : QString();
+    m_typed = staysAsTyped(text, m_unit) ? text.trimmed() : QString();
     m_typedValue = m_value;
 }
 
@@ -110,12 +122,12 @@ void NumberField::takeText() {
     const QString reason = problem();
     showProblem(reason);
     if (!reason.isEmpty()) {
-        if (!isFinishedNumber(text()) || m_value == m_before) return;
+        if (!isFinishedNumber(text(), m_unit) || m_value == m_before) return;
         m_value = m_before; // rather than that of the beginning of what was typed
         emit edited(m_value);
         return;
     }
-    m_value = typedNumber(text()).value_or(m_value);
+    m_value = typedNumber(text(), m_unit).value_or(m_value);
     keepTyped(text());
     emit edited(m_value);
 }
@@ -146,7 +158,8 @@ void NumberField::finish() {
         return;
     }
     m_edited = false;
-    setText(text()); // what was typed is a step of the document now, and no longer one of the text
+    // What was typed is a step of the document now, and no longer one of the text.
+    setText(isExpression(text()) ? valueText() : text());
     emit committed();
 }
 

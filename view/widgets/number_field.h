@@ -29,6 +29,8 @@ public:
     QString typedText() const; // how the value was written; empty when as a plain number
 
     void setRange(const NumberRange& range);
+    // Takes angles as degrees: 90, 90° and pi/2 are the same, and Enter shows the number.
+    void setDegrees();
     void setRounding(double rounding) { m_rounding = rounding; } // what is no larger reads 0, until edited
     // Of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1, Ctrl: ×10).
     void setStep(double step) { m_step = step; }
@@ -75,6 +77,7 @@ private:
     double m_step = 0.01;
     double m_rounding = 0;
     NumberRange m_range;
+    io::NumberUnit m_unit = io::NumberUnit::None;
     bool m_edited = false;
     int m_wheelRest = 0; // eighths of a degree not yet worth a step
 };

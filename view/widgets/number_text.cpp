@@ -2,7 +2,6 @@
 #include "widgets/number_text.h"
 
 #include "io/text/coefficient.h"
-#include "io/text/expression.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
@@ -84,8 +83,8 @@ QString groupedNumber(double value) {
     return text;
 }
 
-std::optional<double> typedNumber(const QString& text) {
-    const auto number = io::evaluate(withPoint(text));
+std::optional<double> typedNumber(const QString& text, io::NumberUnit unit) {
+    const auto number = io::evaluate(withPoint(text), unit);
     return number && io::isCoefficient(*number) ? number : std::nullopt; // what no file may hold
 }
 
@@ -93,16 +92,20 @@ bool isExpression(const QString& text) {
     return !text.isEmpty() && !io::parseNumber(withPoint(text));
 }
 
+bool staysAsTyped(const QString& text, io::NumberUnit unit) {
+    return isExpression(text) && (unit == io::NumberUnit::None || !io::isAngle(withPoint(text)));
+}
+
 bool isWithoutValue(const QString& text) {
     return io::isWithoutValue(withPoint(text));
 }
 
-bool isFinishedNumber(const QString& text) {
-    return typedNumber(text) || isTooLarge(text) || isWithoutValue(text);
+bool isFinishedNumber(const QString& text, io::NumberUnit unit) {
+    return typedNumber(text, unit) || isTooLarge(text) || isWithoutValue(text);
 }
 
-QString numberProblem(const QString& text, const NumberRange& range) {
-    if (const auto value = typedNumber(text)) return rangeProblem(*value, range);
+QString numberProblem(const QString& text, const NumberRange& range, io::NumberUnit unit) {
+    if (const auto value = typedNumber(text, unit)) return rangeProblem(*value, range);
     const QString shown = text.trimmed();
     if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
     if (isTooLarge(shown))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/text/expression.h"
+
 #include <QString>
 
 #include <optional>
@@ -30,17 +32,21 @@ struct NumberRange {
 
 // What `text` says when it is typed alone: a number as in files or an expression, see io::evaluate(); one
 // comma may stand for the decimal point, which is where many keyboards have it. Files never read it so.
-std::optional<double> typedNumber(const QString& text);
+std::optional<double> typedNumber(const QString& text, io::NumberUnit unit = io::NumberUnit::None);
 // Whether it says more than a plain number does.
 bool isExpression(const QString& text);
+// Whether it stays visible as it was typed: an expression, but no angle where degrees are expected, because
+// pi/2 becomes 90 there.
+bool staysAsTyped(const QString& text, io::NumberUnit unit);
 
 // Whether it is a whole expression without a finite value, such as 1/0.
 bool isWithoutValue(const QString& text);
 // Whether nothing needs to be typed any more: a number, also one outside every range, or 1/0.
-bool isFinishedNumber(const QString& text);
+bool isFinishedNumber(const QString& text, io::NumberUnit unit = io::NumberUnit::None);
 
 // Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.
-QString numberProblem(const QString& text, const NumberRange& range = {});
+QString numberProblem(const QString& text, const NumberRange& range = {},
+                      io::NumberUnit unit = io::NumberUnit::None);
 
 // How far a step of the wheel or of a drag goes: a tenth with Shift or Alt, ten times with Ctrl.
 double paceOfSteps(Qt::KeyboardModifiers modifiers);

@@ -16,6 +16,7 @@ namespace {
 
 // How exactly a similarity must be one, and a rank must be missing.
 constexpr double relativeTolerance = 1e-12;
+constexpr double rankRounding = 4e-15; // of the largest singular value: smaller ones are rounding
 
 Matrix<2> rotationBy(double angle) {
     Matrix<2> result;
@@ -60,6 +61,41 @@ template <> Polar<3> polar<3>(const Matrix<3>& linear) {
     const Vector<3> sigma = orientation.cwiseProduct(values);
     return {u * orientation.asDiagonal() * v.transpose(), v * sigma.asDiagonal() * v.transpose()};
 }
+
+template <> bool isRotationOpen<2>(const Matrix<2>& linear) {
+    return linear.isZero(0);
+}
+
+template <> bool isRotationOpen<3>(const Matrix<3>& linear) {
+    if (!linear.allFinite()) return false;
+    const Vector<3> values = singularValues<3>(linear);
+    return values[1] <= rankRounding * values[0];
+}
+
+template <> Polar<2> polarNear<2>(const Matrix<2>& linear, const Matrix<2>& rotation) {
+    return isRotationOpen<2>(linear) ? Polar<2>{rotation, linear} : polar<2>(linear);
+}
+
+template <> Polar<3> polarNear<3>(const Matrix<3>& linear, const Matrix<3>& rotation) {
+    if (!isRotationOpen<3>(linear)) return polar<3>(linear);
+    const auto [u, values, v] = singularVectors<3>(linear);
+    if (values[0] == 0) return {rotation, linear};
+    const Vector<3> from = rotation * v.col(0), to = u.col(0);
+    return {Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix() * rotation,
+            values[0] * v.col(0) * v.col(0).transpose()};
+}
+
+template <int Dim> PolarPair<Dim> polarPair(const Matrix<Dim>& from, const Matrix<Dim>& to) {
+    const Matrix<Dim> none = Matrix<Dim>::Identity();
+    const bool isFromOpen = isRotationOpen<Dim>(from), isToOpen = isRotationOpen<Dim>(to);
+    if (!isFromOpen && !isToOpen) return {polar<Dim>(from), polar<Dim>(to)};
+    const Polar<Dim> first = polarNear<Dim>(from, isToOpen ? none : polar<Dim>(to).rotation);
+    const Polar<Dim> last = polarNear<Dim>(to, first.rotation);
+    return {polarNear<Dim>(from, last.rotation), last}; // a point turns as the line that it becomes
+}
+
+template PolarPair<2> polarPair<2>(const Matrix<2>&, const Matrix<2>&);
+template PolarPair<3> polarPair<3>(const Matrix<3>&, const Matrix<3>&);
 
 namespace {
 

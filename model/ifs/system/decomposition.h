@@ -24,6 +24,19 @@ template <int Dim> struct Polar {
 };
 template <int Dim> Polar<Dim> polar(const Matrix<Dim>& linear);
 
+// Whether any rotation will do, or in space any that takes one line to another: of a point, and of a line in
+// space.
+template <int Dim> bool isRotationOpen(const Matrix<Dim>& linear);
+// With that rotation, if it is open, which is nearest to another one.
+template <int Dim> Polar<Dim> polarNear(const Matrix<Dim>& linear, const Matrix<Dim>& rotation);
+
+// Of two maps one of which becomes the other: what is open turns no more than it must.
+template <int Dim> struct PolarPair {
+    Polar<Dim> from;
+    Polar<Dim> to;
+};
+template <int Dim> PolarPair<Dim> polarPair(const Matrix<Dim>& from, const Matrix<Dim>& to);
+
 // A = rotation·diag(scale)·shear, shear unit upper triangular, scale ≥ 0 except the last entry, which carries
 // sign(det).
 struct RotationScaleShear3 {

@@ -41,7 +41,7 @@ AffineMap<Dim> interpolated(const AffineMap<Dim>& from, const AffineMap<Dim>& to
                             const Vector<Dim>& reference) {
     if (t <= 0) return from;
     if (t >= 1) return to;
-    const Polar<Dim> first = polar<Dim>(from.linear), last = polar<Dim>(to.linear);
+    const auto [first, last] = polarPair<Dim>(from.linear, to.linear);
     const Matrix<Dim> linear =
         between(first.rotation, last.rotation, t) * ((1 - t) * first.stretch + t * last.stretch);
     const Vector<Dim> image = (1 - t) * from(reference) + t * to(reference);

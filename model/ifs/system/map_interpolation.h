@@ -21,7 +21,7 @@ struct Swing {
 
 // Between two maps, t in [0, 1], exact at both ends: polar parts A = R·S with the rotation along the shortest
 // way (half a turn: counter-clockwise) and S linear in t, so ‖A(t)‖ ≤ max(‖A_0‖, ‖A_1‖); the image of
-// `reference` moves straight.
+// `reference` moves straight. A point, or a line in space, turns no more than it must: polarPair().
 template <int Dim>
 AffineMap<Dim> interpolated(const AffineMap<Dim>& from, const AffineMap<Dim>& to, double t,
                             const Vector<Dim>& reference);

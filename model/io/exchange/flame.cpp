@@ -39,15 +39,9 @@ constexpr qsizetype maxRefusals = 100;   // told one by one
 
 QList<double> numbers(QStringView text, bool* ok) {
     QList<double> values;
-    *ok = true;
-    for (QStringView token : text.split(u' ', Qt::SkipEmptyParts)) {
-        const auto value = parseNumber(token);
-        if (!value) {
-            *ok = false;
-            return {};
-        }
-        values << *value;
-    }
+    for (QStringView token : text.split(u' ', Qt::SkipEmptyParts))
+        values << parseNumber(token).value_or(NAN);
+    *ok = std::ranges::none_of(values, [](double value) { return std::isnan(value); });
     return values;
 }
 
@@ -293,11 +287,18 @@ private:
         colours.readFlame(m_xml.attributes());
         QString refusal;
         m_remarks.clear();
-        while (!m_xml.atEnd() && !(m_xml.isEndElement() && m_xml.name() == u"flame")) {
+        bool isInXform = false;
+        // What is deeper than its children is what a program keeps, such as earlier versions.
+        for (int depth = 0; !m_xml.atEnd();) {
             m_xml.readNext();
-            if (!m_xml.isStartElement() || !refusal.isEmpty()) continue;
-            if (readColours(colours)) continue;
-            if (m_xml.name() == u"xform")
+            if (m_xml.isEndElement() && --depth < 0) break;
+            if (!m_xml.isStartElement()) continue;
+            if (++depth == 1) isInXform = m_xml.name() == u"xform";
+            const bool isRead = depth == 1 || (depth == 2 && isInXform && m_xml.name() == u"motion");
+            if (!isRead || !refusal.isEmpty()) continue;
+            if (readColours(colours)) {
+                if (m_xml.isEndElement()) --depth; // read to its end
+            } else if (m_xml.name() == u"xform")
                 refusal = addXform(xforms, symmetry);
             else if (m_xml.name() == u"finalxform")
                 refusal = Text::tr("it has a final transform");

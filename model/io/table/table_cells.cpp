@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/table_cells.h"
 
-#include "io/text/expression.h"
 #include "io/text/number.h"
 
 #include <algorithm>
@@ -131,7 +130,7 @@ Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most) 
     return LineReader(text, line, dialect).read(most);
 }
 
-std::optional<double> numberIn(const Cell& cell, const Dialect& dialect) {
+std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberUnit unit) {
     QString text = cell.text;
     text.replace(QChar(0x2212), u'-');
     // Between commas only quotation marks let one into a cell: it is decimal.
@@ -149,10 +148,10 @@ std::optional<double> numberIn(const Cell& cell, const Dialect& dialect) {
     const qsizetype slash = text.indexOf(u'/');
     // Names of columns such as “e” and “phi” are constants as well.
     const bool hasDigit = std::ranges::any_of(text, [](QChar c) { return c.isDigit(); });
-    if (slash < 0) return hasDigit ? evaluate(text) : parseNumber(text);
+    if (slash < 0) return hasDigit ? evaluate(text, unit) : parseNumber(text);
     const auto numerator = parseNumber(text.left(slash));
     const auto denominator = parseNumber(text.mid(slash + 1));
-    if (!numerator || !denominator) return evaluate(text);
+    if (!numerator || !denominator) return evaluate(text, unit);
     return std::isfinite(*numerator / *denominator) ? std::optional(*numerator / *denominator) : std::nullopt;
 }
 

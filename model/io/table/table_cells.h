@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/text/expression.h"
+
 #include <QList>
 #include <QString>
 #include <QStringView>
@@ -37,7 +39,7 @@ QList<Dialect> dialectsOf(QStringView text);
 // line. No more than `most` cells are taken.
 Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most);
 
-// A decimal number, a fraction like 1/3 or ½; U+2212 is a minus sign.
-std::optional<double> numberIn(const Cell& cell, const Dialect& dialect);
+// A decimal number, a fraction like 1/3 or ½, or another expression: evaluate(). U+2212 is a minus sign.
+std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberUnit unit = NumberUnit::None);
 
 } // namespace io

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/table_columns.h"
 
+#include "attractor/arithmetic/arithmetic.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -19,6 +21,16 @@ struct Text {
 };
 
 constexpr double degree = std::numbers::pi / 180;
+
+// Exact at right angles.
+double sine(double degrees) {
+    return std::remainder(degrees, 90) == 0 ? attractor::sineOfDegrees(degrees) : std::sin(degrees * degree);
+}
+
+double cosine(double degrees) {
+    return std::remainder(degrees, 90) == 0 ? attractor::cosineOfDegrees(degrees)
+                                            : std::cos(degrees * degree);
+}
 
 struct Name {
     const char* name;
@@ -137,11 +149,19 @@ ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> n
     ifs::WeightedMap<2> row;
     row.map = ifs::affineMap(of(A), of(B), of(C), of(D), of(E), of(F));
     if (std::find(columns.begin(), columns.end(), R) != columns.end())
-        row.map = ifs::affineMap(of(R) * std::cos(of(Theta) * degree), -of(S) * std::sin(of(Phi) * degree),
-                                 of(R) * std::sin(of(Theta) * degree), of(S) * std::cos(of(Phi) * degree),
-                                 of(E), of(F));
+        row.map = ifs::affineMap(of(R) * cosine(of(Theta)), -of(S) * sine(of(Phi)), of(R) * sine(of(Theta)),
+                                 of(S) * cosine(of(Phi)), of(E), of(F));
     row.weight = weight;
     return row;
+}
+
+NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::size_t count) {
+    for (const TableColumn column : columns) {
+        if (isWeight(column) && count < columns.size()) continue;
+        if (number == 0) return column == Theta || column == Phi ? NumberUnit::Degrees : NumberUnit::None;
+        --number;
+    }
+    return NumberUnit::None;
 }
 
 std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight) {

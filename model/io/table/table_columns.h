@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/system/iterated_function_system.h"
+#include "io/text/expression.h"
 
 #include <QString>
 #include <QStringList>
@@ -37,6 +38,8 @@ QStringList columnNames(const TableColumns& columns);
 // One number for every column, or none for the weight when it is missing from the row (`numbers` is one
 // shorter).
 ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers);
+// Degrees of angles. In such a row with `count` numbers.
+NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::size_t count);
 // `weight` is what stands under Weight or Cumulative.
 std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight);
 

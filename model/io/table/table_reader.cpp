@@ -93,6 +93,10 @@ private:
     static constexpr qsizetype spaceNumbers = 12;
 
     std::optional<double> value(const Cell& cell) const { return numberIn(cell, m_dialect); }
+    // Of a number in a row with that many.
+    NumberUnit unitOf(std::size_t number, std::size_t count) const {
+        return count < std::size_t(spaceNumbers) ? unitOfNumber(m_columns, number, count) : NumberUnit::None;
+    }
 
     void startOver() { m_next = m_line = 0; }
 
@@ -313,7 +317,7 @@ private:
         m_table.isTable = m_table.isTable || 2 * good > cells.size();
         std::vector<double> numbers;
         for (const Cell& cell : cells) {
-            const auto number = value(cell);
+            const auto number = numberIn(cell, m_dialect, unitOf(numbers.size(), std::size_t(cells.size())));
             if (!number) return fail(cell, notANumber(cell));
             numbers.push_back(*number);
         }

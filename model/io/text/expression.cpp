@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 namespace io {
 
@@ -54,6 +56,78 @@ constexpr std::array names{"pi",   "e",    "phi",   "deg",  "sin",  "cos",  "tan
                            "acos", "atan", "atan2", "sinh", "cosh", "tanh", "sqrt", "cbrt",
                            "exp",  "ln",   "log",   "log2", "abs",  "min",  "max"};
 
+// A number on the way through an expression.
+struct Quantity {
+    double value = 0;   // as everywhere: angles in radians
+    double reading = 0; // without units: 90 for 90°, π/2 for pi/2
+    double degrees = 0; // how often ° is a factor, minus how often a divisor
+    double radians = 0; // the same of π and of inverse functions
+};
+
+Quantity plainNumber(double value) {
+    return {value, value};
+}
+
+Quantity inRadians(double value) {
+    return {value, value, 0, 1};
+}
+
+bool isInRadians(const Quantity& q) {
+    return q.radians > 0 && q.degrees <= 0;
+}
+
+double inDegrees(const Quantity& q) {
+    if (!isInRadians(q)) return q.reading;
+    const double whole = wholeDegrees(q.reading);
+    return std::isnan(whole) ? q.reading / degree : whole;
+}
+
+bool isSameUnit(const Quantity& a, const Quantity& b) {
+    return a.degrees == b.degrees && a.radians == b.radians;
+}
+
+// What becomes of two numbers one unit of which must do for both.
+template <class Function> Quantity together(const Quantity& a, const Quantity& b, const Function& function) {
+    const double value = function(a.value, b.value);
+    if (isSameUnit(a, b)) return {value, function(a.reading, b.reading), a.degrees, a.radians};
+    return {value, function(inDegrees(a), inDegrees(b)), 1, 0};
+}
+
+Quantity product(const Quantity& a, const Quantity& b) {
+    return {a.value * b.value, a.reading * b.reading, a.degrees + b.degrees, a.radians + b.radians};
+}
+
+Quantity quotient(const Quantity& a, const Quantity& b) {
+    return {a.value / b.value, a.reading / b.reading, a.degrees - b.degrees, a.radians - b.radians};
+}
+
+Quantity power(const Quantity& base, const Quantity& exponent) {
+    return {std::pow(base.value, exponent.value), std::pow(base.reading, exponent.value),
+            base.degrees * exponent.value, base.radians * exponent.value};
+}
+
+// The parser knows doubles only: those that it is given, and that it gives its operators, are places in here.
+thread_local std::vector<Quantity> quantities;
+const std::array constants{inRadians(std::numbers::pi), plainNumber(std::numbers::e),
+                           plainNumber(std::numbers::phi)};
+
+double placeOf(const Quantity& quantity) {
+    quantities.push_back(quantity);
+    return double(quantities.size() - 1);
+}
+
+Quantity at(double place) {
+    return quantities[std::size_t(place)];
+}
+
+template <double (*function)(double)> double number(double x) {
+    return placeOf(plainNumber(function(at(x).value)));
+}
+
+template <double (*function)(double)> double angle(double x) {
+    return placeOf(inRadians(function(at(x).value)));
+}
+
 class Parser : public mu::ParserBase {
 public:
     Parser() { Init(); }
@@ -65,62 +139,76 @@ protected:
         DefineInfixOprtChars("+-");
     }
     void InitFun() override {
-        DefineFun("sin", sine);
-        DefineFun("cos", cosine);
-        DefineFun("tan", tangent);
+        DefineFun("sin", number<sine>);
+        DefineFun("cos", number<cosine>);
+        DefineFun("tan", number<tangent>);
+        DefineFun("asin", angle<std::asin>);
+        DefineFun("acos", angle<std::acos>);
+        DefineFun("atan", angle<std::atan>);
         DefineFun(
-            "asin", +[](double x) { return std::asin(x); });
+            "atan2",
+            +[](double y, double x) { return placeOf(inRadians(std::atan2(at(y).value, at(x).value))); });
+        DefineFun("sinh", number<std::sinh>);
+        DefineFun("cosh", number<std::cosh>);
+        DefineFun("tanh", number<std::tanh>);
+        DefineFun("sqrt", number<std::sqrt>);
+        DefineFun("cbrt", number<std::cbrt>);
+        DefineFun("exp", number<std::exp>);
+        DefineFun("ln", number<std::log>);
+        DefineFun("log", number<std::log10>);
+        DefineFun("log2", number<std::log2>);
         DefineFun(
-            "acos", +[](double x) { return std::acos(x); });
+            "abs", +[](double x) {
+                const Quantity q = at(x);
+                return placeOf({std::abs(q.value), std::abs(q.reading), q.degrees, q.radians});
+            });
         DefineFun(
-            "atan", +[](double x) { return std::atan(x); });
+            "min", +[](double x, double y) {
+                return placeOf(together(at(x), at(y), [](double a, double b) { return std::min(a, b); }));
+            });
         DefineFun(
-            "atan2", +[](double y, double x) { return std::atan2(y, x); });
-        DefineFun(
-            "sinh", +[](double x) { return std::sinh(x); });
-        DefineFun(
-            "cosh", +[](double x) { return std::cosh(x); });
-        DefineFun(
-            "tanh", +[](double x) { return std::tanh(x); });
-        DefineFun(
-            "sqrt", +[](double x) { return std::sqrt(x); });
-        DefineFun(
-            "cbrt", +[](double x) { return std::cbrt(x); });
-        DefineFun(
-            "exp", +[](double x) { return std::exp(x); });
-        DefineFun(
-            "ln", +[](double x) { return std::log(x); });
-        DefineFun(
-            "log", +[](double x) { return std::log10(x); });
-        DefineFun(
-            "log2", +[](double x) { return std::log2(x); });
-        DefineFun(
-            "abs", +[](double x) { return std::abs(x); });
-        DefineFun(
-            "min", +[](double x, double y) { return std::min(x, y); });
-        DefineFun(
-            "max", +[](double x, double y) { return std::max(x, y); });
+            "max", +[](double x, double y) {
+                return placeOf(together(at(x), at(y), [](double a, double b) { return std::max(a, b); }));
+            });
     }
-    void InitConst() override {
-        DefineConst("pi", std::numbers::pi);
-        DefineConst("e", std::numbers::e);
-        DefineConst("phi", std::numbers::phi);
+    void InitConst() override { // places in `constants`
+        DefineConst("pi", 0);
+        DefineConst("e", 1);
+        DefineConst("phi", 2);
     }
     void InitOprt() override {
+        DefineOprt(
+            "+", +[](double x, double y) { return placeOf(together(at(x), at(y), std::plus())); },
+            mu::prADD_SUB);
+        DefineOprt(
+            "-", +[](double x, double y) { return placeOf(together(at(x), at(y), std::minus())); },
+            mu::prADD_SUB);
+        DefineOprt(
+            "*", +[](double x, double y) { return placeOf(product(at(x), at(y))); }, mu::prMUL_DIV);
+        DefineOprt(
+            "/", +[](double x, double y) { return placeOf(quotient(at(x), at(y))); }, mu::prMUL_DIV);
+        DefineOprt(
+            "^", +[](double x, double y) { return placeOf(power(at(x), at(y))); }, mu::prPOW, mu::oaRIGHT);
         DefineInfixOprt(
-            "-", +[](double x) { return -x; });
+            "-", +[](double x) {
+                const Quantity q = at(x);
+                return placeOf({-q.value, -q.reading, q.degrees, q.radians});
+            });
         DefineInfixOprt(
             "+", +[](double x) { return x; });
         DefinePostfixOprt(
-            "deg", +[](double x) { return x * degree; });
+            "deg", +[](double x) {
+                const Quantity q = at(x);
+                return placeOf({q.value * degree, q.reading, isInRadians(q) ? 0.0 : 1.0, q.radians});
+            });
     }
     void Init() {
+        EnableBuiltInOprt(false); // before those of the same names are defined
         InitCharSets();
         InitFun();
         InitConst();
         InitOprt();
         AddValIdent(isNumber);
-        EnableBuiltInOprt(true);
         EnableOptimizer(false);
     }
 
@@ -132,6 +220,7 @@ private:
         const auto result = fromChars(rest.data(), rest.data() + rest.size(), *value);
         if (result.ec != std::errc()) return 0;
         *position += int(result.ptr - rest.data());
+        *value = placeOf(plainNumber(*value));
         return 1;
     }
 };
@@ -193,16 +282,17 @@ bool isPossible(std::string_view text) {
 }
 
 // nullopt where it is no whole expression; else its value, which may not be finite.
-std::optional<double> valueOf(QStringView text) {
+std::optional<Quantity> quantityOf(QStringView text) {
     if (text.size() > maxExpression) return std::nullopt;
     const std::string expression = plain(text);
     if (!isPossible(expression)) return std::nullopt;
+    quantities.assign(constants.begin(), constants.end());
     try {
         thread_local Parser parser;
         parser.SetExpr(expression);
         int results = 0;
-        const double* values = parser.Eval(results);
-        return results == 1 ? std::optional(values[0]) : std::nullopt;
+        const double* places = parser.Eval(results);
+        return results == 1 ? std::optional(at(places[0])) : std::nullopt;
     } catch (const mu::ParserError&) {
         return std::nullopt;
     }
@@ -211,14 +301,25 @@ std::optional<double> valueOf(QStringView text) {
 } // namespace
 
 std::optional<double> evaluate(QStringView text) {
+    return evaluate(text, NumberUnit::None);
+}
+
+std::optional<double> evaluate(QStringView text, NumberUnit unit) {
     if (const auto number = parseNumber(text)) return number;
-    const std::optional<double> value = valueOf(text);
-    return value && std::isfinite(*value) ? value : std::nullopt;
+    const std::optional<Quantity> quantity = quantityOf(text);
+    if (!quantity) return std::nullopt;
+    const double value = unit == NumberUnit::Degrees ? inDegrees(*quantity) : quantity->value;
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+bool isAngle(QStringView text) {
+    const std::optional<Quantity> quantity = quantityOf(text);
+    return quantity && (quantity->degrees > 0 || isInRadians(*quantity));
 }
 
 bool isWithoutValue(QStringView text) {
-    const std::optional<double> value = valueOf(text);
-    return value && !std::isfinite(*value);
+    const std::optional<Quantity> quantity = quantityOf(text);
+    return quantity && !std::isfinite(quantity->value);
 }
 
 } // namespace io

@@ -14,6 +14,20 @@ namespace io {
 // characters. nullopt where there is none or it is not finite.
 std::optional<double> evaluate(QStringView text);
 
+// What a number field or a column of a table holds.
+enum class NumberUnit { None, Degrees };
+
+// As many degrees as an angle has that people write where degrees are expected. A plain number such as 45 or
+// 360/7 is degrees, and ° marks them: 90° is 90. What carries pi or is the result of asin, acos, atan or
+// atan2 is in radians and is converted once: pi/2 is 90. Sums add up degrees: 90° + pi/4 and 90 + pi/4 are
+// 135. Angles cancel: acos(0.8)*180/pi is 36.87. The arguments of functions and their other results are those
+// of evaluate(): cos(60°) is 0.5. NumberUnit::None is evaluate().
+std::optional<double> evaluate(QStringView text, NumberUnit unit);
+
+// Whether the expression is an angle by itself, by ° or in radians, which a field of degrees shows as a
+// number.
+bool isAngle(QStringView text);
+
 // Whether it is a whole expression whose value is not finite, such as 1/0 or sqrt(-1).
 bool isWithoutValue(QStringView text);
 

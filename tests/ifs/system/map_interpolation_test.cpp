@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
+#include "ifs/system/decomposition.h"
 #include "ifs/system/map_interpolation.h"
 #include "support/named_test.h"
 
@@ -56,6 +57,54 @@ private slots:
         QVERIFY((middle(170, -170) - at(180).linear).norm() < 1e-15);
         QVERIFY((middle(-10, 30) - at(10).linear).norm() < 1e-15);
         QVERIFY(mirrors<2>(at(0), affineMap(.5, 0, 0, -.5, 0, 0)) && !mirrors<2>(at(0), at(180)));
+    }
+
+    void aPointGrowsWithoutTurning() {
+        for (const Vector<2>& image : {Vector<2>(0, 0), Vector<2>(1, -2)}) {
+            const AffineMap<2> point{Matrix<2>::Zero(), image};
+            const AffineMap<2> map = affineMap(0, -.5, .5, 0, 0, 0);
+            for (const double t : {0.25, 0.5}) {
+                QVERIFY((interpolated<2>(point, map, t, {1, 1}).linear - t * map.linear).norm() < 1e-16);
+                QVERIFY((interpolated<2>(map, point, 1 - t, {1, 1}).linear - t * map.linear).norm() < 1e-16);
+            }
+        }
+        const AffineMap<2> still{Matrix<2>::Zero(), {1, 0}};
+        QCOMPARE(interpolated<2>(still, still, 0.5, {1, 1}), still);
+        Random random(5);
+        for (int n = 0; n < 100; ++n) {
+            const AffineMap<3> map = randomContractions<3>(random, 1, 0.95)[0];
+            const AffineMap<3> point{Matrix<3>::Zero(), randomVector<3>(random, 1)};
+            QVERIFY((interpolated<3>(point, map, 0.5, {1, 1, 1}).linear - map.linear / 2).norm() < 1e-14);
+            QVERIFY((interpolated<3>(map, point, 0.5, {1, 1, 1}).linear - map.linear / 2).norm() < 1e-14);
+        }
+    }
+
+    // A line of space has no turn about itself: that of the other map is its own.
+    void aLineTurnsNoMoreThanItMust() {
+        Random random(6);
+        for (int n = 0; n < 100; ++n) {
+            const Matrix<3> turn = polar<3>(randomContractions<3>(random, 1, 0.95)[0].linear).rotation;
+            const Vector<3> axis = randomVector<3>(random, 1).normalized();
+            const AffineMap<3> map{0.5 * turn, {0, 0, 0}};
+            const AffineMap<3> line{0.5 * turn * axis * axis.transpose(), {0, 0, 0}};
+            const Matrix<3> middle = (map.linear + line.linear) / 2;
+            QVERIFY((interpolated<3>(line, map, 0.5, {1, 1, 1}).linear - middle).norm() < 1e-13);
+            QVERIFY((interpolated<3>(map, line, 0.5, {1, 1, 1}).linear - middle).norm() < 1e-13);
+            const AffineMap<3> point{Matrix<3>::Zero(), {0, 0, 0}};
+            QVERIFY((interpolated<3>(point, line, 0.5, {1, 1, 1}).linear - line.linear / 2).norm() < 1e-14);
+            QVERIFY((interpolated<3>(line, point, 0.5, {1, 1, 1}).linear - line.linear / 2).norm() < 1e-14);
+        }
+    }
+
+    // What is nearly a point or a line turns like it.
+    void oneDimensionalMapsAreLimits() {
+        const AffineMap<2> map = affineMap(.1, -.5, .4, .2, 0, 0);
+        const AffineMap<2> nearly{1e-9 * map.linear, {0, 0}}, point{Matrix<2>::Zero(), {0, 0}};
+        const Matrix<2> expected = interpolated<2>(nearly, map, 0.5, {0, 0}).linear;
+        QVERIFY((interpolated<2>(point, map, 0.5, {0, 0}).linear - expected).norm() < 1e-8);
+        const AffineMap<2> line = affineMap(0, 0, .5, 0, 0, 0), thick = affineMap(0, -1e-9, .5, 0, 0, 0);
+        const Matrix<2> of = interpolated<2>(thick, map, 0.5, {0, 0}).linear;
+        QVERIFY((interpolated<2>(line, map, 0.5, {0, 0}).linear - of).norm() < 1e-8);
     }
 
     // The base of the branch stays, the rest turns about it.

@@ -74,6 +74,35 @@ private slots:
         QVERIFY((blendAt(fractal, 6) == MapBlend{1, 0.5}));
     }
 
+    // What is deeper is what programs keep: earlier versions, or notes.
+    void onlyChildrenAreRead() {
+        const QByteArray map = "<xform weight=\"1\" linear=\"1\" coefs=\"0.5 0 0 0.5 0 0\"/>\n";
+        const QByteArray old = "<xform weight=\"3\" linear=\"1\" coefs=\"0.2 0 0 0.2 0 0\"/>";
+        const QByteArray kept = "<flame name=\"old\">" + old + "<finalxform linear=\"1\"/><layer/></flame>" +
+                                old + "<motion/><palette count=\"2\">0000FF</palette><symmetry kind=\"99\"/>";
+        for (const QByteArray& beside : QList<QByteArray>{
+                 "<edit nick=\"a\">" + kept + "</edit>", "<backup><more>" + kept + "</more></backup>",
+                 QByteArray("<color index=\"0\" rgb=\"255 0 0\">") + old + "</color>",
+                 "<palette count=\"1\" format=\"RGB\">FFFFFF" + old + "</palette>"}) {
+            const QByteArray child =
+                "<xform weight=\"1\" linear=\"1\" coefs=\"0.5 0 0 0.5 1 0\">" + beside + "</xform>\n";
+            const auto file =
+                io::readFlame("<flame name=\"a\">" + beside + map + beside + child + "</flame>");
+            QVERIFY2(file.problems.isEmpty(), qPrintable(file.problems.value(0).message));
+            QCOMPARE(file.entries.size(), 1);
+            const document::System2& system = *document::system2(*file.entries.first().fractal);
+            QCOMPARE(system.maps.size(), 2U);
+            QCOMPARE(system.maps[1].map.translation.x(), 1.0);
+        }
+        const auto moving =
+            io::readFlame("<flame name=\"a\">" + map +
+                          "<xform weight=\"1\" linear=\"1\" coefs=\"0.5 0 0 0.5 0 0\"><motion/></xform>" +
+                          "<edit>" + kept + "</edit></flame>");
+        QCOMPARE(moving.problems.size(), 1);
+        QVERIFY(moving.problems[0].message.contains(QStringLiteral("it has motion")));
+        QVERIFY(moving.entries.isEmpty());
+    }
+
     // Without colours in the file, nothing is coloured by them.
     void aPaletteIsNeeded() {
         const Fractal fractal = read("<flame name=\"a\">" + xform("color=\"0.25\"") + "</flame>");

@@ -100,6 +100,13 @@ private slots:
         row("cumulative weights", "a b c d e f cumulative\n.5 0 .25 -.5 1 2 25\n.5 0 .25 -.5 1 2 100",
             "0.5 0 0.25 -0.5 1 2 25/0.5 0 0.25 -0.5 1 2 75");
         row("scales and angles", "r s theta phi h k p\n2 3 0 0 1 2 .5", "2 0 0 3 1 2 0.5");
+        row("marked degrees", "r s theta phi e f\n.5 .5 90° 90° .5 0", "0 -0.5 0.5 0 0.5 0 -");
+        row("radians", "r s theta phi e f\n.5 .5 pi/2 -π/2 .5 0", "0 0.5 0.5 0 0.5 0 -");
+        row("a weight before the angles", "p r s theta phi e f\n.75 2 2 180° asin(1)*2 1 2",
+            "-2 0 0 -2 1 2 0.75");
+        row("a missing weight before the angles", "r s p theta phi e f\n2 2 180° 180 1 2", "-2 0 0 -2 1 2 -");
+        row("expressions elsewhere", "r s theta phi e f\n180°/pi 3 0 0 cos(60°) 2*sin(pi/6)",
+            "1 0 0 3 0.5 1 -");
         row("count and matrices", "1\n.75\n.5 0 1\n.25 -.5 2\n0 0 1\n", weighted);
         const char* two = "0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 0.25";
         row("labels under a header that has none", "a b c d e f p\nw1 .5 0 .25 -.5 1 2 .75", weighted);

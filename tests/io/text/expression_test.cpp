@@ -14,6 +14,8 @@ class ExpressionTest : public QObject {
 private slots:
     void values_data();
     void values();
+    void degrees_data();
+    void degrees();
     void whatIsNone_data();
     void whatIsNone();
     void hostileTextsEnd();
@@ -53,6 +55,11 @@ void ExpressionTest::values_data() {
     row("min(1, 2) + max(3, 4)", 5);
     row("COS(0)", 1);
     row("1e3/4", 250);
+    row("90°", std::numbers::pi / 2); // elsewhere than in degrees
+    row("45°/2 + 1", std::numbers::pi / 8 + 1);
+    row("2^3^2", 512);
+    row("2*-3 + 10 - 4/2", 2);
+    row("acos(0.8)*180/pi", std::acos(0.8) * 180 / std::numbers::pi);
 }
 
 void ExpressionTest::values() {
@@ -62,6 +69,68 @@ void ExpressionTest::values() {
     QVERIFY(result);
     QVERIFY2(std::abs(*result - value) <= 2e-16 * std::abs(value),
              qPrintable(QString::number(*result, 'g', 17)));
+}
+
+void ExpressionTest::degrees_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<bool>("isAngle"); // and no plain number
+    const auto row = [](const char* text, double degrees, bool isAngle) {
+        QTest::addRow("%s", text) << QString::fromUtf8(text) << degrees << isAngle;
+    };
+    const double sharp = std::acos(0.8) * 180 / std::numbers::pi; // 36.87°
+    row("90", 90, false);
+    row("-22.5", -22.5, false);
+    row("360/7", 360.0 / 7, false);
+    row("sqrt(2)*45", std::sqrt(2.0) * 45, false);
+    row("1/phi", 1 / std::numbers::phi, false);
+    row("cos(60°)", 0.5, false);
+    row("cos(pi/3)", 0.5, false);
+    row("90*cos(60°)", 45, false);
+    row("cos(1)", std::cos(1), false); // as everywhere
+    row("180/pi", 180 / std::numbers::pi, false);
+    row("60°/30°", 2, false);
+    row("90°", 90, true);
+    row("-90°", -90, true);
+    row("45°/2", 22.5, true);
+    row("2*45°", 90, true);
+    row("1e-20°", 1e-20, true);
+    row("180°/pi", 180 / std::numbers::pi, true);
+    row("cos(60°)*90°", 45, true);
+    row("pi", 180, true);
+    row("π/2", 90, true);
+    row("-pi/6", -30, true);
+    row("2π", 360, true);
+    row("2*pi/7", 360.0 / 7, true);
+    row("acos(0.8)", sharp, true);
+    row("asin(0.5)", 30, true);
+    row("-atan(1)", -45, true);
+    row("2*atan(1)", 90, true);
+    row("atan2(1, -1)", 135, true);
+    row("acos(cos(60°))", 60, true);
+    row("abs(-pi/2)", 90, true);
+    row("max(60°, pi/2)", 90, true);
+    row("min(60, pi/2)", 60, true);
+    row("acos(0.8)*180/pi", sharp, false); // converted already
+    row("acos(0.8)*180°/pi", sharp, true);
+    row("pi/2 + pi/4", 135, true);
+    row("90° + pi/4", 135, true);
+    row("90 + pi/4", 135, true);
+    row("90° + 45", 135, true);
+    row("180 - acos(0.8)", 180 - sharp, true);
+    row("(90° + pi/4)/3", 45, true);
+    row("(pi/2)°", 90, true);
+}
+
+void ExpressionTest::degrees() {
+    QFETCH(QString, text);
+    QFETCH(double, degrees);
+    QFETCH(bool, isAngle);
+    const auto result = io::evaluate(text, io::NumberUnit::Degrees);
+    QVERIFY(result);
+    QVERIFY2(std::abs(*result - degrees) <= 3e-16 * std::abs(degrees),
+             qPrintable(QString::number(*result, 'g', 17)));
+    QCOMPARE(io::isAngle(text), isAngle);
 }
 
 void ExpressionTest::whatIsNone_data() {
@@ -77,6 +146,7 @@ void ExpressionTest::whatIsNone_data() {
 void ExpressionTest::whatIsNone() {
     QFETCH(QString, text);
     QVERIFY(!io::evaluate(text));
+    QVERIFY(!io::evaluate(text, io::NumberUnit::Degrees));
     static const QStringList whole{QStringLiteral("1/0"), QStringLiteral("sqrt(-1)"), QStringLiteral("ln(0)"),
                                    QStringLiteral("tan(90°)"), QStringLiteral("9^9^9")};
     QCOMPARE(io::isWithoutValue(text), whole.contains(text)); // the others are no expressions

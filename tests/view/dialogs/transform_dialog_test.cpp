@@ -10,6 +10,7 @@
 #include <QComboBox>
 
 #include <memory>
+#include <numbers>
 #include <random>
 
 using namespace maps_support;
@@ -91,6 +92,22 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 1);
         m_document->undoStack()->undo();
         QVERIFY(m_document->fractal() == before);
+    }
+
+    void anglesAreInDegrees() {
+        TransformDialog dialog(m_document.get());
+        dialog.show();
+        type(dialog, TransformDialog::Rotation, QStringLiteral("pi/2"));
+        QCOMPARE(dialog.transformation().rotation, 90.0);
+        type(dialog, TransformDialog::Rotation, QStringLiteral("2*acos(0)"));
+        QCOMPARE(dialog.transformation().rotation, 180.0);
+        for (auto* box : dialog.findChildren<QCheckBox*>())
+            box->setChecked(true);
+        type(dialog, TransformDialog::Mirror, QStringLiteral("pi/4"));
+        QCOMPARE(dialog.transformation().axis, 45.0);
+        type(dialog, TransformDialog::Shear, QStringLiteral("pi/4"));
+        QCOMPARE(dialog.transformation().shear, std::numbers::pi / 4);
+        dialog.reject();
     }
 
     // In the field that follows, too.

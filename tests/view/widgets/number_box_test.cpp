@@ -31,6 +31,7 @@ private slots:
     void theWheelNeedsTheFocus();
     void valuesAreRoundedToTheDecimals();
     void unitsStay();
+    void degreesAreReadOnce();
     void aCommaIsADecimalPoint();
     void wholeNumbersAreComputed();
     void digitsStandInGroups();
@@ -217,6 +218,31 @@ void NumberBoxTest::unitsStay() {
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(box.value(), 12.7);
     QCOMPARE(box.text(), QStringLiteral("25.4/2 mm"));
+}
+
+void NumberBoxTest::degreesAreReadOnce() {
+    NumberBox box;
+    WholeNumberBox whole;
+    box.setRange(-360, 360);
+    whole.setRange(-360, 360);
+    for (QAbstractSpinBox* each : QList<QAbstractSpinBox*>{&box, &whole}) {
+        const auto value = [&] { return each == &box ? box.value() : double(whole.value()); };
+        each == &box ? box.setSuffix(QStringLiteral("°")) : whole.setSuffix(QStringLiteral("°"));
+        for (const char* typed : {"90", "90°", "pi/2", "90°/1", "acos(0)", "45° + pi/4", "45 + pi/4"}) {
+            for (const bool isBesideItsUnit : {false, true}) {
+                each->show();
+                each->selectAll();
+                if (!isBesideItsUnit) each->findChild<QLineEdit*>()->selectAll(); // with the suffix
+                for (const QChar c : QString::fromUtf8(typed))
+                    QTest::sendKeyEvent(QTest::Click, each, Qt::Key_unknown, QString(c), Qt::NoModifier);
+                QTest::keyClick(each, Qt::Key_Return);
+                QVERIFY2(value() == 90, typed);
+                QVERIFY(each->text().startsWith(QStringLiteral("90")) && each->text().endsWith(u'°'));
+                box.setValue(1);
+                whole.setValue(1);
+            }
+        }
+    }
 }
 
 void NumberBoxTest::aCommaIsADecimalPoint() {

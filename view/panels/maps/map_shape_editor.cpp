@@ -78,6 +78,7 @@ void MapShapeEditor::makePlaneForm() {
     addField(2, tr("Shear"), tr("Shear along x, applied first"), {3, 0});
     addField(2, tr("Shift x"), tr("Translation e, applied last"), {3, 1});
     addField(2, tr("Shift y"), tr("Translation f, applied last"), {3, 2});
+    form.fields[Rotation]->setDegrees();
     form.fields[Rotation]->setStep(1);
     form.fields[ScaleX]->setRange({0.0, std::nullopt});
 }
@@ -100,6 +101,7 @@ void MapShapeEditor::makeSpaceForm() {
     addField(3, tr("Shift x"), tr("Translation j, applied last"), {7, 0});
     addField(3, tr("Shift y"), tr("Translation k, applied last"), {7, 1});
     addField(3, tr("Shift z"), tr("Translation l, applied last"), {7, 2});
+    form.fields[Angle]->setDegrees();
     form.fields[Angle]->setStep(1);
     form.fields[SpaceScaleX]->setRange({0.0, std::nullopt});
     form.fields[SpaceScaleY]->setRange({0.0, std::nullopt});

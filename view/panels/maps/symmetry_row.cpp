@@ -134,6 +134,7 @@ QWidget* SymmetryRow::makePlace() {
         });
     }
     m_angle = makeField(tr("Angle of the mirror"), tr("Direction of a mirror, in degrees counter-clockwise"));
+    m_angle->setDegrees();
     m_angle->setStep(1);
     m_angleLabel = add(tr("Angle °"), m_angle);
     connect(m_angle, &NumberField::edited, this, [this](double value) {

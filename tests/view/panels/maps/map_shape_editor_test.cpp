@@ -6,9 +6,22 @@
 #include "view/panels/maps_support.h"
 #include "widgets/number_field.h"
 
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 using namespace maps_support;
+
+namespace {
+
+// Also what is on no key.
+void typeInto(QWidget* field, const QString& text) {
+    for (const QChar c : text)
+        QTest::sendKeyEvent(QTest::Click, field, Qt::Key_unknown, QString(c), Qt::NoModifier);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+} // namespace
 using view::MapShapeEditor;
 using view::MapsModel;
 
@@ -25,6 +38,9 @@ private slots:
 
     void whatWasTypedStaysWithTheMap();
     void aTranslationIsWrittenAlikeInTheTable();
+    void degreesAreReadOnce_data();
+    void degreesAreReadOnce();
+    void degreesInSpace();
 
 private:
     QString text(MapShapeEditor::Part part) { return m_editor->field(part)->text(); }
@@ -48,8 +64,58 @@ void MapShapeEditorTest::type(MapShapeEditor::Part part, const QString& text) {
     view::NumberField* field = m_editor->field(part);
     field->setFocus();
     field->selectAll();
-    QTest::keyClicks(field, text);
-    QTest::keyClick(field, Qt::Key_Return);
+    typeInto(field, text);
+}
+
+void MapShapeEditorTest::degreesAreReadOnce_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<QString>("shown"); // after Enter
+    QTest::newRow("number") << "90" << 90.0 << "90";
+    QTest::newRow("marked") << "90°" << 90.0 << "90";
+    QTest::newRow("negative") << "-90°" << -90.0 << "-90";
+    QTest::newRow("half") << "45°/2" << 22.5 << "22.5";
+    QTest::newRow("fraction") << "360/16" << 22.5 << "360/16";
+    QTest::newRow("pi") << "pi/2" << 90.0 << "90";
+    QTest::newRow("inverse") << "asin(0.5)" << 30.0 << "30";
+    QTest::newRow("sum") << "90° + pi/4" << 135.0 << "135";
+    QTest::newRow("cosine") << "cos(60°)" << 0.5 << "cos(60°)";
+}
+
+void MapShapeEditorTest::degreesAreReadOnce() {
+    QFETCH(QString, typed);
+    QFETCH(double, degrees);
+    QFETCH(QString, shown);
+    type(MapShapeEditor::Rotation, typed);
+    QCOMPARE(m_editor->field(MapShapeEditor::Rotation)->value(), degrees);
+    QCOMPARE(text(MapShapeEditor::Rotation), shown);
+    const ifs::Matrix<2>& linear = systemOf(*m_document).maps[1].map.linear;
+    const double turned = std::atan2(linear(1, 0), linear(0, 0)) * 180 / std::numbers::pi;
+    QVERIFY(std::abs(turned - degrees) < 1e-12);
+    m_editor->field(MapShapeEditor::ScaleX)->setFocus();
+    QCOMPARE(m_editor->field(MapShapeEditor::Rotation)->value(), degrees);
+    type(MapShapeEditor::TranslationX, QStringLiteral("90°")); // not of degrees
+    QCOMPARE(systemOf(*m_document).maps[1].map.translation.x(), std::numbers::pi / 2);
+}
+
+void MapShapeEditorTest::degreesInSpace() {
+    document::Fractal fractal;
+    fractal.content = document::Shape<3>{};
+    ifs::append(*document::system3(fractal), ifs::AffineMap<3>{0.5 * ifs::Matrix<3>::Identity(), {0, 0, 0}},
+                1);
+    m_document->setFile(document::fileOf(fractal));
+    m_editor->setMap(document::system3(m_document->fractal())->maps[0].id);
+    view::NumberField* field = m_editor->field(MapShapeEditor::Angle);
+    for (const char* typed : {"90°", "pi/2", "acos(0)"}) {
+        field->setFocus();
+        field->selectAll();
+        typeInto(field, QString::fromUtf8(typed));
+        QCOMPARE(field->value(), 90.0);
+        QCOMPARE(field->text(), QStringLiteral("90"));
+        const ifs::Matrix<3>& linear = document::system3(m_document->fractal())->maps[0].map.linear;
+        QVERIFY(std::abs(linear.trace() - 0.5) < 1e-15); // 0.5·(1 + 2 cos 90°)
+        m_document->undoStack()->undo();
+    }
 }
 
 void MapShapeEditorTest::whatWasTypedStaysWithTheMap() {

@@ -81,6 +81,22 @@ private slots:
         QVERIFY(!document::isSymmetric(m_document->fractal()));
     }
 
+    void theAngleIsInDegrees() {
+        choose(QStringLiteral("Mirror"));
+        for (const char* typed : {"45", "45°", "pi/4", "atan(1)", "90°/2"}) {
+            view::NumberField* angle = m_row->angle();
+            angle->setFocus();
+            angle->selectAll();
+            for (const QChar c : QString::fromUtf8(typed))
+                QTest::sendKeyEvent(QTest::Click, angle, Qt::Key_unknown, QString(c), Qt::NoModifier);
+            QTest::keyClick(angle, Qt::Key_Return);
+            QCOMPARE(symmetry().angle, 45.0);
+            QCOMPARE(angle->text(), QStringLiteral("45"));
+            type(angle, QStringLiteral("10"));
+            QCOMPARE(symmetry().angle, 10.0);
+        }
+    }
+
     void theOrderIsTyped() {
         choose(QStringLiteral("Dihedral"));
         const int before = steps();

@@ -136,6 +136,7 @@ QLayout* PaletteBrowser::createAdjustments() {
     auto* shortcut = new QShortcut(Qt::CTRL | Qt::Key_D, this);
     connect(shortcut, &QShortcut::activated, m_favourite, &QToolButton::click);
     createSlider(m_hue, tr("Hue"), -180, 180);
+    m_hue.slider->field()->setDegrees();
     m_hue.slider->setToolTip(tr("Rotate all hues by this many degrees; the lightness stays the same"));
     createSlider(m_shift, tr("Shift"), 0, 1);
     m_shift.slider->setToolTip(tr("Start farther along the palette; the part before moves to the end"));

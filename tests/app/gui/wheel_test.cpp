@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "support/every_window.h"
+#include "support/named_test.h"
+#include "support/own_settings.h"
+#include "widgets/wheel_needs_focus.h"
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTest>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <QtTest/qtestspontaneevent.h>
+
+using support::EveryWindow;
+
+// In the window and its dialogs, the wheel changes only what has the focus.
+class WheelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        support::useOwnSettings();
+        QApplication::setQuitOnLastWindowClosed(false);
+    }
+    void nothingChangesWithoutTheFocus();
+    void whatHasTheFocusChanges();
+    void theAreaBehindScrolls();
+
+private:
+    static QList<QWidget*> valueWidgets(const QWidget* window);
+    static QString value(const QWidget* widget);
+    static void turn(QWidget* widget, int notches);
+};
+
+QList<QWidget*> WheelTest::valueWidgets(const QWidget* window) {
+    QList<QWidget*> found;
+    for (auto* widget : window->findChildren<QWidget*>()) {
+        const bool isSlider = qobject_cast<QAbstractSlider*>(widget) && !qobject_cast<QScrollBar*>(widget);
+        if (isSlider || qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget))
+            found << widget;
+    }
+    return found;
+}
+
+QString WheelTest::value(const QWidget* widget) {
+    if (const auto* slider = qobject_cast<const QAbstractSlider*>(widget))
+        return QString::number(slider->value());
+    if (const auto* list = qobject_cast<const QComboBox*>(widget))
+        return QString::number(list->currentIndex()) + list->currentText();
+    return static_cast<const QAbstractSpinBox*>(widget)->text();
+}
+
+// As the window system sends it, which may give the focus.
+void WheelTest::turn(QWidget* widget, int notches) {
+    const QPointF middle = QRectF(widget->rect()).center();
+    QWheelEvent event(middle, widget->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QSpontaneKeyEvent::setSpontaneous(&event);
+    qApp->notify(widget, &event);
+}
+
+void WheelTest::nothingChangesWithoutTheFocus() {
+    const view::WheelNeedsFocus filter(qApp);
+    const EveryWindow windows;
+    QStringList changed;
+    int tried = 0;
+    for (QWidget* window : windows.all()) {
+        if (!window) continue;
+        window->setWindowModality(Qt::NonModal);
+        window->show();
+        for (QWidget* widget : valueWidgets(window)) {
+            widget->ensurePolished();
+            if (widget->hasFocus()) widget->clearFocus();
+            const QString before = value(widget);
+            turn(widget, -1);
+            turn(widget, 1);
+            turn(widget, 1);
+            if (value(widget) != before || widget->hasFocus()) changed << EveryWindow::describe(widget);
+            ++tried;
+        }
+        if (window != windows.all().first()) window->hide();
+    }
+    QVERIFY2(changed.isEmpty(), qPrintable(changed.join(u'\n')));
+    QVERIFY(tried > 50);
+}
+
+void WheelTest::whatHasTheFocusChanges() {
+    const view::WheelNeedsFocus filter(qApp);
+    QWidget window;
+    auto* layout = new QVBoxLayout(&window);
+    auto* list = new QComboBox;
+    auto* written = new QComboBox; // its field has the focus
+    written->setEditable(true);
+    auto* slider = new QSlider(Qt::Horizontal);
+    auto* box = new QSpinBox;
+    for (QWidget* widget : QList<QWidget*>{list, written, slider, box})
+        layout->addWidget(widget);
+    for (QComboBox* both : {list, written})
+        both->addItems({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    for (QWidget* widget : QList<QWidget*>{list, written, slider, box}) {
+        widget->setFocus();
+        const QString before = value(widget);
+        turn(widget, widget == slider || widget == box ? 1 : -1);
+        QVERIFY2(value(widget) != before, widget->metaObject()->className());
+    }
+}
+
+void WheelTest::theAreaBehindScrolls() {
+    const view::WheelNeedsFocus filter(qApp);
+    QScrollArea area;
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    auto* list = new QComboBox;
+    list->addItems({QStringLiteral("a"), QStringLiteral("b")});
+    auto* slider = new QSlider(Qt::Horizontal);
+    auto* box = new QSpinBox;
+    for (QWidget* widget : QList<QWidget*>{list, slider, box})
+        layout->addWidget(widget);
+    content->setMinimumHeight(2000);
+    area.setWidget(content);
+    area.resize(200, 200);
+    area.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&area));
+    area.setFocus();
+    for (QWidget* widget : QList<QWidget*>{list, slider, box}) {
+        const QString before = value(widget);
+        const int place = area.verticalScrollBar()->value();
+        turn(widget, -1);
+        QCOMPARE(value(widget), before);
+        QVERIFY(area.verticalScrollBar()->value() > place);
+    }
+}
+
+BARYCAGE_TEST(WheelTest, QApplication);
+#include "wheel_test.moc"
