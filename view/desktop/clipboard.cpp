@@ -5,6 +5,7 @@
 #include "io/file/background.h"
 #include "io/fractint/entry_writer.h"
 #include "io/table/table_reader.h"
+#include "io/table/table_writer.h"
 
 #include <QCoreApplication>
 #include <QMetaType>
