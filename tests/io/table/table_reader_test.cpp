@@ -123,7 +123,25 @@ private slots:
             "\"map, \"\"stem\"\"\",a,b,c,d,e,f\n\"a, b\",\"0,5\",0,\"0,25\",\"-0,5\",1,2", one);
         row("a count and matrices of one line", "2\n.75 .5 0 1 .25 -.5 2 0 0 1\n.25 .5 0 1 .25 -.5 2 0 0 1\n",
             two);
+        row("exponents", "5e-1 0 2.5E-1 -.5 1 +2", one);
+    }
+
+    void tables() {
+        QFETCH(QString, text);
+        const io::Table table = io::readTable(text);
+        QTEST(summary(table), "rows");
+        QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
+    }
+
+    void wordsAroundNumbers_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("rows");
+        const auto row = [](const char* name, const char* text, const char* rows) {
+            QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(rows);
+        };
+        const char* weighted = "0.5 0 0.25 -0.5 1 2 0.75";
         const char* quarter = "0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 0.25";
+
         row("words behind the numbers",
             "w a b c d e f p Portion generated\nƒ1 .5 0 .25 −.5 1 2 .75 Stem\n"
             "ƒ2 .5 0 .25 −.5 1 2 .25 Successively smaller leaflets",
@@ -150,6 +168,18 @@ private slots:
         row("a comment glued to the row", ".5 0 .25 -.5 1 2 .75// stem\n", weighted);
         row("comments above", "% of 1988, all 4\n// the fern, 2\n% a b c d e f p\n.5 0 .25 -.5 1 2 .75",
             weighted);
+    }
+    void wordsAroundNumbers() { tables(); }
+
+    void layoutsAndSigns_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("rows");
+        const auto row = [](const char* name, const char* text, const char* rows) {
+            QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(rows);
+        };
+        const char* one = "0.5 0 0.25 -0.5 1 2 -";
+        const char* weighted = "0.5 0 0.25 -0.5 1 2 0.75";
+        const char* quarter = "0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 0.25";
         row("rules",
             "a b c d e f p\n--- --- --- --- --- --- ---\n.5 0 .25 -.5 1 2 .75\n=================", weighted);
         row("a header above columns for maps",
@@ -169,15 +199,8 @@ private slots:
         row("a sign set apart", ".5\t0\t.25\t− .5\t1\t2", one);
         row("a sign set apart by a thin blank", ".5 0 .25 −\u2009.5 1 2", one);
         row("full width", "０.５ ０ ．２５ －．５ １ ２", one);
-        row("exponents", "5e-1 0 2.5E-1 -.5 1 +2", one);
     }
-
-    void tables() {
-        QFETCH(QString, text);
-        const io::Table table = io::readTable(text);
-        QTEST(summary(table), "rows");
-        QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
-    }
+    void layoutsAndSigns() { tables(); }
 
     void otherColumnsAreSaid() {
         const io::Table table = io::readTable(QStringLiteral(
