@@ -70,7 +70,9 @@ struct Plan {
 };
 
 io::TableColumns columnsArgument(const char* option, const std::string& text) {
-    if (const auto columns = io::tableColumns(QString::fromStdString(text))) return *columns;
+    const bool isRead = QLatin1String(option) == QLatin1String("--in-columns");
+    const QString order = QString::fromStdString(text);
+    if (const auto columns = isRead ? io::columnsToRead(order) : io::tableColumns(order)) return *columns;
     throw UsageError{tr("%1 “%2” is not an order of columns: it must name a b c d (or r s theta phi), e and "
                         "f, and optionally p, each once, such as \"a b e c d f p\".")
                          .arg(QLatin1String(option), QString::fromStdString(text))};

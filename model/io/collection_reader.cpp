@@ -10,13 +10,17 @@
 #include "io/raster/raster_system.h"
 #include "io/table/listed_maps.h"
 #include "io/table/table_reader.h"
+#include "io/text/cumulative_weights.h"
+#include "io/text/encoding.h"
 #include "io/text/export_weights.h"
 #include "io/video/video_system.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace io {
@@ -42,6 +46,16 @@ std::optional<std::size_t> someWeightMissing(const auto& rows) {
     const auto first = std::ranges::find_if(rows, isMissing);
     if (first == rows.end() || std::ranges::all_of(rows, isMissing)) return std::nullopt;
     return std::size_t(first - rows.begin());
+}
+
+// Weights that are read as such but rise like sums.
+void warnOfSums(document::Entry& entry, const auto& rows, int line) {
+    std::vector<std::optional<double>> weights;
+    for (const auto& row : rows)
+        weights.push_back(row.weight);
+    if (const auto sentence = cumulativeRemark(weights))
+        entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name, line,
+                                            line > 0 ? 1 : 0, *sentence};
 }
 
 // Rows of six numbers that would fill rows of seven, with weights that sum to 1.
@@ -116,11 +130,60 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
         };
         remark(table.rows);
         remark(table.spaceRows);
+        if (!table.isCumulative) {
+            warnOfSums(entry, table.rows, table.lines.front());
+            warnOfSums(entry, table.spaceRows, table.lines.front());
+        }
     }
     return result;
 }
 
-// Systems that stand in lists of another language, each through the reader of tables.
+// Empty for lists, whose remark does not name them.
+QString nameOf(Notation notation) {
+    static const std::array names{QT_TRANSLATE_NOOP("Text", "YAML"),
+                                  QT_TRANSLATE_NOOP("Text", "a text of GIMP’s IFS Fractal"),
+                                  QT_TRANSLATE_NOOP("Text", "a LaTeX table"),
+                                  QT_TRANSLATE_NOOP("Text", "an HTML table"),
+                                  QT_TRANSLATE_NOOP("Text", "a Markdown table"),
+                                  QT_TRANSLATE_NOOP("Text", "a wiki table"),
+                                  QT_TRANSLATE_NOOP("Text", "matrices in LaTeX"),
+                                  QT_TRANSLATE_NOOP("Text", "equations")};
+    if (notation == Notation::Lists) return {};
+    return QCoreApplication::translate("Text", names[std::size_t(notation) - 1]);
+}
+
+document::Problem recognised(Notation notation, qsizetype systems, qsizetype maps, bool isOrderAssumed) {
+    QString sentence =
+        notation == Notation::Lists
+            ? QCoreApplication::translate(
+                  "Text",
+                  "This is not the format of a fractal program. Its lists of numbers are read as tables of "
+                  "maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.")
+            : QCoreApplication::translate("Text", "This is read as %3 (systems: %1, maps: %2).");
+    sentence = sentence.arg(systems).arg(maps);
+    if (notation != Notation::Lists) sentence = sentence.arg(nameOf(notation));
+    if (notation != Notation::Lists && isOrderAssumed)
+        sentence += u' ' + QCoreApplication::translate("Text", "Nothing names its columns: their order is "
+                                                               "taken to be a b c d e f.");
+    return {document::Problem::Severity::Warning, {}, 0, 0, sentence};
+}
+
+// The problems of a table that stands in another text: in which of its rows.
+document::Problems located(document::Problems problems, const ListedMaps& listed) {
+    for (document::Problem& problem : problems) {
+        const auto row = std::size_t(problem.line);
+        if (row > 0 && !nameOf(listed.notation).isEmpty())
+            problem.message = QCoreApplication::translate("Text", "In %1, row %2: %3")
+                                  .arg(nameOf(listed.notation))
+                                  .arg(row)
+                                  .arg(problem.message);
+        problem.line = row > 0 && row <= listed.lines.size() ? listed.lines[row - 1] : 0;
+        problem.column = problem.line > 0 ? 1 : 0;
+    }
+    return problems;
+}
+
+// Systems that stand in lists of another language or in its tables, each through the reader of tables.
 std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QString& path,
                                             const std::optional<TableColumns>& columns) {
     constexpr qsizetype maxLists = 16 * 1024 * 1024;
@@ -129,8 +192,11 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
     document::UniqueNames names;
     const QString fileName = QFileInfo(path).completeBaseName();
     qsizetype maps = 0;
+    Notation notation = Notation::Lists;
+    document::Problems problems;
     for (const ListedMaps& listed : listedMaps(QString::fromUtf8(bytes))) {
         const Table table = readTable(listed.table, columns, TableMaps::PlaneOrSpace);
+        if (listed.notation != Notation::Lists) problems += located(table.problems, listed);
         if (hasErrors(table) || !table.isTable) continue;
         document::Fractal fractal;
         fractal.name = names.give(!listed.name.isEmpty() ? listed.name
@@ -141,22 +207,20 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
         else
             fractal.shape = document::Shape<3>{spaceSystemOf(table)};
         maps += qsizetype(table.rows.size() + table.spaceRows.size());
+        notation = listed.notation;
         result.isOrderAssumed = result.isOrderAssumed || !table.isOrdered;
         document::FractalFile one = document::fileOf(std::move(fractal));
         one.entries.first().id = document::freshId(result.file);
+        if (!table.isCumulative) {
+            warnOfSums(one.entries.first(), table.rows, 0);
+            warnOfSums(one.entries.first(), table.spaceRows, 0);
+        }
         result.file.entries << one.entries;
     }
-    if (result.file.entries.isEmpty()) return std::nullopt;
-    result.file.problems << document::Problem{
-        document::Problem::Severity::Warning,
-        {},
-        0,
-        0,
-        QCoreApplication::translate(
-            "Text", "This is not the format of a fractal program. Its lists of numbers are read as tables of "
-                    "maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.")
-            .arg(result.file.entries.size())
-            .arg(maps)};
+    if (result.file.entries.isEmpty() && problems.isEmpty()) return std::nullopt;
+    if (!result.file.entries.isEmpty())
+        result.file.problems << recognised(notation, result.file.entries.size(), maps, result.isOrderAssumed);
+    result.file.problems += problems;
     return result;
 }
 
@@ -172,10 +236,51 @@ bool beginsWithEntry(const QByteArray& bytes) {
     return brace > 0 && !before.contains('\n') && !before.contains('=') && !before.contains("<style");
 }
 
+// A flame behind other text, as in a letter.
+bool holdsFlame(const QByteArray& bytes) {
+    return bytes.contains("<flame") && bytes.contains("<xform") && !bytes.contains('\0');
+}
+
+// Braces of a program, a document or a page; no line has numbers as an entry does, not even damaged ones.
+bool isOfAnotherKind(const QByteArray& bytes) {
+    constexpr qsizetype sample = 64 * 1024;
+    constexpr int fewest = 3;
+    static const std::array marks{"\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@",
+                                  "=> {"};
+    const QByteArray head = bytes.left(sample);
+    if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;
+    for (const QByteArray& line : head.split('\n')) {
+        int numbers = 0;
+        for (const QByteArray& word : line.simplified().split(' '))
+            numbers += !word.isEmpty() && QByteArrayView("0123456789.-+").contains(word[0]) ? 1 : 0;
+        if (numbers >= fewest) return false;
+    }
+    return head.contains('{');
+}
+
 // Nothing that could be an entry was found.
 bool isUnknown(const document::FractalFile& file, const QByteArray& bytes) {
     return file.entries.isEmpty() && !file.problems.isEmpty() && !bytes.trimmed().isEmpty() &&
            (foreignFormatRemark(bytes) || !bytes.contains('{'));
+}
+
+// As the file itself, in UTF-8; a collection is saved so.
+Collection collectionOfUtf16(QByteArray text, const QString& path, const ReadOptions& options) {
+    static const QRegularExpression declaration(
+        QStringLiteral("^(<\\?xml[^>]*?)\\s+encoding=[\"'][^\"']*[\"']"));
+    constexpr qsizetype longest = 200;
+    QString head = QString::fromUtf8(text.left(longest));
+    if (declaration.match(head).hasMatch())
+        text = head.replace(declaration, QStringLiteral("\\1")).toUtf8() + text.mid(longest);
+    Collection collection = readCollection(text, path, options);
+    if (collection.format == u"fractint")
+        collection.file.problems.prepend(
+            {document::Problem::Severity::Warning,
+             {},
+             0,
+             0,
+             QCoreApplication::translate("Text", "The text is encoded in UTF-16; it is saved as UTF-8.")});
+    return collection;
 }
 
 } // namespace
@@ -186,6 +291,7 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
         return {format, fileOf(readVideoSystem(bytes)), false};
     if (const QString format = rasterFormat(bytes); !format.isEmpty())
         return {format, fileOf(readRasterSystem(bytes)), false};
+    if (auto text = fromUtf16(bytes)) return collectionOfUtf16(*std::move(text), path, options);
     const bool isMarkup = !beginsWithEntry(bytes);
     if (isMarkup && looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
     if (isMarkup && looksLikeFlame(bytes))
@@ -199,12 +305,24 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
         return document::dimension(*entry.fractal) != 0;
     };
     if (std::ranges::none_of(file.entries, isLoaded)) {
+        if (holdsFlame(bytes)) return {QStringLiteral("flame"), readFlame(bytes, options.axis), false};
         auto table = collectionOfTable(bytes, path, options.columns);
         if (!table || table->file.entries.isEmpty())
             if (auto lists = collectionOfLists(bytes, path, options.columns)) return *std::move(lists);
         if (table && (file.entries.isEmpty() || !table->file.entries.isEmpty())) return *std::move(table);
     }
     if (isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
+    if (file.entries.size() == 1 && !bytes.contains('{')) // rows alone: another program may have written them
+        if (const auto* system = document::system2(*file.entries.first().fractal))
+            warnOfSums(file.entries.first(), system->maps, 0);
+    if (std::ranges::none_of(file.entries, isLoaded) && isOfAnotherKind(bytes)) {
+        file = {};
+        file.problems << errorOf(QCoreApplication::translate(
+            "Text",
+            "This is a program, a page or another document, not a Fractint collection, and none of its "
+            "numbers are affine maps."));
+        return {QStringLiteral("unknown"), std::move(file), false};
+    }
     const bool isFractint = !isUnknown(file, bytes);
     return {isFractint ? QStringLiteral("fractint") : QStringLiteral("unknown"), std::move(file), false};
 }

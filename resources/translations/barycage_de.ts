@@ -3471,10 +3471,6 @@
         <translation>ihr Gewicht ist keine Zahl</translation>
     </message>
     <message>
-        <source>it has a final transform</source>
-        <translation>sie hat eine Schlusstransformation</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>sie hat Bewegung</translation>
     </message>
@@ -4840,6 +4836,102 @@
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
         <translation>Das Bild ist ein JPEG mit mehr als %1 Durchgängen. Speichern Sie es als PNG-Bild.</translation>
+    </message>
+    <message>
+        <source>This is read as %3 (systems: %1, maps: %2).</source>
+        <translation>Gelesen als: %3 (Systeme: %1, Abbildungen: %2).</translation>
+    </message>
+    <message>
+        <source>Nothing names its columns: their order is taken to be a b c d e f.</source>
+        <translation>Nichts benennt die Spalten: Angenommen wird die Reihenfolge a b c d e f.</translation>
+    </message>
+    <message>
+        <source>In %1, row %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>The text is encoded in UTF-16; it is saved as UTF-8.</source>
+        <translation>Der Text ist in UTF-16 kodiert; gespeichert wird er als UTF-8.</translation>
+    </message>
+    <message>
+        <source>This is a program, a page or another document, not a Fractint collection, and none of its numbers are affine maps.</source>
+        <translation>Das ist ein Programm, eine Webseite oder ein anderes Dokument, keine Fractint-Sammlung, und keine seiner Zahlen sind affine Abbildungen.</translation>
+    </message>
+    <message>
+        <source>final transform: %1</source>
+        <translation>Schlusstransformation: %1</translation>
+    </message>
+    <message>
+        <source>it has several final transforms</source>
+        <translation>sie hat mehrere Schlusstransformationen</translation>
+    </message>
+    <message>
+        <source>it has a final transform in space</source>
+        <translation>sie hat eine Schlusstransformation im Raum</translation>
+    </message>
+    <message>
+        <source>it has a final transform and a symmetry</source>
+        <translation>sie hat eine Schlusstransformation und eine Symmetrie</translation>
+    </message>
+    <message>
+        <source>its final transform flattens the picture</source>
+        <translation>ihre Schlusstransformation drückt das Bild flach</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” occurs twice; the first one is read.</source>
+        <translation>Das Attribut „%1“ kommt zweimal vor; das erste wird gelesen.</translation>
+    </message>
+    <message>
+        <source>A blank is missing before the attribute “%1”; it is read as if there were one.</source>
+        <translation>Vor dem Attribut „%1“ fehlt ein Leerzeichen; es wird gelesen, als stünde dort eines.</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
+        <translation>Das Attribut „%1“ enthält „&amp;“, das in XML „&amp;amp;“ heißen muss; es wird gelesen, wie es dasteht.</translation>
+    </message>
+    <message>
+        <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>
+        <translation>%1 Flames mit verschiedenen Zeiten sind die Schlüssel dieser Animation, ein Einzelbild je Zeiteinheit. Ihre Farben sind die der ersten.</translation>
+    </message>
+    <message>
+        <source>Columns that do not belong to a map are not read: %1.</source>
+        <translation>Spalten, die nicht zu einer Abbildung gehören, werden nicht gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>The weights rise to %1, so they may be running sums. They are read as weights; to read them as sums, name their column “cumulative” instead of “p”.</source>
+        <translation>Die Gewichte steigen bis %1, sind also vielleicht laufende Summen. Sie werden als Gewichte gelesen; um sie als Summen zu lesen, benennen Sie ihre Spalte „cumulative“ statt „p“.</translation>
+    </message>
+    <message>
+        <source>YAML</source>
+        <translation>YAML</translation>
+    </message>
+    <message>
+        <source>a text of GIMP’s IFS Fractal</source>
+        <translation>Text von GIMPs „IFS-Fraktal“</translation>
+    </message>
+    <message>
+        <source>a LaTeX table</source>
+        <translation>LaTeX-Tabelle</translation>
+    </message>
+    <message>
+        <source>an HTML table</source>
+        <translation>HTML-Tabelle</translation>
+    </message>
+    <message>
+        <source>a Markdown table</source>
+        <translation>Markdown-Tabelle</translation>
+    </message>
+    <message>
+        <source>a wiki table</source>
+        <translation>Wiki-Tabelle</translation>
+    </message>
+    <message>
+        <source>matrices in LaTeX</source>
+        <translation>Matrizen in LaTeX</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>Gleichungen</translation>
     </message>
 </context>
 <context>

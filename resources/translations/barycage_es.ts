@@ -3471,10 +3471,6 @@
         <translation>su peso no es un número</translation>
     </message>
     <message>
-        <source>it has a final transform</source>
-        <translation>tiene una transformación final</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>tiene movimiento</translation>
     </message>
@@ -4840,6 +4836,102 @@
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
         <translation>La imagen es un JPEG con más de %1 pasadas. Guárdela como imagen PNG.</translation>
+    </message>
+    <message>
+        <source>This is read as %3 (systems: %1, maps: %2).</source>
+        <translation>Se lee como: %3 (sistemas: %1, aplicaciones: %2).</translation>
+    </message>
+    <message>
+        <source>Nothing names its columns: their order is taken to be a b c d e f.</source>
+        <translation>Nada nombra sus columnas: se supone el orden a b c d e f.</translation>
+    </message>
+    <message>
+        <source>In %1, row %2: %3</source>
+        <translation>%1, fila %2: %3</translation>
+    </message>
+    <message>
+        <source>The text is encoded in UTF-16; it is saved as UTF-8.</source>
+        <translation>El texto está codificado en UTF-16; se guarda como UTF-8.</translation>
+    </message>
+    <message>
+        <source>This is a program, a page or another document, not a Fractint collection, and none of its numbers are affine maps.</source>
+        <translation>Es un programa, una página u otro documento, no una colección de Fractint, y ninguno de sus números son aplicaciones afines.</translation>
+    </message>
+    <message>
+        <source>final transform: %1</source>
+        <translation>transformación final: %1</translation>
+    </message>
+    <message>
+        <source>it has several final transforms</source>
+        <translation>tiene varias transformaciones finales</translation>
+    </message>
+    <message>
+        <source>it has a final transform in space</source>
+        <translation>tiene una transformación final en el espacio</translation>
+    </message>
+    <message>
+        <source>it has a final transform and a symmetry</source>
+        <translation>tiene una transformación final y una simetría</translation>
+    </message>
+    <message>
+        <source>its final transform flattens the picture</source>
+        <translation>su transformación final aplana la imagen</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” occurs twice; the first one is read.</source>
+        <translation>El atributo «%1» aparece dos veces; se lee el primero.</translation>
+    </message>
+    <message>
+        <source>A blank is missing before the attribute “%1”; it is read as if there were one.</source>
+        <translation>Falta un espacio antes del atributo «%1»; se lee como si lo hubiera.</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
+        <translation>El atributo «%1» contiene «&amp;», que en XML debe ser «&amp;amp;»; se lee tal como está.</translation>
+    </message>
+    <message>
+        <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>
+        <translation>%1 flames con tiempos distintos son las claves de esta animación, un fotograma por unidad de tiempo. Sus colores son los de la primera.</translation>
+    </message>
+    <message>
+        <source>Columns that do not belong to a map are not read: %1.</source>
+        <translation>No se leen las columnas que no pertenecen a una aplicación: %1.</translation>
+    </message>
+    <message>
+        <source>The weights rise to %1, so they may be running sums. They are read as weights; to read them as sums, name their column “cumulative” instead of “p”.</source>
+        <translation>Los pesos crecen hasta %1, así que pueden ser sumas acumuladas. Se leen como pesos; para leerlos como sumas, llame a su columna «cumulative» en lugar de «p».</translation>
+    </message>
+    <message>
+        <source>YAML</source>
+        <translation>YAML</translation>
+    </message>
+    <message>
+        <source>a text of GIMP’s IFS Fractal</source>
+        <translation>un texto de «Fractal IFS» de GIMP</translation>
+    </message>
+    <message>
+        <source>a LaTeX table</source>
+        <translation>tabla de LaTeX</translation>
+    </message>
+    <message>
+        <source>an HTML table</source>
+        <translation>tabla HTML</translation>
+    </message>
+    <message>
+        <source>a Markdown table</source>
+        <translation>tabla de Markdown</translation>
+    </message>
+    <message>
+        <source>a wiki table</source>
+        <translation>tabla de wiki</translation>
+    </message>
+    <message>
+        <source>matrices in LaTeX</source>
+        <translation>matrices en LaTeX</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>ecuaciones</translation>
     </message>
 </context>
 <context>

@@ -3471,10 +3471,6 @@
         <translation>son poids n’est pas un nombre</translation>
     </message>
     <message>
-        <source>it has a final transform</source>
-        <translation>elle a une transformation finale</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>elle est animée</translation>
     </message>
@@ -4840,6 +4836,102 @@
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
         <translation>L’image est un JPEG de plus de %1 passes. Enregistrez-la comme image PNG.</translation>
+    </message>
+    <message>
+        <source>This is read as %3 (systems: %1, maps: %2).</source>
+        <translation>Lu comme : %3 (systèmes : %1, applications : %2).</translation>
+    </message>
+    <message>
+        <source>Nothing names its columns: their order is taken to be a b c d e f.</source>
+        <translation>Rien ne nomme les colonnes : leur ordre est supposé être a b c d e f.</translation>
+    </message>
+    <message>
+        <source>In %1, row %2: %3</source>
+        <translation>%1, ligne %2 : %3</translation>
+    </message>
+    <message>
+        <source>The text is encoded in UTF-16; it is saved as UTF-8.</source>
+        <translation>Le texte est codé en UTF-16 ; il est enregistré en UTF-8.</translation>
+    </message>
+    <message>
+        <source>This is a program, a page or another document, not a Fractint collection, and none of its numbers are affine maps.</source>
+        <translation>C’est un programme, une page ou un autre document, pas une collection Fractint, et aucun de ses nombres ne forme d’application affine.</translation>
+    </message>
+    <message>
+        <source>final transform: %1</source>
+        <translation>transformation finale : %1</translation>
+    </message>
+    <message>
+        <source>it has several final transforms</source>
+        <translation>elle a plusieurs transformations finales</translation>
+    </message>
+    <message>
+        <source>it has a final transform in space</source>
+        <translation>elle a une transformation finale dans l’espace</translation>
+    </message>
+    <message>
+        <source>it has a final transform and a symmetry</source>
+        <translation>elle a une transformation finale et une symétrie</translation>
+    </message>
+    <message>
+        <source>its final transform flattens the picture</source>
+        <translation>sa transformation finale aplatit l’image</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” occurs twice; the first one is read.</source>
+        <translation>L’attribut « %1 » apparaît deux fois ; le premier est lu.</translation>
+    </message>
+    <message>
+        <source>A blank is missing before the attribute “%1”; it is read as if there were one.</source>
+        <translation>Il manque une espace avant l’attribut « %1 » ; il est lu comme s’il y en avait une.</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
+        <translation>L’attribut « %1 » contient « &amp; », qui doit s’écrire « &amp;amp; » en XML ; il est lu tel quel.</translation>
+    </message>
+    <message>
+        <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>
+        <translation>%1 flames à des temps différents sont les clés de cette animation, une image par unité de temps. Ses couleurs sont celles de la première.</translation>
+    </message>
+    <message>
+        <source>Columns that do not belong to a map are not read: %1.</source>
+        <translation>Les colonnes qui n’appartiennent pas à une application ne sont pas lues : %1.</translation>
+    </message>
+    <message>
+        <source>The weights rise to %1, so they may be running sums. They are read as weights; to read them as sums, name their column “cumulative” instead of “p”.</source>
+        <translation>Les poids croissent jusqu’à %1 ; ce sont peut-être des sommes cumulées. Ils sont lus comme des poids ; pour les lire comme des sommes, nommez leur colonne « cumulative » au lieu de « p ».</translation>
+    </message>
+    <message>
+        <source>YAML</source>
+        <translation>YAML</translation>
+    </message>
+    <message>
+        <source>a text of GIMP’s IFS Fractal</source>
+        <translation>un texte de « Fractale IFS » de GIMP</translation>
+    </message>
+    <message>
+        <source>a LaTeX table</source>
+        <translation>tableau LaTeX</translation>
+    </message>
+    <message>
+        <source>an HTML table</source>
+        <translation>tableau HTML</translation>
+    </message>
+    <message>
+        <source>a Markdown table</source>
+        <translation>tableau Markdown</translation>
+    </message>
+    <message>
+        <source>a wiki table</source>
+        <translation>tableau wiki</translation>
+    </message>
+    <message>
+        <source>matrices in LaTeX</source>
+        <translation>matrices en LaTeX</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>équations</translation>
     </message>
 </context>
 <context>

@@ -3480,10 +3480,6 @@
         <translation>неговата тежина не е број</translation>
     </message>
     <message>
-        <source>it has a final transform</source>
-        <translation>има завршна трансформација</translation>
-    </message>
-    <message>
         <source>it has motion</source>
         <translation>има движење</translation>
     </message>
@@ -4850,6 +4846,102 @@
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
         <translation>Сликата е JPEG со повеќе од %1 премини. Зачувајте ја како слика PNG.</translation>
+    </message>
+    <message>
+        <source>This is read as %3 (systems: %1, maps: %2).</source>
+        <translation>Прочитано како: %3 (системи: %1, пресликувања: %2).</translation>
+    </message>
+    <message>
+        <source>Nothing names its columns: their order is taken to be a b c d e f.</source>
+        <translation>Ништо не ги именува колоните: се претпоставува редоследот a b c d e f.</translation>
+    </message>
+    <message>
+        <source>In %1, row %2: %3</source>
+        <translation>%1, ред %2: %3</translation>
+    </message>
+    <message>
+        <source>The text is encoded in UTF-16; it is saved as UTF-8.</source>
+        <translation>Текстот е кодиран во UTF-16; се зачувува како UTF-8.</translation>
+    </message>
+    <message>
+        <source>This is a program, a page or another document, not a Fractint collection, and none of its numbers are affine maps.</source>
+        <translation>Ова е програма, страница или друг документ, а не збирка на Fractint, и ниеден од броевите во него не е афино пресликување.</translation>
+    </message>
+    <message>
+        <source>final transform: %1</source>
+        <translation>завршна трансформација: %1</translation>
+    </message>
+    <message>
+        <source>it has several final transforms</source>
+        <translation>има неколку завршни трансформации</translation>
+    </message>
+    <message>
+        <source>it has a final transform in space</source>
+        <translation>има завршна трансформација во просторот</translation>
+    </message>
+    <message>
+        <source>it has a final transform and a symmetry</source>
+        <translation>има завршна трансформација и симетрија</translation>
+    </message>
+    <message>
+        <source>its final transform flattens the picture</source>
+        <translation>нејзината завршна трансформација ја сплескува сликата</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” occurs twice; the first one is read.</source>
+        <translation>Атрибутот „%1“ се појавува двапати; се чита првиот.</translation>
+    </message>
+    <message>
+        <source>A blank is missing before the attribute “%1”; it is read as if there were one.</source>
+        <translation>Недостасува празно место пред атрибутот „%1“; се чита како да го има.</translation>
+    </message>
+    <message>
+        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
+        <translation>Атрибутот „%1“ содржи „&amp;“, што во XML мора да биде „&amp;amp;“; се чита како што стои.</translation>
+    </message>
+    <message>
+        <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>
+        <translation>%1 пламени со различни времиња се клучевите на оваа анимација, по еден кадар за единица време. Боите се оние на првиот.</translation>
+    </message>
+    <message>
+        <source>Columns that do not belong to a map are not read: %1.</source>
+        <translation>Колоните што не припаѓаат на пресликување не се читаат: %1.</translation>
+    </message>
+    <message>
+        <source>The weights rise to %1, so they may be running sums. They are read as weights; to read them as sums, name their column “cumulative” instead of “p”.</source>
+        <translation>Тежините растат до %1, па можеби се збирови. Се читаат како тежини; за да се прочитаат како збирови, наречете ја нивната колона „cumulative“ наместо „p“.</translation>
+    </message>
+    <message>
+        <source>YAML</source>
+        <translation>YAML</translation>
+    </message>
+    <message>
+        <source>a text of GIMP’s IFS Fractal</source>
+        <translation>текст од IFS Fractal на GIMP</translation>
+    </message>
+    <message>
+        <source>a LaTeX table</source>
+        <translation>табела во LaTeX</translation>
+    </message>
+    <message>
+        <source>an HTML table</source>
+        <translation>HTML-табела</translation>
+    </message>
+    <message>
+        <source>a Markdown table</source>
+        <translation>табела во Markdown</translation>
+    </message>
+    <message>
+        <source>a wiki table</source>
+        <translation>вики-табела</translation>
+    </message>
+    <message>
+        <source>matrices in LaTeX</source>
+        <translation>матрици во LaTeX</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>равенки</translation>
     </message>
 </context>
 <context>

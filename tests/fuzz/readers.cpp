@@ -20,6 +20,7 @@
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_file.h"
 #include "io/table/table_reader.h"
+#include "io/table/table_writer.h"
 #include "io/video/video_system.h"
 
 #include <QBuffer>

@@ -22,6 +22,8 @@ private slots:
     void chosenColumnsAreTaken();
     void weightsWithoutAPartAreSaid_data();
     void weightsWithoutAPartAreSaid();
+    void weightsThatRiseAreSaid_data();
+    void weightsThatRiseAreSaid();
     void someWeightsMissingAreSaid();
     void roundTrips_data();
     void roundTrips();
@@ -85,6 +87,14 @@ void CollectionReaderTest::formats_data() {
     row("expressions are no table", "0, 0.16*y;0.5\r\n0.5*x, y/2;0.5\r\n", "unknown", 0);
     row("prose", "Once upon a time\nthere were 6 maps\n", "unknown", 0);
     row("binary", "\x01\x02\x03\x04\x05\x06\x07\x08", "unknown", 0);
+    row("a flame in a letter",
+        "Hi,\nhere it is:\n<flame name=\"a\"><xform weight=\"1\" linear=\"1\" coefs=\".5 0 0 .5 0 "
+        "0\"/></flame>\nBye {\n",
+        "flame", 1);
+    row("a program with braces", "int main(void) {\n    puts(\"one\");\n    return 0;\n}\n", "unknown", 0);
+    row("a document", "\\documentclass{article}\n\\begin{document}\nText.\n\\end{document}\n", "unknown", 0);
+    row("a style sheet", "h1 {\n  color: red;\n}\np.a() {\n  margin: 0;\n}\n", "unknown", 0);
+    row("a damaged entry", "x (y) {\n .5 0 0 .5 0 0 oops\n}\n", "fractint", 0);
     row("other JSON", "{\"points\": [[1, 2], [3, 4]], \"name\": \"a\"}\n", "unknown", 0);
     row("another program", "import math\n\ndef f(x):\n    return 2*x\n", "unknown", 0);
 }
@@ -228,6 +238,43 @@ void CollectionReaderTest::weightsWithoutAPartAreSaid() {
              qPrintable(problems[0].message));
     QCOMPARE(problems[1].line, 3);
     QVERIFY(problems[1].message.startsWith(QStringLiteral("The weight of map 2 is 0")));
+}
+
+void CollectionReaderTest::weightsThatRiseAreSaid_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<bool>("isSaid");
+    const auto row = [](const char* name, const char* head, const QList<const char*>& weights, bool isSaid) {
+        QByteArray text = head;
+        for (const char* weight : weights)
+            text += QByteArray(".5,0,0,.5,0,1,") + weight + '\n';
+        QTest::newRow(name) << text << isSaid;
+    };
+    row("to 100", "a,b,c,d,e,f,p\n", {"1", "86", "93", "100"}, true);
+    row("to 1", "", {"0.01", "0.86", "0.93", "1"}, true);
+    row("to 100 %", "a,b,c,d,e,f,p\n", {"1%", "86%", "93%", "100%"}, true);
+    row("named", "a,b,c,d,e,f,cumulative\n", {"1", "86", "93", "100"}, false);
+    row("probabilities", "", {"0.01", "0.07", "0.07", "0.85"}, false);
+    row("all 1", "", {"1", "1", "1"}, false);
+    row("counts", "", {"1", "2", "3"}, false);
+    row("falling", "", {"100", "50"}, false);
+    QTest::newRow("bare rows") << QByteArray(".5 0 0 .5 0 0 1\n.5 0 0 .5 1 0 86\n.5 0 0 .5 0 1 100\n")
+                               << true;
+    QTest::newRow("lists") << QByteArray("[[.5,0,0,.5,0,0,1],[.5,0,0,.5,1,0,86],[.5,0,0,.5,0,1,100]]")
+                           << true;
+}
+
+void CollectionReaderTest::weightsThatRiseAreSaid() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(bool, isSaid);
+    const io::Collection collection = io::readCollection(bytes);
+    QCOMPARE(collection.file.entries.size(), 1);
+    const document::Problems problems = collection.file.entries.first().problems;
+    QCOMPARE(std::any_of(problems.begin(), problems.end(),
+                         [](const auto& problem) {
+                             return problem.message.contains(QStringLiteral("running sums")) &&
+                                    problem.message.contains(QStringLiteral("“cumulative”"));
+                         }),
+             isSaid);
 }
 
 // Those that are given do not go silently, and nothing is said where there are all or none.

@@ -4,7 +4,9 @@
 #include "io/collection_reader.h"
 #include "io/file/background.h"
 #include "io/fractint/entry_writer.h"
+#include "io/table/listed_maps.h"
 #include "io/table/table_reader.h"
+#include "io/table/table_writer.h"
 
 #include <QCoreApplication>
 #include <QMetaType>
@@ -110,7 +112,8 @@ std::unique_ptr<QMimeData> mapsMimeData(CopiedMaps maps) {
 
 FoundMaps mapsIn(const QString& text, bool areOurs) {
     if (areOurs) return {io::readTable(text, io::fractintColumns())};
-    return {io::readTable(text), io::isOrderOpen(text)};
+    const QString table = io::tableIn(text);
+    return {io::readTable(table), io::isOrderOpen(table)};
 }
 
 bool holdsOurMaps(const QMimeData& mimeData) {
@@ -133,7 +136,7 @@ FoundEntries entriesIn(const QByteArray& text) {
         found.entries.append(std::move(entry));
     }
     found.areFlames = collection.format == u"flame";
-    if (areColumnsOpen(collection, text)) found.table = QString::fromUtf8(text);
+    if (areColumnsOpen(collection, text)) found.table = io::tableIn(QString::fromUtf8(text));
     return found;
 }
 

@@ -7,7 +7,7 @@
 #include "io/exchange/flame_symmetry.h"
 #include "io/exchange/latex.h"
 #include "io/fractint/entry_writer.h"
-#include "io/table/table_reader.h"
+#include "io/table/table_writer.h"
 #include "io/text/lost_parts.h"
 
 #include <algorithm>

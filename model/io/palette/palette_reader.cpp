@@ -2,8 +2,10 @@
 #include "io/palette/palette_reader.h"
 
 #include "io/palette/palette_ggr.h"
+#include "io/palette/palette_hex.h"
 #include "io/palette/palette_stops.h"
 #include "io/palette/palette_ugr.h"
+#include "io/text/encoding.h"
 #include "io/text/number.h"
 
 #include <QByteArrayList>
@@ -138,7 +140,8 @@ PaletteFile readPalettes(const QByteArray& bytes, const QString& name) {
                Text::tr("The file is larger than 16 MB, which is the limit for a palette."));
         return file;
     }
-    QByteArray text = bytes.startsWith("\xef\xbb\xbf") ? bytes.sliced(3) : bytes;
+    QByteArray text = fromUtf16(bytes).value_or(bytes);
+    if (text.startsWith("\xef\xbb\xbf")) text = text.sliced(3);
     text.replace("\r\n", "\n").replace('\r', '\n');
     const QByteArray head = text.left(64).toLower();
     if (text.contains('\0'))
@@ -148,6 +151,8 @@ PaletteFile readPalettes(const QByteArray& bytes, const QString& name) {
         readGimpPalette(text.split('\n'), name, file);
     else if (head.startsWith("gimp gradient"))
         readGimpGradient(text.split('\n'), name, file);
+    else if (const std::vector<Rgba> colours = hexColours(text); !colours.empty())
+        file.palettes.push_back({name.toStdString(), stopsThrough(colours)});
     else if (text.contains('{'))
         readUltraFractalGradients(text, file);
     else

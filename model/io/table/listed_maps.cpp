@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/listed_maps.h"
 
+#include "io/table/equation_maps.h"
+#include "io/table/gimp_maps.h"
+#include "io/table/markup_tables.h"
+#include "io/table/matrix_maps.h"
 #include "io/table/table_columns.h"
+#include "io/table/table_fields.h"
+#include "io/table/table_reader.h"
 #include "io/text/literal_lists.h"
 #include "io/text/number.h"
+#include "io/text/yaml_lists.h"
 
 #include <QStringList>
 
@@ -202,6 +209,7 @@ public:
 private:
     void search(const Literal& list, const QString& name, int depth) {
         const QString own = nameIn(list, name);
+        if (takeLetters(list, own)) return;
         if (depth > 0 && take(list, own, nullptr)) return;
         const Literal* weights = nullptr;
         for (const Literal& item : list.items)
@@ -212,6 +220,37 @@ private:
             const QString shown = isUseless ? own : item.key;
             if (!take(item, shown, weights)) search(item, shown, depth + 1);
         }
+    }
+
+    // A list of numbers under the name of each column, all of one length.
+    bool takeLetters(const Literal& list, const QString& name) {
+        QStringList names;
+        std::vector<Numbers> columns;
+        for (const Literal& item : list.items) {
+            QString key = item.key.toLower().remove(u'$');
+            if (isOneOf(key, weightKeys)) key = QStringLiteral("p");
+            const bool isName = tableColumn(key) || (key.size() == 1 && key[0] >= u'a' && key[0] <= u'l');
+            if (item.kind != Kind::List || !isName) continue;
+            auto column = numbersOf(bare(item));
+            if (!column || (!columns.empty() && column->size() != columns.front().size()) ||
+                names.contains(key))
+                continue;
+            names << key;
+            columns.push_back(*std::move(column));
+        }
+        const bool isPlane = tableColumns(names).has_value();
+        if (columns.empty() || columns.front().size() < 2 ||
+            (!isPlane && spaceHeader(names) == SpaceHeader::None))
+            return false;
+        QString table = names.join(u'\t') + u'\n';
+        for (std::size_t row = 0; row < columns.front().size(); ++row) {
+            QByteArrayList cells;
+            for (const Numbers& column : columns)
+                cells << formatNumber(column[row]);
+            table += QString::fromLatin1(cells.join('\t')) + u'\n';
+        }
+        m_found << ListedMaps{name, table, qsizetype(columns.front().size()), Notation::Lists, {}};
+        return true;
     }
 
     static QString nameIn(const Literal& list, const QString& otherwise) {
@@ -239,7 +278,7 @@ private:
         if (chances && chances->size() == maps.size() && !maps.front().hasWeight)
             for (std::size_t i = 0; i < maps.size(); ++i)
                 addWeight(maps[i], (*chances)[i]);
-        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size())};
+        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}};
         return true;
     }
 
@@ -262,40 +301,75 @@ private:
     QList<ListedMaps> m_found;
 };
 
-// "| a | b |" and "a & b \\" become tabs between the cells.
-std::optional<ListedMaps> ruledTable(const QString& text) {
-    constexpr qsizetype maxRows = 250'000;
-    QStringList rows;
-    for (qsizetype begin = 0, end = 0; begin < text.size() && rows.size() <= maxRows; begin = end + 1) {
-        end = text.indexOf(u'\n', begin);
-        if (end < 0) end = text.size();
-        const QStringView line = QStringView(text).sliced(begin, end - begin);
-        const QChar mark = line.count(u'|') >= 5 ? u'|' : line.count(u'&') >= 5 ? u'&' : QChar();
-        if (mark.isNull()) continue;
-        QString row = line.trimmed().toString();
-        if (mark == u'&') row.remove(QStringLiteral("\\hline")).remove(QStringLiteral("\\\\")).remove(u'$');
-        if (row.startsWith(mark)) row.remove(0, 1);
-        if (row.endsWith(mark)) row.chop(1);
-        QStringList cells;
-        for (const QString& cell : row.split(mark))
-            cells << cell.trimmed().remove(u'*').remove(u'`');
-        const bool isRule = std::ranges::all_of(cells, [](const QString& cell) {
-            return std::ranges::all_of(cell, [](QChar c) { return c == u'-' || c == u':'; });
-        });
-        if (!isRule) rows << cells.join(u'\t');
+Notation notationOf(Markup markup) {
+    switch (markup) {
+    case Markup::Latex:
+        return Notation::LatexTable;
+    case Markup::Html:
+        return Notation::HtmlTable;
+    case Markup::Markdown:
+        return Notation::MarkdownTable;
+    case Markup::Wiki:
+        return Notation::WikiTable;
     }
-    if (rows.size() < 2) return std::nullopt;
-    return ListedMaps{{}, rows.join(u'\n') + u'\n', rows.size()};
+    return Notation::LatexTable;
+}
+
+// Tables that can be read; else the first that holds numbers in the way of maps.
+QList<ListedMaps> markedUp(const QString& text) {
+    QList<ListedMaps> good;
+    QList<ListedMaps> bad;
+    for (const MarkupTable& markup : markupTables(text)) {
+        ListedMaps listed{{}, {}, 0, notationOf(markup.markup), {}};
+        for (const MarkupRow& row : markup.rows) {
+            QStringList cells;
+            for (const QString& cell : row.cells)
+                cells << tableCell(cell);
+            listed.table += cells.join(u'\t') + u'\n';
+            listed.lines.push_back(row.line);
+        }
+        const Table table = readTable(listed.table, std::nullopt, TableMaps::PlaneOrSpace);
+        const bool isBad = hasErrors(table) && !isOrderOpen(listed.table);
+        listed.maps = qsizetype(table.rows.size() + table.spaceRows.size());
+        if (table.isTable && good.size() < maxSystems) (isBad ? bad : good) << listed;
+    }
+    return good.isEmpty() ? bad.first(std::min<qsizetype>(bad.size(), 1)) : good;
+}
+
+QList<ListedMaps> written(const std::vector<WrittenMap>& maps, Notation notation) {
+    if (maps.empty()) return {};
+    ListedMaps listed{{}, tableOf(maps), qsizetype(maps.size()), notation, {maps.front().line}};
+    for (const WrittenMap& map : maps)
+        listed.lines.push_back(map.line);
+    return listed.table.isEmpty() ? QList<ListedMaps>() : QList{listed};
+}
+
+QList<ListedMaps> listsIn(const Literals& literals, Notation notation) {
+    QList<ListedMaps> found;
+    if (!literals.isCut) found = Finder().find(literals.root);
+    for (ListedMaps& listed : found)
+        listed.notation = notation;
+    return found;
 }
 
 } // namespace
 
 QList<ListedMaps> listedMaps(const QString& text) {
-    QList<ListedMaps> found;
-    if (const Literals literals = literalsIn(text); !literals.isCut) found = Finder().find(literals.root);
-    if (found.isEmpty())
-        if (const auto ruled = ruledTable(text)) found << *ruled;
-    return found;
+    if (auto found = written(gimpMaps(text), Notation::Gimp); !found.isEmpty()) return found;
+    QList<ListedMaps> nearly = markedUp(text);
+    const bool isGood = !nearly.isEmpty() && nearly.first().maps > 0;
+    if (isGood) return nearly;
+    if (auto found = written(matrixMaps(text), Notation::LatexMatrices); !found.isEmpty()) return found;
+    if (auto found = listsIn(literalsIn(text), Notation::Lists); !found.isEmpty()) return found;
+    if (auto found = listsIn(yamlLiterals(text), Notation::Yaml); !found.isEmpty()) return found;
+    if (auto found = written(equationMaps(text), Notation::Equations); !found.isEmpty()) return found;
+    return nearly;
+}
+
+QString tableIn(const QString& text) {
+    if (!hasErrors(readTable(text, fractintColumns(), TableMaps::PlaneOrSpace))) return text;
+    const QList<ListedMaps> listed = listedMaps(text);
+    return listed.isEmpty() ? text : listed.first().table;
 }
 
 } // namespace io

@@ -4,19 +4,41 @@
 #include <QList>
 #include <QString>
 
+#include <vector>
+
 namespace io {
 
-// A system that stands in lists, as a table.
+// What a text with maps is written in.
+enum class Notation {
+    Lists, // of JSON, Python and their like
+    Yaml,
+    Gimp, // IFS Fractal of GIMP
+    LatexTable,
+    HtmlTable,
+    MarkdownTable,
+    WikiTable,
+    LatexMatrices,
+    Equations,
+};
+
+// A system that stands in another notation, as a table.
 struct ListedMaps {
     QString name;  // as the text calls it; may be empty
     QString table; // for readTable(): a row for every map, with a header where the text says what is what
     qsizetype maps = 0;
+    Notation notation = Notation::Lists;
+    std::vector<int> lines; // of the text, from 1, for every line of `table`; empty where it is not known
 };
 
-// The systems of affine maps in a text of lists (JSON, Python and their like): lists whose items all are
-// maps. A map is 6 or 7 numbers (12 or 13 in space); numbers under the names of columns, such as a, b, c, d,
-// e, f and p; a matrix and a vector; or rows of a matrix that holds the vector as its last column. Weights
-// may be a list beside it. Rows of a Markdown or LaTeX table are taken, too.
+// The systems of affine maps in a text.
+// In lists of JSON, Python and their like, and in YAML: lists whose items all are maps. A map is 6 or 7
+// numbers (12 or 13 in space); numbers under the names of columns, such as a, b, c, d, e, f and p; a matrix
+// and a vector; or rows of a matrix that holds the vector as its last column. Weights may be a list beside
+// it. Or a list of numbers for each of these names. In tables of LaTeX, HTML, Markdown and wikis; if none of
+// them can be read, the first that nearly can. Matrices and vectors in LaTeX, and equations.
 QList<ListedMaps> listedMaps(const QString& text);
+
+// The text itself where it is a table by itself; else the table of the first system in it, if there is one.
+QString tableIn(const QString& text);
 
 } // namespace io

@@ -2,6 +2,7 @@
 #include "io/table/table_cells.h"
 
 #include "io/text/number.h"
+#include "io/text/plain_signs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,28 @@ bool isSeparator(QChar c, Separator separator) {
         break;
     }
     return false;
+}
+
+// Up to the words behind the numbers, or a comment: their commas and blanks part nothing. A header stays.
+QString withoutWords(const QString& line) {
+    constexpr qsizetype fewest = 6;
+    qsizetype numbers = 0;
+    bool isInNumber = false;
+    bool isInWord = false;
+    for (qsizetype i = 0; i < line.size(); ++i) {
+        const QChar c = line[i];
+        const bool isParted = c.isSpace() || c == u',' || c == u'\t' || c == u'"';
+        const bool isEnd = c.isLetter() || c == u'#' || c == u'(' || (c == u'/' && line.mid(i, 2) == u"//");
+        if (numbers >= fewest && isEnd && !isInNumber && !isInWord) return line.first(i);
+        if (!isInNumber && !isInWord && !isParted) {
+            isInWord = c.isLetter();
+            isInNumber = !isInWord;
+            if (isInNumber) ++numbers;
+        } else if (isParted) {
+            isInNumber = isInWord = false;
+        }
+    }
+    return line;
 }
 
 class LineReader {
@@ -52,7 +75,21 @@ public:
 
 private:
     bool atEnd() const {
-        return m_at >= m_text.size() || (m_text[m_at] == u';' && m_dialect.separator != Separator::Semicolon);
+        return m_at >= m_text.size() ||
+               (m_text[m_at] == u';' && m_dialect.separator != Separator::Semicolon) || atComment();
+    }
+    // Behind as many numbers as a map has. Directly behind a number, "%" belongs to it.
+    bool atComment() const {
+        constexpr qsizetype fewest = 6;
+        const QChar c = m_text[m_at];
+        if (c != u'#' && c != u'%' && c != u'/') return false;
+        const bool isParted =
+            m_at > 0 && (m_text[m_at - 1].isSpace() || isSeparator(m_text[m_at - 1], m_dialect.separator));
+        if (m_cells.size() + (isParted ? 0 : 1) < fewest) return false;
+        if (c == u'/') return m_at + 1 < m_text.size() && m_text[m_at + 1] == u'/';
+        if (c == u'#') return true;
+        const QStringView rest = m_text.sliced(m_at + 1);
+        return isParted && !rest.trimmed().isEmpty() && !isSeparator(rest.front(), m_dialect.separator);
     }
     Cell cellHere() const { return {{}, m_line, m_column, false}; }
 
@@ -69,9 +106,11 @@ private:
 
     Cell plain() {
         Cell cell = cellHere();
-        for (; !atEnd() && !m_text[m_at].isSpace() && !isSeparator(m_text[m_at], m_dialect.separator);
-             advance())
-            cell.text += m_text[m_at];
+        for (; !atEnd() && !isSeparator(m_text[m_at], m_dialect.separator); advance()) {
+            const bool isAfterSign = cell.text.size() == 1 && (isDash(cell.text[0]) || cell.text[0] == u'+');
+            if (m_text[m_at].isSpace() && !(isAfterSign && isSettingBlank(m_text[m_at]))) break;
+            if (!m_text[m_at].isSpace()) cell.text += m_text[m_at];
+        }
         return cell;
     }
 
@@ -114,10 +153,11 @@ QList<Dialect> dialectsOf(QStringView text) {
         semicolons = semicolons || line.count(u';') >= minSeparators;
         tabs = tabs || line.trimmed().count(u'\t') >= minSeparators;
         const qsizetype comment = line.indexOf(u';');
-        const QString content = line.first(comment < 0 ? line.size() : comment).toString().simplified();
+        const QString content =
+            withoutWords(line.first(comment < 0 ? line.size() : comment).toString().simplified());
         commas = commas || content.contains(u',');
         for (qsizetype i = content.indexOf(u' '); i > 0 && !blanks; i = content.indexOf(u' ', i + 1))
-            blanks = content[i - 1] != u',' && content[i + 1] != u',';
+            blanks = content[i - 1] != u',' && i + 1 < content.size() && content[i + 1] != u',';
     }
     if (semicolons) return {{Separator::Semicolon, text.contains(u',')}};
     if (tabs) return {{Separator::Tab, commas}};
@@ -131,8 +171,7 @@ Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most) 
 }
 
 std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberUnit unit) {
-    QString text = cell.text;
-    text.replace(QChar(0x2212), u'-');
+    QString text = plainSigns(cell.text);
     // Between commas only quotation marks let one into a cell: it is decimal.
     if (dialect.decimalComma || dialect.separator == Separator::Comma) {
         if (dialect.decimalComma && text.contains(u'.')) return std::nullopt;

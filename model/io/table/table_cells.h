@@ -36,10 +36,11 @@ QList<Dialect> dialectsOf(QStringView text);
 
 // The cells of one line. Between two separators stands a cell, be it empty; only at the end of a line empty
 // cells mean nothing. Blanks inside a cell part numbers as well. Quotation marks as in RFC 4180, within a
-// line. No more than `most` cells are taken.
+// line. No more than `most` cells are taken. Behind the numbers of a map, "#", "%" and "//" begin a comment,
+// as ";" does everywhere.
 Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most);
 
-// A decimal number, a fraction like 1/3 or ½, or another expression: evaluate(). U+2212 is a minus sign.
+// A decimal number, a fraction like 1/3 or ½, or another expression: evaluate(). Any dash is a minus sign.
 std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberUnit unit = NumberUnit::None);
 
 } // namespace io

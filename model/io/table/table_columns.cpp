@@ -4,6 +4,7 @@
 #include "attractor/arithmetic/arithmetic.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -37,13 +38,47 @@ struct Name {
     TableColumn column;
 };
 // The first name of a column is the one we write.
-constexpr std::array columnsByName{
-    Name{"a", A},           Name{"b", B},         Name{"c", C},         Name{"d", D},
-    Name{"e", E},           Name{"f", F},         Name{"p", Weight},    Name{"r", R},
-    Name{"s", S},           Name{"theta", Theta}, Name{"phi", Phi},     Name{"cumulative", Cumulative},
-    Name{"θ", Theta},       Name{"φ", Phi},       Name{"ϕ", Phi},       Name{"ϑ", Theta},
-    Name{"h", E},           Name{"k", F},         Name{"prob", Weight}, Name{"probability", Weight},
-    Name{"weight", Weight}, Name{"p%", Weight},   Name{"%", Weight}};
+constexpr std::array columnsByName{Name{"a", A},
+                                   Name{"b", B},
+                                   Name{"c", C},
+                                   Name{"d", D},
+                                   Name{"e", E},
+                                   Name{"f", F},
+                                   Name{"p", Weight},
+                                   Name{"r", R},
+                                   Name{"s", S},
+                                   Name{"theta", Theta},
+                                   Name{"phi", Phi},
+                                   Name{"cumulative", Cumulative},
+                                   Name{"θ", Theta},
+                                   Name{"φ", Phi},
+                                   Name{"ϕ", Phi},
+                                   Name{"ϑ", Theta},
+                                   Name{"h", E},
+                                   Name{"k", F},
+                                   Name{"prob", Weight},
+                                   Name{"probability", Weight},
+                                   Name{"weight", Weight},
+                                   Name{"p%", Weight},
+                                   Name{"%", Weight},
+                                   Name{"weights", Weight},
+                                   Name{"prob.", Weight},
+                                   Name{"probabilities", Weight},
+                                   Name{"probs", Weight},
+                                   Name{"cum", Cumulative},
+                                   Name{"cumulative p", Cumulative},
+                                   Name{"cumulative probability", Cumulative},
+                                   Name{"cumulative weight", Cumulative},
+                                   Name{"a11", A},
+                                   Name{"a12", B},
+                                   Name{"a21", C},
+                                   Name{"a22", D},
+                                   Name{"b1", E},
+                                   Name{"b2", F},
+                                   Name{"t1", E},
+                                   Name{"t2", F},
+                                   Name{"tx", E},
+                                   Name{"ty", F}};
 
 bool isWeight(TableColumn column) {
     return column == Weight || column == Cumulative;
@@ -53,7 +88,17 @@ bool isPolar(TableColumn column) {
     return column >= R && column <= Phi;
 }
 
-std::optional<TableColumn> columnOf(const QString& name) {
+// Without the index of the map behind the letter, the unit in parentheses, and what sets mathematics.
+QString bareName(QString name) {
+    static const QRegularExpression unit(QStringLiteral("\\s*[(\\[](%|deg|degrees|°)[)\\]]$"));
+    static const QRegularExpression index(QStringLiteral("^([a-zA-Zθφϕϑ])(_?[ijkn]|_\\{[ijkn]\\}|[ₙᵢⱼₖ])$"));
+    static const QRegularExpression lowered(QStringLiteral("^([abt])_\\{?(\\d\\d?)\\}?$"));
+    name = name.trimmed().remove(u'$').remove(u'*').remove(unit);
+    return name.replace(index, QStringLiteral("\\1")).replace(lowered, QStringLiteral("\\1\\2"));
+}
+
+std::optional<TableColumn> columnOf(const QString& text) {
+    const QString name = bareName(text);
     const auto* const known =
         std::find_if(columnsByName.begin(), columnsByName.end(), [&name](const Name& candidate) {
             return name.compare(QString::fromUtf8(candidate.name), Qt::CaseInsensitive) == 0;
@@ -101,6 +146,25 @@ std::optional<TableColumns> tableColumns(const QString& text) {
     return tableColumns(namesIn(text));
 }
 
+std::optional<TableColumn> tableColumn(const QString& name) {
+    return columnOf(name);
+}
+
+std::optional<TableColumns> columnsToRead(const QString& text) {
+    if (const auto columns = tableColumns(text)) return columns;
+    TableColumns columns;
+    TableColumns known;
+    for (const QString& name : namesIn(text)) {
+        const std::optional<TableColumn> column = columnOf(name);
+        const bool isOther = name == u"-" || name == u"_" || name.size() > 1;
+        if (!column && !isOther) return std::nullopt;
+        columns.push_back(column.value_or(Other));
+        if (column) known.push_back(*column);
+    }
+    if (std::none_of(known.begin(), known.end(), isWeight)) known.push_back(Weight);
+    return isComplete(known) ? std::optional(columns) : std::nullopt;
+}
+
 QString columnsObstacle(const QString& text) {
     TableColumns columns;
     for (const QString& name : namesIn(text)) {
@@ -135,7 +199,7 @@ QStringList columnNames(const TableColumns& columns) {
 }
 
 ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers) {
-    std::array<double, 12> value{};
+    std::array<double, 13> value{};
     std::optional<double> weight;
     const bool hasWeight = numbers.size() == columns.size();
     std::size_t next = 0;
@@ -202,6 +266,8 @@ std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<
         case Weight:
         case Cumulative:
             numbers.push_back(weight);
+            break;
+        case Other:
             break;
         }
     }

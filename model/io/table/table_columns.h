@@ -16,19 +16,25 @@ namespace io {
 
 // x' = A x + B y + E, y' = C x + D y + F, weight P; or the linear part as scales R, S and angles Theta, Phi
 // in degrees: A = R cos Theta, B = −S sin Phi, C = R sin Theta, D = S cos Phi. Cumulative: the sum of the
-// weights up to this row.
-enum class TableColumn { A, B, C, D, R, S, Theta, Phi, E, F, Weight, Cumulative };
+// weights up to this row. Other: what is not read; only in an order to read by.
+enum class TableColumn { A, B, C, D, R, S, Theta, Phi, E, F, Weight, Cumulative, Other };
 
 // All of A B C D or all of R S Theta Phi, E and F, each once; and one of Weight and Cumulative.
 using TableColumns = std::vector<TableColumn>;
 
 TableColumns fractintColumns(); // a b c d e f p
 
+// The column of that name: "a", "a_i", "a11", "theta", "h" (another name for e), "p (%)".
+std::optional<TableColumn> tableColumn(const QString& name);
+
 // Out of names like "a", "theta" or "h" (another name for e); nullopt when they do not say everything. A
 // weight that is not named comes last.
 std::optional<TableColumns> tableColumns(const QStringList& names);
 // The same out of "a b c d e f p" or "abecdfp".
 std::optional<TableColumns> tableColumns(const QString& text);
+
+// An order to read by, which may name further columns, as words or "-": "map a b c d e f p - colour".
+std::optional<TableColumns> columnsToRead(const QString& text);
 
 // Why a text names no such order, as a sentence; empty when it does.
 QString columnsObstacle(const QString& text);

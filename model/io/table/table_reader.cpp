@@ -2,8 +2,8 @@
 #include "io/table/table_reader.h"
 
 #include "io/table/table_cells.h"
+#include "io/table/table_fields.h"
 #include "io/text/coefficient.h"
-#include "io/text/export_weights.h"
 #include "io/text/number.h"
 
 #include <QCoreApplication>
@@ -30,26 +30,6 @@ QString withLineFeeds(QString text) {
     return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
 }
 
-// A word that nobody meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
-bool looksLikeLabel(const QString& text) {
-    if (text.endsWith(u':') || text.endsWith(u')')) return true;
-    for (const char* number : {"nan", "inf", "infinity"})
-        if (text.compare(QLatin1String(number), Qt::CaseInsensitive) == 0) return false;
-    return !text.isEmpty() && (text[0].isLetter() || text[0] == u'#') && !text.contains(u'.') &&
-           !text.contains(u',');
-}
-
-// Names of the columns a … l of a map in space, with or without its weight.
-enum class SpaceHeader { None, Plain, Weighted };
-SpaceHeader spaceHeader(const QStringList& names) {
-    QString letters;
-    for (const QString& name : names)
-        letters += name.toLower();
-    return letters == u"abcdefghijkl"    ? SpaceHeader::Plain
-           : letters == u"abcdefghijklp" ? SpaceHeader::Weighted
-                                         : SpaceHeader::None;
-}
-
 class TableParser {
 public:
     TableParser(const QString& text, const Dialect& dialect, const std::optional<TableColumns>& columns,
@@ -60,6 +40,7 @@ public:
           m_wanted(m_chosen ? TableMaps::Plane : wanted),
           m_columns(columns.value_or(fractintColumns())) {
         m_table.isOrdered = m_chosen;
+        if (std::ranges::count(m_columns, TableColumn::Other) > 0) take(pickedByOrder(m_columns));
     }
 
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
@@ -108,19 +89,24 @@ private:
             const qsizetype end = feed < 0 ? m_text.size() : feed;
             Row cells =
                 cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect, maxRow);
-            if (!cells.isEmpty() && !isRemark(cells)) found << std::move(cells);
+            cells = withSignsJoined(std::move(cells), m_dialect);
+            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells)) found << std::move(cells);
             m_next = end + 1;
         }
         return found;
     }
 
-    // "# …" is a comment, unless it names the columns.
+    // "# …" is a comment, unless it names the columns; and so are "% …" and "// …".
     static bool isRemark(Row& cells) {
-        if (!cells.first().text.startsWith(u'#') || looksLikeNumberSign(cells.first().text)) return false;
+        const QString& first = cells.first().text;
+        const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1
+                               : first.startsWith(QStringLiteral("//"))         ? 2
+                                                                                : 0;
+        if (mark == 0 || looksLikeNumberSign(first) || (first == u"%" && cells.size() == 7)) return false;
         Row named = cells;
-        named.first().text.remove(0, 1);
+        named.first().text.remove(0, mark);
         if (named.first().text.isEmpty()) named.removeFirst();
-        if (!tableColumns(namesIn(named)) && spaceHeader(namesIn(named)) == SpaceHeader::None) return true;
+        if (!tableColumns(textsOf(named)) && spaceHeader(textsOf(named)) == SpaceHeader::None) return true;
         cells = named;
         return false;
     }
@@ -133,20 +119,21 @@ private:
                             [this](const Cell& cell) { return value(cell).has_value(); });
     }
 
-    static QStringList namesIn(const Row& cells) {
+    // One column per map: every row begins with the name of what it holds. A row above may name the maps, and
+    // rows of words may follow.
+    std::optional<QList<Row>> transposed(QList<Row> table) const {
+        if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names columns
+        for (Row& row : table)
+            if (row.size() > 1 && row[1].text == u"=") row.remove(1);
+        if (!table.isEmpty() && !tableColumn(nameOfRow(table.first()))) table.removeFirst();
+        table.removeIf([](const Row& row) { return !tableColumn(nameOfRow(row)); });
+        if (table.size() < planeNumbers || table.size() > planeNumbers + 1 || table.first().size() < 2)
+            return std::nullopt;
         QStringList names;
-        for (const Cell& cell : cells)
-            names << cell.text;
-        return names;
-    }
-
-    // One column per map: every row begins with the name of what it holds.
-    std::optional<QList<Row>> transposed(const QList<Row>& table) const {
-        if (table.size() < 6 || table.size() > 7 || isHeader(table.first())) return std::nullopt;
-        QStringList names;
-        for (const Row& row : table) {
+        for (Row& row : table) {
             if (row.size() != table.first().size()) return std::nullopt;
-            names << row.first().text;
+            names << nameOfRow(row);
+            row.first().text = names.last();
         }
         if (!tableColumns(names)) return std::nullopt;
         QList<Row> turned(table.first().size());
@@ -154,6 +141,13 @@ private:
             for (qsizetype i = 0; i < row.size(); ++i)
                 turned[i] << row[i];
         return turned;
+    }
+
+    static QString nameOfRow(const Row& row) {
+        QString name = row.first().text;
+        while (name.endsWith(u':') || name.endsWith(u'='))
+            name.chop(1);
+        return name;
     }
 
     // "3", then for every map a line with its weight and three lines of a matrix that ends in 0 0 1; or all
@@ -193,16 +187,116 @@ private:
         if (!m_table.rows.empty() || !m_table.spaceRows.empty() || m_isOrderKnown)
             return fail(cells.first(), Text::tr("“%1” is not a number.").arg(cells.first().text));
         m_header = cells;
-        if (m_chosen) return;
-        QStringList names = namesIn(cells);
+        if (m_chosen) return pickForOrder();
+        QStringList names = textsOf(cells);
         m_isOrderKnown = takeNames(names);
         if (!m_isOrderKnown && names.size() > planeNumbers) { // what stands over the labels, perhaps in words
             names.remove(0, wordsOfField(cells));
             m_isOrderKnown = takeNames(names);
             m_labels = m_isOrderKnown ? Labels::Named : Labels::Unknown;
         }
+        if (!m_isOrderKnown)
+            if (auto picks = pickedByName(namesOf(cells)); picks && isWanted(*picks)) {
+                take(*std::move(picks));
+                m_isOrderKnown = true;
+            }
         m_table.isOrdered = m_isOrderKnown;
         m_table.isTable = m_isOrderKnown;
+    }
+
+    bool isWanted(const Picks& picks) const { return !picks.isSpace || m_wanted != TableMaps::Plane; }
+
+    void take(Picks&& picks) {
+        if (!picks.isSpace) m_columns = picks.columns;
+        m_picks = std::move(picks);
+    }
+
+    // Of more columns than the chosen order has, those that have its names are meant; else those that hold
+    // numbers in the first row.
+    void pickForOrder() {
+        const QStringList names = namesOf(m_header);
+        if (m_picks || names.size() <= qsizetype(m_columns.size()) + 1) return;
+        Picks picks{m_columns, false, {}, names.size()};
+        for (qsizetype i = 0; i < names.size(); ++i)
+            if (tableColumn(names[i])) picks.fields.push_back(i);
+        m_isToPick = !fits(picks);
+        if (!m_isToPick) take(std::move(picks));
+    }
+
+    bool fits(const Picks& picks) const {
+        return picks.fields.size() == m_columns.size() ||
+               (picks.fields.size() + 1 == m_columns.size() && m_columns.back() == TableColumn::Weight);
+    }
+
+    void pickNumbers(const Row& cells) {
+        m_isToPick = false;
+        const QList<Row> fields = fieldsOf(cells);
+        Picks picks{m_columns, false, {}, fields.size()};
+        for (qsizetype i = 0; i < fields.size(); ++i)
+            if (fields[i].size() == 1 && value(fields[i].first())) picks.fields.push_back(i);
+        if (picks.fields.size() == m_columns.size() + 1) picks.fields.erase(picks.fields.begin()); // labels
+        if (fits(picks)) take(std::move(picks));
+    }
+
+    // The numbers of the columns that are meant, in a row that has others.
+    void readPicked(const Row& cells) {
+        const Picks& picks = *m_picks;
+        const QList<Row> fields = fieldsOf(cells);
+        const bool isByPosition = m_dialect.separator != Separator::Blank || !picks.areAdjacent();
+        const bool mayEndEarly = !picks.isSpace && picks.columns.back() == TableColumn::Weight;
+        const qsizetype shift = isByPosition ? 0 : shiftOf(cells, mayEndEarly);
+        Row chosen;
+        for (const qsizetype field : picks.fields) {
+            const qsizetype at = field + shift;
+            const bool isLast = field == picks.fields.back() && mayEndEarly;
+            if (at >= fields.size() || fields[at].first().text.isEmpty()) {
+                if (isLast) break;
+                return fail(at < fields.size() ? fields[at].first() : cells.first(),
+                            at < fields.size() ? notANumber(fields[at].first())
+                                               : Text::tr("The header names %2 columns, but this row has %1.")
+                                                     .arg(fields.size())
+                                                     .arg(picks.width));
+            }
+            Cell cell = fields[at].first();
+            if (isLast && !isByPosition && !weightOf(cell)) break; // words follow
+            cell.text = textsOf(fields[at]).join(u' ');
+            chosen << cell;
+        }
+        sayWhatIsNotRead(fields, shift);
+        addRow(chosen);
+    }
+
+    // By how many cells longer or shorter than the header's the label of a row is, between blanks.
+    qsizetype shiftOf(const Row& cells, bool mayEndEarly) const {
+        const qsizetype first = m_picks->fields.front();
+        const qsizetype needed = qsizetype(m_picks->fields.size()) - (mayEndEarly ? 1 : 0);
+        const auto isGood = [&](qsizetype begin) {
+            return begin + needed <= cells.size() &&
+                   std::all_of(cells.begin() + begin, cells.begin() + begin + needed,
+                               [this](const Cell& cell) { return value(cell).has_value(); });
+        };
+        if (isGood(first)) return 0;
+        for (qsizetype begin = 0; begin + needed <= cells.size(); ++begin)
+            if (isGood(begin)) return begin - first;
+        return 0;
+    }
+
+    // Columns of numbers that are no label, once.
+    void sayWhatIsNotRead(const QList<Row>& fields, qsizetype shift) {
+        if (m_table.rows.size() + m_table.spaceRows.size() > 0 || m_header.isEmpty()) return;
+        const QList<Row> names = fieldsOf(m_header);
+        QStringList unread;
+        for (qsizetype i = 1; i < std::min(names.size(), fields.size() - shift); ++i)
+            if (std::ranges::count(m_picks->fields, i) == 0 && i + shift >= 0 &&
+                value(fields[i + shift].first()) && names[i].first().text != u"")
+                unread << textsOf(names[i]).join(u' ');
+        if (!unread.isEmpty())
+            m_table.problems.append({Problem::Severity::Warning,
+                                     {},
+                                     m_header.first().line,
+                                     1,
+                                     Text::tr("Columns that do not belong to a map are not read: %1.")
+                                         .arg(unread.join(QStringLiteral(", ")))});
     }
 
     // Whether the names say which column is which.
@@ -228,8 +322,11 @@ private:
                       "the columns."));
     }
 
-    void readRow(const Row& cells) {
-        if (isHeader(cells)) return readHeader(cells);
+    void readRow(const Row& all) {
+        if (isHeader(all)) return readHeader(all);
+        if (m_isToPick) pickNumbers(all);
+        if (m_picks) return readPicked(all);
+        const Row cells = withoutWords(all);
         if (!m_chosen && !m_isOrderKnown && !m_header.isEmpty()) {
             const bool isOverIt = m_dialect.separator == Separator::Blank ? cells.size() == m_header.size()
                                                                           : cells.size() >= m_header.size();
@@ -243,6 +340,26 @@ private:
             return m_header.isEmpty() ? failCount(cells, cells.size()) : failOrder();
         if (m_labels == Labels::Unknown) m_labels = *start > 0 ? Labels::Found : Labels::None;
         addRow(cells.sliced(*start));
+    }
+
+    // Without the words behind as many numbers as a row has.
+    Row withoutWords(const Row& cells) const {
+        const auto isNumber = [this](const Cell& cell) { return weightOf(cell).has_value(); };
+        const auto first = std::find_if(cells.begin(), cells.end(), isNumber);
+        const auto end = std::find_if_not(first, cells.end(), isNumber);
+        if (end == cells.end() || !looksLikeWords(textsOf(cells.sliced(end - cells.begin())).join(u' ')))
+            return cells;
+        const qsizetype count = end - first;
+        return isExpected(count) || isExpected(count - 1) ? cells.first(end - cells.begin()) : cells;
+    }
+
+    // "85 %" is 0.85.
+    std::optional<double> weightOf(const Cell& cell) const {
+        if (!cell.text.endsWith(u'%')) return value(cell);
+        Cell share = cell;
+        share.text.chop(1);
+        const auto percent = value(share);
+        return percent ? std::optional(*percent / 100) : std::nullopt;
     }
 
     bool isExpected(qsizetype count) const {
@@ -316,9 +433,11 @@ private:
                                         [this](const Cell& cell) { return value(cell).has_value(); });
         m_table.isTable = m_table.isTable || 2 * good > cells.size();
         std::vector<double> numbers;
-        for (const Cell& cell : cells) {
-            const auto number = numberIn(cell, m_dialect, unitOf(numbers.size(), std::size_t(cells.size())));
-            if (!number) return fail(cell, notANumber(cell));
+        for (qsizetype i = 0; i < cells.size(); ++i) {
+            const NumberUnit unit = unitOf(std::size_t(i), std::size_t(cells.size()));
+            const auto number =
+                isWeightColumn(i, cells.size()) ? weightOf(cells[i]) : numberIn(cells[i], m_dialect, unit);
+            if (!number) return fail(cells[i], notANumber(cells[i]));
             numbers.push_back(*number);
         }
         if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return isCoefficient(number); }))
@@ -338,6 +457,11 @@ private:
             m_table.isOrdered = true;
     }
 
+    bool isWeightColumn(qsizetype i, qsizetype count) const {
+        if (count >= spaceNumbers) return i == spaceNumbers;
+        return count == qsizetype(m_columns.size()) && m_columns[std::size_t(i)] == TableColumn::Weight;
+    }
+
     static ifs::WeightedMap<3> spaceMapOf(const std::vector<double>& numbers) {
         ifs::WeightedMap<3> row;
         for (std::size_t i = 0; i < 9; ++i)
@@ -349,6 +473,7 @@ private:
     }
 
     void takeDifferences() {
+        m_table.isCumulative = true;
         double before = 0;
         for (auto& row : m_table.rows) {
             const double sum = row.weight.value_or(before);
@@ -373,6 +498,8 @@ private:
     int m_line = 0;       // lines before it
     Row m_header;
     bool m_isOrderKnown = false;        // from the header
+    std::optional<Picks> m_picks;       // there are other columns as well
+    bool m_isToPick = false;            // by the numbers of the first row
     qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: nothing is known
     Labels m_labels = Labels::Unknown;
     std::optional<double> m_lastLabel;
@@ -446,63 +573,6 @@ bool isTableToFractintUnknown(const QString& beginning) {
     const QString whole = lines.left(lines.lastIndexOf(u'\n') < 0 ? lines.size() : lines.lastIndexOf(u'\n'));
     return dialect.separator == Separator::Semicolon &&
            !hasErrors(TableParser(whole, dialect, std::nullopt, TableMaps::PlaneOrSpace).read());
-}
-
-QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows) {
-    QByteArray text;
-    for (const auto& row : rows) {
-        const auto& [linear, translation] = row.map;
-        for (const double number : {linear(0, 0), linear(0, 1), linear(1, 0), linear(1, 1), translation[0]})
-            text += formatNumber(number) + '\t';
-        text += formatNumber(translation[1]);
-        if (row.weight) text += '\t' + formatNumber(*row.weight);
-        text += '\n';
-    }
-    return QString::fromLatin1(text);
-}
-
-namespace {
-
-QByteArray mark(TableSeparator separator) {
-    return separator == TableSeparator::Comma ? "," : "\t";
-}
-
-template <typename Numbers> QByteArray line(const Numbers& numbers, TableSeparator separator) {
-    QByteArrayList cells;
-    for (const double number : numbers)
-        cells << formatNumber(number);
-    return cells.join(mark(separator)) + '\n';
-}
-
-} // namespace
-
-QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
-                      TableSeparator separator) {
-    const bool cumulative =
-        std::find(columns.begin(), columns.end(), TableColumn::Cumulative) != columns.end();
-    QByteArray text = columnNames(columns).join(QString::fromLatin1(mark(separator))).toLatin1() + '\n';
-    const std::vector<double> weights = exportWeights(system);
-    double sum = 0;
-    for (std::size_t i = 0; i < system.maps.size(); ++i) {
-        sum += weights[i];
-        text += line(numbersOf(columns, system.maps[i].map, cumulative ? sum : weights[i]), separator);
-    }
-    return text;
-}
-
-QByteArray writeTable(const ifs::IteratedFunctionSystem<3>& system, TableSeparator separator) {
-    QByteArray text = QByteArray("a b c d e f g h i j k l p\n").replace(" ", mark(separator));
-    const std::vector<double> weights = exportWeights(system);
-    for (std::size_t i = 0; i < system.maps.size(); ++i) {
-        const auto& [linear, translation] = system.maps[i].map;
-        std::vector<double> numbers;
-        for (const double number : linear.reshaped<Eigen::RowMajor>())
-            numbers.push_back(number);
-        for (const double number : {translation[0], translation[1], translation[2], weights[i]})
-            numbers.push_back(number);
-        text += line(numbers, separator);
-    }
-    return text;
 }
 
 } // namespace io

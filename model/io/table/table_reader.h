@@ -22,7 +22,8 @@ struct Table {
     std::vector<int> lines;                     // of the text, for every row
     document::Problems problems;                // any error: nothing is to be pasted
     bool isTable = false;                       // there was a row that could be read, or a header over one
-    bool isOrdered = false; // the text itself says what its columns are, or the caller did
+    bool isCumulative = false; // its weights were running sums, and are their differences now
+    bool isOrdered = false;    // the text itself says what its columns are, or the caller did
 };
 enum class TableMaps { Plane, PlaneOrSpace }; // which are wanted; others are an error
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
@@ -40,16 +41,5 @@ constexpr qsizetype maxTable = 64 * 1024 * 1024; // characters
 // Whether a text is a table whose numbers Fractint would take for other rows: a count and matrices, or
 // semicolons between the numbers, where they begin comments.
 bool isTableToFractintUnknown(const QString& beginning);
-
-// Tab-separated rows a b c d e f p, as they are.
-QString writeTable(const std::vector<ifs::WeightedMap<2>>& rows);
-
-// A whole system with a header and a weight in every row (0: switched off), lines end in LF; RFC 4180 for
-// commas.
-enum class TableSeparator { Comma, Tab };
-QByteArray writeTable(const ifs::IteratedFunctionSystem<2>& system, const TableColumns& columns,
-                      TableSeparator separator);
-// Columns a … i of the matrix, row by row, j k l of the vector, and p.
-QByteArray writeTable(const ifs::IteratedFunctionSystem<3>& system, TableSeparator separator);
 
 } // namespace io

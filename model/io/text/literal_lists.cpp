@@ -2,6 +2,7 @@
 #include "io/text/literal_lists.h"
 
 #include "io/text/number.h"
+#include "io/text/plain_signs.h"
 
 #include <algorithm>
 #include <optional>
@@ -58,9 +59,9 @@ private:
             if (c.isSpace() || c == u',' || c == u';') {
                 if (c == u',' || c == u';' || c == u'\n') flush(); // "k :" and "f (…)" have a blank
                 ++m_at;
-            } else if (c == u':' || c == u'=') {
-                key = std::exchange(word, {});
-                while (at() == u':' || at() == u'=' || at() == u'>')
+            } else if (c == u':' || c == u'=' || (c == u'<' && at(1) == u'-')) {
+                key = word.isEmpty() ? nameOfDimensions(list) : std::exchange(word, {});
+                while (QStringView(u":=<>").contains(at()) || (at() == u'-' && m_text[m_at - 1] == u'<'))
                     ++m_at;
             } else if (c == u'#' || (c == u'/' && (at(1) == u'/' || at(1) == u'*'))) {
                 skipComment();
@@ -84,6 +85,22 @@ private:
         }
         flush();
         if (at() == end && !end.isNull()) ++m_at;
+    }
+
+    // "a[4] = …" and "a[] = …" name what follows, and hold nothing.
+    static QString nameOfDimensions(Literal& list) {
+        QString name;
+        while (!list.items.isEmpty()) {
+            const Literal& last = list.items.last();
+            const bool isSize = last.kind == Literal::Kind::List && last.key.isEmpty() &&
+                                last.items.size() <= 1 &&
+                                (last.items.isEmpty() || last.items[0].items.isEmpty());
+            if (!isSize) break;
+            name = last.text;
+            list.items.removeLast();
+            if (!name.isEmpty()) break;
+        }
+        return name;
     }
 
     static bool isOperator(QChar c) { return c == u'*' || c == u'/' || c == u'^' || c == u'+' || c == u'-'; }
@@ -169,7 +186,7 @@ private:
     std::optional<Digits> digitsAt(qsizetype begin) const {
         qsizetype end = begin;
         const auto letter = [&](qsizetype i) { return i < m_text.size() ? m_text[i] : QChar(); };
-        if (letter(end) == u'-' || letter(end) == u'+' || letter(end) == QChar(0x2212)) ++end;
+        if (isDash(letter(end)) || letter(end) == u'+') ++end;
         const qsizetype digits = end;
         const auto isDigit = [&](qsizetype i) { return letter(i) >= u'0' && letter(i) <= u'9'; };
         if (!isDigit(end) && !(letter(end) == u'.' && isDigit(end + 1))) return std::nullopt;

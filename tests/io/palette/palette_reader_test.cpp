@@ -45,6 +45,31 @@ class PaletteReaderTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void hexadecimalColours_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("lines") << QByteArray("#264653\n#2a9d8f\n#E9C46A\n");
+        QTest::newRow("digits alone") << QByteArray("264653\r\n2a9d8f\r\ne9c46a\r\n");
+        QTest::newRow("digits and a comment") << QByteArray("; by hand\n264653, 2a9d8f, e9c46a\n");
+        QTest::newRow("address") << QByteArray("https://coolors.co/palette/264653-2a9d8f-e9c46a");
+        QTest::newRow("JSON") << QByteArray(
+            "{\"name\": \"sea\", \"colors\": [\"#264653\", \"#2a9d8f\", \"#e9c46aff\"]}");
+        QTest::newRow("CSS") << QByteArray(":root {\n  --a: #264653;\n  --b: #2a9d8f;\n  --c: #e9c46a;\n}\n");
+        QTest::newRow("C") << QByteArray("int c[] = {0x264653, 0x2a9d8f, 0xE9C46A};");
+    }
+
+    void hexadecimalColours() {
+        QFETCH(QByteArray, text);
+        const PaletteFile file = readPalettes(text, QStringLiteral("sea"));
+        QVERIFY(file.problems.isEmpty());
+        QCOMPARE(file.palettes.size(), std::size_t(1));
+        QCOMPARE(file.palettes[0].name, std::string("sea"));
+        const auto& stops = file.palettes[0].stops;
+        QCOMPARE(stops.size(), std::size_t(3));
+        QVERIFY((stops[0].colour == attractor::Rgba{0x26, 0x46, 0x53, 255}));
+        QVERIFY((stops[1].colour == attractor::Rgba{0x2a, 0x9d, 0x8f, 255}));
+        QVERIFY((stops[2].colour == attractor::Rgba{0xe9, 0xc4, 0x6a, 255}));
+    }
+
     void aColourMapKeepsItsColours();
     void aGimpPaletteHasItsName();
     void anUltraFractalFileHasManyGradients();

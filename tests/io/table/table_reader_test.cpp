@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/table_reader.h"
+#include "io/table/table_writer.h"
 #include "io/text/number.h"
 #include "support/named_test.h"
 
@@ -138,6 +139,104 @@ private slots:
         const io::Table table = io::readTable(text);
         QTEST(summary(table), "rows");
         QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
+    }
+
+    void wordsAroundNumbers_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("rows");
+        const auto row = [](const char* name, const char* text, const char* rows) {
+            QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(rows);
+        };
+        const char* weighted = "0.5 0 0.25 -0.5 1 2 0.75";
+        const char* quarter = "0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 0.25";
+
+        row("words behind the numbers",
+            "w a b c d e f p Portion generated\nƒ1 .5 0 .25 −.5 1 2 .75 Stem\n"
+            "ƒ2 .5 0 .25 −.5 1 2 .25 Successively smaller leaflets",
+            quarter);
+        row("words behind the numbers, tabs",
+            "w\ta\tb\tc\td\te\tf\tp\tPortion generated\nƒ1\t.5\t0\t.25\t−.5\t1\t2\t.75\tStem\n"
+            "ƒ2\t.5\t0\t.25\t−.5\t1\t2\t.25\tSmaller, at the left",
+            quarter);
+        row("words behind the numbers, commas",
+            "a,b,c,d,e,f,p,Portion\n.5,0,.25,-.5,1,2,.75,\"Stem, base\"\n.5,0,.25,-.5,1,2,.25,Largest leaf",
+            quarter);
+        row("words behind the numbers, no header",
+            ".5 0 .25 -.5 1 2 .75 Stem, the first\n.5 0 .25 -.5 1 2 .25 A leaf of 2", quarter);
+        row("words before and behind, no header",
+            "1 .5 0 .25 -.5 1 2 .75 (stem)\n2 .5 0 .25 -.5 1 2 .25 (leaf)", quarter);
+        row("words between the numbers",
+            "map,a,b,note,c,d,e,f,p\n1,.5,0,up,.25,-.5,1,2,.75\n2,.5,0,,.25,-.5,1,2,.25", quarter);
+        row("percentages", "a b c d e f p\n.5 0 .25 -.5 1 2 75%\n.5 0 .25 -.5 1 2 25%", quarter);
+        row("percentages under a unit", "a\tb\tc\td\te\tf\tp (%)\tpart\n.5\t0\t.25\t-.5\t1\t2\t75 %\tstem",
+            weighted);
+        row("a comment behind the row, #", ".5, 0, .25, -.5, 1, 2, .75  # stem, the first 1\n", weighted);
+        row("a comment behind the row, %", ".5 0 .25 -.5 1 2 .75 % stem, 2 3\n", weighted);
+        row("a comment behind the row, //", ".5,0,.25,-.5,1,2,.75 // stem, 2 3\n", weighted);
+        row("a comment glued to the row", ".5 0 .25 -.5 1 2 .75// stem\n", weighted);
+        row("comments above", "% of 1988, all 4\n// the fern, 2\n% a b c d e f p\n.5 0 .25 -.5 1 2 .75",
+            weighted);
+    }
+    void wordsAroundNumbers() { tables(); }
+
+    void layoutsAndSigns_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("rows");
+        const auto row = [](const char* name, const char* text, const char* rows) {
+            QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(rows);
+        };
+        const char* one = "0.5 0 0.25 -0.5 1 2 -";
+        const char* weighted = "0.5 0 0.25 -0.5 1 2 0.75";
+        const char* quarter = "0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 0.25";
+        row("rules",
+            "a b c d e f p\n--- --- --- --- --- --- ---\n.5 0 .25 -.5 1 2 .75\n=================", weighted);
+        row("a header above columns for maps",
+            "\tf1\tf2\na\t.5\t.5\nb\t0\t0\nc\t.25\t.25\nd\t-.5\t-.5\ne\t1\t1\nf\t2\t2\np\t.75\t.25\n"
+            "part\tstem\tleaf",
+            quarter);
+        row("numbers above columns for maps",
+            "map 1 2\na = .5 .5\nb = 0 0\nc = .25 .25\nd = -.5 -.5\ne = 1 1\nf = 2 2\np = .75 .25", quarter);
+        row("a colon behind the letters", "a: .5\nb: 0\nc: .25\nd: -.5\ne: 1\nf: 2\n", one);
+        row("indices", "a_i b_i c_i d_i e_i f_i p_i\n.5 0 .25 -.5 1 2 .75", weighted);
+        row("elements of the matrix", "a11,a12,a21,a22,b1,b2\n.5,0,.25,-.5,1,2", one);
+        for (const char16_t dash : u"-‐‑‒–—―−﹣－")
+            if (dash != 0)
+                QTest::newRow(qPrintable(QStringLiteral("dash U+%1").arg(int(dash), 4, 16)))
+                    << QStringLiteral(".5 0 .25 ").append(QChar(dash)).append(QStringLiteral(".5 1 2"))
+                    << QString::fromUtf8(one);
+        row("a sign set apart", ".5\t0\t.25\t− .5\t1\t2", one);
+        row("a sign set apart by a thin blank", ".5 0 .25 −\u2009.5 1 2", one);
+        row("full width", "０.５ ０ ．２５ －．５ １ ２", one);
+    }
+    void layoutsAndSigns() { tables(); }
+
+    void otherColumnsAreSaid() {
+        const io::Table table = io::readTable(QStringLiteral(
+            "n,a,b,c,d,e,f,p,det,note\n1,.5,0,.25,-.5,1,2,.75,-.25,x\n2,.5,0,.25,-.5,1,2,,7,y"));
+        QCOMPARE(summary(table), QStringLiteral("0.5 0 0.25 -0.5 1 2 0.75/0.5 0 0.25 -0.5 1 2 -"));
+        QCOMPARE(table.problems.size(), 1);
+        QCOMPARE(table.problems[0].severity, document::Problem::Severity::Warning);
+        QVERIFY(table.problems[0].message.endsWith(QStringLiteral(": det.")));
+    }
+
+    void chosenColumnsAmongOthers_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("columns");
+        const auto row = [](const char* name, const char* text, const char* columns) {
+            QTest::newRow(name) << QString::fromUtf8(text) << QString::fromLatin1(columns);
+        };
+        row("names", "w\ta\tb\tc\td\te\tf\tp\tpart\nƒ1\t.5\t0\t1\t.25\t-.5\t2\t.75\tstem", "abecdfp");
+        row("other names", "id,m11,m12,m13,m21,m22,m23,share,part\nx,.5,0,1,.25,-.5,2,.75,stem", "abecdfp");
+        row("words", "m1 m2 m3 m4 m5 m6 share\nx .5 0 1 .25 -.5 2 .75 big stem", "abecdfp");
+        row("no header", "1 .5 0 1 .25 -.5 2 .75 stem", "abecdfp");
+        row("named in the order", "7,.5,0,3,1,.25,-.5,2,.75,9", "id a b - e c d f p area");
+    }
+    void chosenColumnsAmongOthers() {
+        QFETCH(QString, text);
+        QFETCH(QString, columns);
+        const io::Table table = io::readTable(text, io::columnsToRead(columns));
+        QVERIFY2(table.problems.isEmpty(), qPrintable(table.problems.value(0).message));
+        QCOMPARE(summary(table), QStringLiteral("0.5 0 0.25 -0.5 1 2 0.75"));
     }
 
     void anglesTurnCounterClockwise() {

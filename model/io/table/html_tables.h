@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/table/markup_tables.h"
+
+#include <QString>
+#include <QStringView>
+
+namespace io {
+
+// The tables of a page, each row of cells by itself; also rows without a table around them.
+QList<MarkupTable> htmlTables(const QString& text);
+
+// A text without tags, with its entities as signs (&minus; &frac12; &#8722;) and its blanks simplified.
+QString textOfHtml(QStringView text);
+
+} // namespace io

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+
+// Tables as LaTeX, HTML, Markdown and wikis write them, and matrices of LaTeX.
+namespace io {
+
+enum class Markup { Latex, Html, Markdown, Wiki };
+
+struct MarkupRow {
+    QStringList cells; // as plain text; numbers as they can be read
+    int line = 0;      // of the text, from 1
+};
+struct MarkupTable {
+    Markup markup = Markup::Latex;
+    QList<MarkupRow> rows;
+};
+
+// In the order of the text. Rules between rows are left out, and so is what is hidden or only sets the type.
+// Lines of cells alone, without what begins a table, are one as well.
+QList<MarkupTable> markupTables(const QString& text);
+
+// A matrix or a column of numbers in LaTeX, with its place in the text.
+struct LatexMatrix {
+    QList<QStringList> rows;
+    qsizetype begin = 0, end = 0; // of the environment
+};
+QList<LatexMatrix> latexMatrices(const QString& text);
+
+// The text of a cell in the way readTable() takes it between tabs: a number, or words in quotation marks.
+QString tableCell(const QString& text);
+
+} // namespace io

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "io/table/table_fields.h"
+
+#include "io/text/plain_signs.h"
+
+#include <algorithm>
+
+namespace io {
+
+namespace {
+
+bool isNoFiniteNumber(const QString& text) {
+    return std::ranges::any_of(std::array{"nan", "inf", "infinity"}, [&](const char* number) {
+        return text.compare(QLatin1String(number), Qt::CaseInsensitive) == 0;
+    });
+}
+
+bool isWeight(TableColumn column) {
+    return column == TableColumn::Weight || column == TableColumn::Cumulative;
+}
+
+// Of the fields whose names are known, from `first` on.
+std::optional<Picks> picked(const QStringList& names, qsizetype first) {
+    Picks picks;
+    picks.width = names.size();
+    QStringList known;
+    if (names.contains(QStringLiteral("|")) || names.contains(QStringLiteral("&")))
+        return std::nullopt; // of a table in another notation
+    const bool hasWeight = std::any_of(names.begin() + first, names.end(), [](const QString& name) {
+        return tableColumn(name) == TableColumn::Weight;
+    });
+    for (qsizetype i = first; i < names.size(); ++i) {
+        const auto column = tableColumn(names[i]);
+        if (!column || (hasWeight && column == TableColumn::Cumulative)) continue;
+        known << names[i];
+        picks.fields.push_back(i);
+    }
+    if (const auto columns = tableColumns(known)) {
+        picks.columns = *columns;
+        picks.columns.resize(picks.fields.size()); // without a weight that is not there
+        return picks;
+    }
+    picks.fields.clear();
+    QStringList letters;
+    for (qsizetype i = first; i < names.size(); ++i)
+        if (names[i].size() == 1 && QStringLiteral("abcdefghijklp").contains(names[i].toLower())) {
+            letters << names[i];
+            picks.fields.push_back(i);
+        }
+    picks.isSpace = spaceHeader(letters) != SpaceHeader::None;
+    return picks.isSpace ? std::optional(picks) : std::nullopt;
+}
+
+} // namespace
+
+bool looksLikeLabel(const QString& text) {
+    if (text.endsWith(u':') || text.endsWith(u')')) return true;
+    if (isNoFiniteNumber(text)) return false;
+    return !text.isEmpty() && (text[0].isLetter() || text[0] == u'#') && !text.contains(u'.') &&
+           !text.contains(u',');
+}
+
+bool looksLikeWords(const QString& text) {
+    if (text.isEmpty() || isNoFiniteNumber(text)) return false;
+    if (!text[0].isLetter() && !QStringView(u"([{“‘„«'").contains(text[0])) return false;
+    for (qsizetype i = 1; i < text.size(); ++i)
+        if (text[i].isDigit() && (text[i - 1] == u'.' || text[i - 1] == u',')) return false;
+    return std::ranges::count_if(text, [](QChar c) { return c.isLetter(); }) >= 2;
+}
+
+bool isRule(const Row& cells) {
+    constexpr qsizetype shortest = 3;
+    qsizetype signs = 0;
+    for (const Cell& cell : cells)
+        for (const QChar c : cell.text) {
+            if (!isDash(c) && !QStringView(u"=_+|:").contains(c) && (c < u'\u2500' || c > u'\u257f'))
+                return false;
+            ++signs;
+        }
+    return signs >= shortest && (cells.size() == 1 || signs >= shortest * cells.size());
+}
+
+Row withSignsJoined(Row cells, const Dialect& dialect) {
+    for (qsizetype i = 1; i < cells.size(); ++i) {
+        if (!cells[i].isContinued) continue;
+        Cell& before = cells[i - 1];
+        const bool isSign = before.text.size() == 1 && (isDash(before.text[0]) || before.text == u"+") &&
+                            !before.isContinued && numberIn(cells[i], dialect);
+        if (!isSign && (cells[i].text != u"%" || !numberIn(before, dialect))) continue;
+        before.text += cells[i].text;
+        cells.removeAt(i--);
+    }
+    return cells;
+}
+
+QList<Row> fieldsOf(const Row& cells) {
+    QList<Row> fields;
+    for (const Cell& cell : cells) {
+        if (!cell.isContinued || fields.isEmpty()) fields << Row();
+        fields.last() << cell;
+    }
+    return fields;
+}
+
+QStringList textsOf(const Row& cells) {
+    QStringList texts;
+    for (const Cell& cell : cells)
+        texts << cell.text;
+    return texts;
+}
+
+QStringList namesOf(const Row& header) {
+    QStringList names;
+    for (const Row& field : fieldsOf(header))
+        names << textsOf(field).join(u' ');
+    return names;
+}
+
+SpaceHeader spaceHeader(const QStringList& names) {
+    QString letters;
+    for (const QString& name : names)
+        letters += name.toLower();
+    return letters == u"abcdefghijkl"    ? SpaceHeader::Plain
+           : letters == u"abcdefghijklp" ? SpaceHeader::Weighted
+                                         : SpaceHeader::None;
+}
+
+std::optional<Picks> pickedByName(const QStringList& names) {
+    if (auto picks = picked(names, 0)) return picks;
+    return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" over the labels is no coefficient
+}
+
+Picks pickedByOrder(const TableColumns& columns) {
+    Picks picks;
+    picks.width = qsizetype(columns.size());
+    for (qsizetype i = 0; i < picks.width; ++i) {
+        const TableColumn column = columns[std::size_t(i)];
+        if (column == TableColumn::Other) continue;
+        picks.columns.push_back(column);
+        picks.fields.push_back(i);
+    }
+    // A weight that nobody named comes last, and is not there.
+    if (std::ranges::count_if(picks.columns, isWeight) == 0) picks.columns.push_back(TableColumn::Weight);
+    return picks;
+}
+
+} // namespace io

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/table/table_cells.h"
+#include "io/table/table_columns.h"
+
+#include <QList>
+#include <QStringList>
+
+#include <optional>
+#include <vector>
+
+// What stands in the rows of a table besides the numbers of its maps.
+namespace io {
+
+// A word that nobody meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
+bool looksLikeLabel(const QString& text);
+// Words behind the numbers: two letters at least, and neither nan nor a mistyped number.
+bool looksLikeWords(const QString& text);
+// A line that only parts the rows: ---, ===, +---+---+.
+bool isRule(const Row& cells);
+
+// The cells with a sign, and with "%", that a blank parts from their number, in the same field as it. A lone
+// sign between blanks may be a cell of its own.
+Row withSignsJoined(Row cells, const Dialect& dialect);
+
+// The cells between two separators each; between blanks every cell by itself.
+QList<Row> fieldsOf(const Row& cells);
+QStringList textsOf(const Row& cells);  // of each cell
+QStringList namesOf(const Row& header); // of each field, its words together
+
+// Names of the columns a … l of a map in space, with or without its weight.
+enum class SpaceHeader { None, Plain, Weighted };
+SpaceHeader spaceHeader(const QStringList& names);
+
+// Which fields hold the columns of a map, where there are others.
+struct Picks {
+    TableColumns columns; // of a map in the plane, as many as fields
+    bool isSpace = false;
+    std::vector<qsizetype> fields;
+    qsizetype width = 0; // fields of the header
+
+    bool areAdjacent() const { return fields.back() - fields.front() + 1 == qsizetype(fields.size()); }
+};
+// By their names: every column once, and any others. Beside weights, their running sum is another. nullopt:
+// the names do not say it.
+std::optional<Picks> pickedByName(const QStringList& names);
+// By the order as chosen, which may hold TableColumn::Other.
+Picks pickedByOrder(const TableColumns& columns);
+
+} // namespace io

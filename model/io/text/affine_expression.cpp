@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/affine_expression.h"
+
+#include "io/text/expression.h"
+#include "io/text/number.h"
+#include "io/text/plain_signs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace io {
+
+namespace {
+
+constexpr int maxDepth = 32;
+
+class Parser {
+public:
+    explicit Parser(QStringView text) : m_text(text) {}
+
+    std::optional<AffineExpression> read() && {
+        auto sum = readSum(0);
+        if (sum) sum->end = m_at;
+        return m_isBroken ? std::nullopt : sum;
+    }
+
+private:
+    using Value = AffineExpression;
+
+    QChar at(qsizetype offset = 0) const {
+        return m_at + offset < m_text.size() ? m_text[m_at + offset] : QChar();
+    }
+    void skipBlanks() {
+        while (at() == u' ' || at() == u'\t' || at() == u'\u00a0' || isSettingBlank(at()))
+            ++m_at;
+    }
+    static bool isTimes(QChar c) { return c == u'*' || c == u'·' || c == u'×' || c == u'⋅'; }
+
+    std::optional<Value> readSum(int depth) {
+        if (depth > maxDepth) return std::nullopt;
+        std::optional<Value> sum;
+        for (;;) {
+            const qsizetype before = m_at;
+            skipBlanks();
+            double sign = 1;
+            bool hasSign = false;
+            while (isDash(at()) || at() == u'+') {
+                if (isDash(at())) sign = -sign;
+                hasSign = true;
+                ++m_at;
+                skipBlanks();
+            }
+            if (sum && !hasSign) {
+                m_at = before;
+                return sum;
+            }
+            const auto term = readTerm(depth);
+            if (!term) {
+                m_at = before;
+                return sum;
+            }
+            if (!sum) sum = Value();
+            add(*sum, *term, sign);
+        }
+    }
+
+    static void add(Value& sum, const Value& term, double sign) {
+        for (std::size_t i = 0; i < 3; ++i)
+            sum.factors[i] += sign * term.factors[i];
+        sum.shift += sign * term.shift;
+        sum.usesZ = sum.usesZ || term.usesZ;
+    }
+
+    std::optional<Value> readTerm(int depth) {
+        auto product = readFactor(depth);
+        while (product) {
+            const qsizetype before = m_at;
+            skipBlanks();
+            const bool isDivided = at() == u'/' && at(1) != u'/';
+            const bool isTimed = isTimes(at());
+            if (isDivided || isTimed) ++m_at;
+            skipBlanks();
+            const bool hasSign = (isDivided || isTimed) && isDash(at());
+            if (hasSign) ++m_at;
+            const bool isApart = m_at > before && !isDivided && !isTimed;
+            auto factor = !isDivided && !isTimed && at().isDigit() ? std::nullopt : readFactor(depth);
+            if (!factor || (isApart && factor->isConstant())) { // the number of an equation: "x (2)"
+                m_at = before;
+                break;
+            }
+            if (hasSign) {
+                Value negative;
+                add(negative, *factor, -1);
+                factor = negative;
+            }
+            product = isDivided ? divided(*product, *factor) : multiplied(*product, *factor);
+        }
+        return product;
+    }
+
+    std::optional<Value> multiplied(const Value& left, const Value& right) {
+        if (!left.isConstant() && !right.isConstant()) return broken();
+        const Value& value = left.isConstant() ? right : left;
+        const double factor = left.isConstant() ? left.shift : right.shift;
+        Value product;
+        add(product, value, factor);
+        product.usesZ = left.usesZ || right.usesZ;
+        return product;
+    }
+
+    std::optional<Value> divided(const Value& above, const Value& below) {
+        if (!below.isConstant() || below.shift == 0) return broken();
+        Value quotient = above;
+        for (double& factor : quotient.factors)
+            factor /= below.shift;
+        quotient.shift /= below.shift;
+        return quotient;
+    }
+
+    std::optional<Value> broken() {
+        m_isBroken = true;
+        return std::nullopt;
+    }
+
+    std::optional<Value> readFactor(int depth) {
+        auto base = readBase(depth);
+        if (!base) return std::nullopt;
+        const qsizetype before = m_at;
+        skipBlanks();
+        const bool isPower = at() == u'^' || (at() == u'*' && at(1) == u'*');
+        const bool isSquare = at() == u'²' || at() == u'³';
+        if (!isPower && !isSquare) {
+            m_at = before;
+            return base;
+        }
+        if (!base->isConstant()) return broken();
+        if (isSquare) {
+            base->shift = std::pow(base->shift, at() == u'²' ? 2 : 3);
+            ++m_at;
+            return base;
+        }
+        m_at += at() == u'^' ? 1 : 2;
+        skipBlanks();
+        const bool isNegative = isDash(at());
+        if (isNegative) ++m_at;
+        const auto power = readBase(depth);
+        if (!power || !power->isConstant()) return broken();
+        base->shift = std::pow(base->shift, isNegative ? -power->shift : power->shift);
+        return base;
+    }
+
+    std::optional<Value> readBase(int depth) {
+        const QChar c = at();
+        if (c == u'(' || c == u'[' || c == u'{') return readGroup(depth);
+        if (c.isDigit() || (c == u'.' && at(1).isDigit())) return readNumber();
+        if (c == u'π' || c == u'√') return readSign(depth);
+        if (!c.isLetter() && c.script() != QChar::Script_Latin) return readFraction();
+        return readWord(depth);
+    }
+
+    std::optional<Value> readGroup(int depth) {
+        const qsizetype begin = m_at;
+        const QChar close = at() == u'(' ? u')' : at() == u'[' ? u']' : u'}';
+        ++m_at;
+        const auto inner = readSum(depth + 1);
+        skipBlanks();
+        if (inner && at() == close) {
+            ++m_at;
+            return inner;
+        }
+        m_at = begin;
+        return std::nullopt;
+    }
+
+    static Value constant(double value) {
+        Value result;
+        result.shift = value;
+        return result;
+    }
+
+    std::optional<Value> readNumber() {
+        qsizetype end = m_at;
+        const auto letter = [&](qsizetype i) { return i < m_text.size() ? m_text[i] : QChar(); };
+        bool hasPoint = false; // another one ends the sentence
+        for (; letter(end).isDigit() || (letter(end) == u'.' && !hasPoint); ++end)
+            hasPoint = hasPoint || letter(end) == u'.';
+        if (letter(end).toLower() == u'e') {
+            const qsizetype digits = end + (letter(end + 1) == u'-' || letter(end + 1) == u'+' ? 2 : 1);
+            if (letter(digits).isDigit()) {
+                end = digits;
+                while (letter(end).isDigit())
+                    ++end;
+            }
+        }
+        const auto value = parseNumber(m_text.sliced(m_at, end - m_at));
+        if (!value) return std::nullopt;
+        m_at = end;
+        if (at() == u'f' && !at(1).isLetterOrNumber()) ++m_at; // 0.85f
+        return constant(*value);
+    }
+
+    std::optional<Value> readFraction() { // ½
+        const auto value = at().isNull() ? std::nullopt : fractionOf(at());
+        if (!value) return std::nullopt;
+        ++m_at;
+        return constant(*value);
+    }
+
+    static std::optional<double> fractionOf(QChar c) {
+        const QString parts = QString(c).normalized(QString::NormalizationForm_KD);
+        const qsizetype slash = parts.indexOf(QChar(0x2044));
+        if (slash < 0) return std::nullopt;
+        const auto above = parseNumber(parts.left(slash));
+        const auto below = parseNumber(parts.mid(slash + 1));
+        return above && below && *below != 0 ? std::optional(*above / *below) : std::nullopt;
+    }
+
+    std::optional<Value> readSign(int depth) {
+        const bool isRoot = at() == u'√';
+        const qsizetype begin = m_at++;
+        if (!isRoot) return constant(*evaluate(u"pi"));
+        const auto of = readBase(depth);
+        if (of && of->isConstant() && of->shift >= 0) return constant(std::sqrt(of->shift));
+        m_at = begin;
+        return std::nullopt;
+    }
+
+    // A letter with its index, or a function of a number.
+    std::optional<Value> readWord(int depth) {
+        const qsizetype begin = m_at;
+        const qsizetype dot =
+            m_text.sliced(begin).startsWith(u"Math.") || m_text.sliced(begin).startsWith(u"math.") ? 5
+            : m_text.sliced(begin).startsWith(u"np.")                                              ? 3
+                                                                                                   : 0;
+        qsizetype end = begin + dot;
+        while (end < m_text.size() && (m_text[end].isLetterOrNumber() || m_text[end] == u'_'))
+            ++end;
+        const QString word = m_text.sliced(begin + dot, end - begin - dot).toString().toLower();
+        // "xy" would be a product of two.
+        for (const auto& [letter, index] : {std::pair{u'x', 0}, {u'y', 1}, {u'z', 2}})
+            if (isLetterWithIndex(word, letter)) {
+                m_at = end;
+                skipIndex();
+                Value value;
+                value.factors[std::size_t(index)] = 1;
+                value.usesZ = index == 2;
+                return value;
+            }
+        if (word == u"pi") {
+            m_at = end;
+            return constant(*evaluate(u"pi"));
+        }
+        if (word.isEmpty() || end >= m_text.size() || m_text[end] != u'(') return std::nullopt;
+        m_at = end;
+        const auto of = readGroup(depth);
+        const auto value = of && of->isConstant()
+                               ? evaluate(word + u'(' + QString::fromLatin1(formatNumber(of->shift)) + u')')
+                               : std::nullopt;
+        if (value) return constant(*value);
+        m_at = begin;
+        return std::nullopt;
+    }
+
+    static bool isLetterWithIndex(const QString& word, QChar letter) {
+        if (word.isEmpty() || word[0] != letter) return false;
+        const QString index = word.sliced(1);
+        return index.isEmpty() || index == u"n" || index == u"_n" || index == u"k" || index == u"_k" ||
+               index == u"_i" || index == u"_old" || index == u"old" || index == u"ₙ" || index == u"_" ||
+               index == u"0" || index == u"_0" || index == u"_t";
+    }
+
+    // x_{n}, x[n], xₙ, x(n) and x_{n-1}.
+    void skipIndex() {
+        if (at() == u'ₙ' || at() == u'ₖ') {
+            ++m_at;
+            return;
+        }
+        const QStringView rest = m_text.sliced(m_at);
+        for (const QStringView index :
+             {u"{n}", u"[n]", u"(n)", u"[i]", u"(t)", u"_{n}", u"{n-1}", u"[n-1]", u"[i-1]", u"{k}", u"[-1]"})
+            if (rest.startsWith(index)) {
+                m_at += index.size();
+                return;
+            }
+    }
+
+    QStringView m_text;
+    qsizetype m_at = 0;
+    bool m_isBroken = false;
+};
+
+} // namespace
+
+std::optional<AffineExpression> affineExpression(QStringView text) {
+    return Parser(text).read();
+}
+
+} // namespace io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/cumulative_weights.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace io {
+
+std::optional<QString> cumulativeRemark(const std::vector<std::optional<double>>& weights) {
+    constexpr double tolerance = 1e-6; // of what was rounded
+    if (weights.size() < 3) return std::nullopt;
+    double before = -1;
+    for (const auto& weight : weights) {
+        if (!weight || *weight < 0 || *weight <= before) return std::nullopt;
+        before = *weight;
+    }
+    if (weights[weights.size() - 2] == 0) return std::nullopt; // the last is all there is
+    for (const int whole : {1, 100})
+        if (std::abs(before - whole) <= tolerance * whole)
+            return QCoreApplication::translate(
+                       "Text",
+                       "The weights rise to %1, so they may be running sums. They are read as weights; "
+                       "to read them as sums, name their column “cumulative” instead of “p”.")
+                .arg(whole);
+    return std::nullopt;
+}
+
+} // namespace io
