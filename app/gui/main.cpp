@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
 #include "document/background_threads.h"
+#include "first_picture.h"
 #include "identity.h"
 #include "session.h"
 #include "sudden_end.h"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 
@@ -26,6 +29,9 @@ void describe(QCommandLineParser& parser) {
     parser.addOption({QStringLiteral("collection"), Application::tr("open a window with the collection")});
     parser.addOption(
         {QStringLiteral("random"), Application::tr("open a window with random fractals to choose from")});
+    parser.addOption({QStringLiteral("picture"),
+                      Application::tr("draw the maple to a PNG file instead; needs no display"),
+                      QStringLiteral("file")});
     parser.addPositionalArgument(QStringLiteral("files"),
                                  Application::tr(".ifs files to open, each in its own window"),
                                  QStringLiteral("[files…]"));
@@ -39,7 +45,8 @@ Application::Start startAskedFor(const QCommandLineParser& parser) {
 }
 
 bool isAnsweredWithoutWindow(std::string_view argument) {
-    return argument == "--version" || argument == "-v" || argument == "--help" || argument == "-h";
+    return argument == "--version" || argument == "-v" || argument == "--help" || argument == "-h" ||
+           argument.starts_with("--picture");
 }
 
 } // namespace
@@ -51,7 +58,10 @@ int main(int argc, char** argv) {
         QCoreApplication::setApplicationName(resources::applicationName());
         QCoreApplication::setApplicationVersion(resources::version());
         describe(parser);
-        parser.process(application); // does not return
+        parser.process(application); // does not return but to draw
+        const io::Failure failure = drawFirstPicture(parser.value(QStringLiteral("picture")));
+        if (failure) std::fprintf(stderr, "barycage: %s\n", qPrintable(*failure));
+        return failure ? EXIT_FAILURE : EXIT_SUCCESS;
     }
     int code = 0;
     QString program;

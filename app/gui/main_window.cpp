@@ -17,11 +17,11 @@
 #include "exports.h"
 #include "file_commands.h"
 #include "file_menu.h"
+#include "first_picture.h"
 #include "flame_banner.h"
 #include "focus_walk.h"
 #include "help_menu.h"
 #include "io/file/background.h"
-#include "io/fractint/fractint_reader.h"
 #include "lesson_commands.h"
 #include "maps_connections.h"
 #include "maps_menu.h"
@@ -59,7 +59,6 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFile>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -400,13 +399,9 @@ void MainWindow::connectDocument() {
 }
 
 void MainWindow::openFirstPicture() {
-    QFile resource(QStringLiteral(":/ifs_library/paper.ifs"));
-    if (!resource.open(QIODevice::ReadOnly)) return;
-    document::FractalFile file = io::readFractint(resource.readAll());
-    document::EntryId maple = document::EntryId::None;
-    for (const document::Entry& entry : file.entries)
-        if (entry.fractal->name == QLatin1String("maple")) maple = entry.id;
-    m_file.startFrom(std::move(file), maple);
+    FirstPicture first = firstPicture();
+    if (first.file.entries.isEmpty()) return;
+    m_file.startFrom(std::move(first.file), first.maple);
     const QString seen = QStringLiteral("hints/firstDrag");
     if (!view::stored(seen, false).toBool()) {
         m_canvas->setHint(tr(

@@ -484,6 +484,10 @@
         <source>open a window with random fractals to choose from</source>
         <translation>ein Fenster mit zufälligen Fraktalen zur Auswahl öffnen</translation>
     </message>
+    <message>
+        <source>draw the maple to a PNG file instead; needs no display</source>
+        <translation>stattdessen den Ahorn in eine PNG-Datei zeichnen; braucht keinen Bildschirm</translation>
+    </message>
 </context>
 <context>
     <name>CageEdits</name>

@@ -484,6 +484,10 @@
         <source>open a window with random fractals to choose from</source>
         <translation>abrir una ventana con fractales al azar para elegir</translation>
     </message>
+    <message>
+        <source>draw the maple to a PNG file instead; needs no display</source>
+        <translation>dibujar en su lugar el arce en un archivo PNG; no necesita pantalla</translation>
+    </message>
 </context>
 <context>
     <name>CageEdits</name>

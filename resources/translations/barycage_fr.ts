@@ -484,6 +484,10 @@
         <source>open a window with random fractals to choose from</source>
         <translation>ouvrir une fenêtre avec des fractales au hasard, à choisir</translation>
     </message>
+    <message>
+        <source>draw the maple to a PNG file instead; needs no display</source>
+        <translation>dessiner plutôt l’érable dans un fichier PNG ; ne demande pas d’écran</translation>
+    </message>
 </context>
 <context>
     <name>CageEdits</name>

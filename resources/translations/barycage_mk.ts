@@ -485,6 +485,10 @@
         <source>open a window with random fractals to choose from</source>
         <translation>отвори прозорец со случајни фрактали за избор</translation>
     </message>
+    <message>
+        <source>draw the maple to a PNG file instead; needs no display</source>
+        <translation>наместо тоа нацртај го јаворот во PNG-датотека; не е потребен екран</translation>
+    </message>
 </context>
 <context>
     <name>CageEdits</name>

@@ -3,9 +3,12 @@
 #include "support/paths.h"
 
 #include <QFile>
+#include <QFileInfo>
+#include <QImage>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
+#include <QTemporaryDir>
 #include <QTest>
 
 // The completions of three shells and the manual page name the options that --help names: all of them, and no
@@ -21,8 +24,10 @@ private slots:
     void helpAndVersionAreOffered();
     void manualsSayWhatEveryoneAsks();
     void theEditorSaysItsVersionWithoutADisplay();
+    void theEditorDrawsWithoutADisplay();
 
 private:
+    static QProcessEnvironment withoutDisplay();
     static void subcommands() {
         QTest::addColumn<QString>("subcommand");
         for (const QString& name : commands())
@@ -177,14 +182,18 @@ void CliOptionsTest::manualsSayWhatEveryoneAsks() {
         QVERIFY2(editor.contains(QLatin1String(word)), word);
 }
 
+QProcessEnvironment CliOptionsTest::withoutDisplay() {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(QString::fromLatin1(name));
+    return environment;
+}
+
 void CliOptionsTest::theEditorSaysItsVersionWithoutADisplay() {
     const QString editor = support::buildPath(QStringLiteral("barycage"));
     if (!QFileInfo::exists(editor)) QSKIP("Built without the editor.");
     QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        environment.remove(QString::fromLatin1(name));
-    process.setProcessEnvironment(environment);
+    process.setProcessEnvironment(withoutDisplay());
     for (const char* question : {"--version", "--help"}) {
         process.start(editor, {QString::fromLatin1(question)});
         QVERIFY(process.waitForFinished(60'000));
@@ -192,6 +201,26 @@ void CliOptionsTest::theEditorSaysItsVersionWithoutADisplay() {
         QCOMPARE(process.exitCode(), 0);
         QVERIFY(process.readAllStandardOutput().contains("arycage"));
     }
+}
+
+void CliOptionsTest::theEditorDrawsWithoutADisplay() {
+    const QString editor = support::buildPath(QStringLiteral("barycage"));
+    if (!QFileInfo::exists(editor)) QSKIP("Built without the editor.");
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("maple.png"));
+    QProcess process;
+    process.setProcessEnvironment(withoutDisplay());
+    process.start(editor, {QStringLiteral("--picture"), path});
+    QVERIFY(process.waitForFinished(120'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
+    const QImage picture(path);
+    QCOMPARE(picture.size(), QSize(1600, 1200));
+    QVERIFY(picture.pixel(800, 600) != picture.pixel(5, 5));
+    process.start(editor, {QStringLiteral("--picture"), folder.filePath(QStringLiteral("no/maple.png"))});
+    QVERIFY(process.waitForFinished(120'000));
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().startsWith("barycage: "));
 }
 
 BARYCAGE_TEST(CliOptionsTest, QCoreApplication);
