@@ -168,6 +168,14 @@ template <int Dim> void keysAreNoCorners() {
             const double corner = cornerAt<Dim>(all, frame);
             QVERIFY2(corner < 1e-5, qPrintable(QStringLiteral("%1 at %2").arg(corner).arg(frame)));
         }
+        for (const int rank : {0, 1}) { // a key that is a point or a line
+            Moving<Dim> open = all;
+            for (auto& track : open.animation.maps)
+                for (auto& key : track.keys)
+                    if (key.frame == 13) key.value.map.linear.rightCols(Dim - rank).setZero();
+            const double corner = cornerAt<Dim>(open, 13);
+            QVERIFY2(corner < 1e-5, qPrintable(QString::number(corner)));
+        }
         for (auto& track : all.animation.maps) // what the test finds in straight ways
             for (auto& key : track.keys)
                 key.ease = {Ease::Kind::Linear};
@@ -260,6 +268,28 @@ private slots:
     void velocitiesAreContinuous() {
         keysAreNoCorners<2>();
         keysAreNoCorners<3>();
+    }
+
+    // A point has no turn of its own: the maps on both sides keep theirs.
+    void nothingTurnsOnTheWayToAPoint() {
+        const auto turned = [](double degrees) {
+            return MapPose<2>{similarity(0.5, degrees * std::numbers::pi / 180, 0, 0), 1};
+        };
+        const MapPose<2> first = turned(40), point{AffineMap<2>{Matrix<2>::Zero(), {0, 0}}, 1},
+                         last = turned(100);
+        const auto norm = commonNorm<2>(std::vector{first.map, last.map});
+        QVERIFY(norm.has_value());
+        for (const double t : {0.1, 0.5, 0.9}) {
+            Segment<MapPose<2>> to{first, point, t, true}, from{point, last, t, true};
+            to.before = {&first, -1};
+            to.after = {&last, 2};
+            from.before = {&first, -1};
+            from.after = {&last, 2};
+            const Matrix<2> shrinking = along<2>(to, {0, 0}, *norm).map.linear;
+            const Matrix<2> growing = along<2>(from, {0, 0}, *norm).map.linear;
+            QVERIFY((shrinking / shrinking.col(0).norm() - 2 * first.map.linear).norm() < 1e-12);
+            QVERIFY((growing / growing.col(0).norm() - 2 * last.map.linear).norm() < 1e-12);
+        }
     }
 
     void pathsStayContractive() {

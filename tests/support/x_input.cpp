@@ -9,7 +9,6 @@
 #include <cstring>
 
 // After Qt: these headers define words like None and Bool.
-#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/extensions/XTest.h>
 
