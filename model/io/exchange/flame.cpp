@@ -5,7 +5,10 @@
 #include "document/fractal_geometry.h"
 #include "ifs/system/links.h"
 #include "io/exchange/flame_colours.h"
+#include "io/exchange/flame_repair.h"
 #include "io/exchange/flame_symmetry.h"
+#include "io/exchange/flame_times.h"
+#include "io/exchange/flame_xform.h"
 #include "io/text/coefficient.h"
 #include "io/text/export_weights.h"
 #include "io/text/number.h"
@@ -36,193 +39,6 @@ struct Text {
 constexpr qsizetype maxXforms = 100'000; // per flame
 constexpr qsizetype maxFlames = 200'000; // per file
 constexpr qsizetype maxRefusals = 100;   // told one by one
-
-QList<double> numbers(QStringView text, bool* ok) {
-    QList<double> values;
-    for (QStringView token : text.split(u' ', Qt::SkipEmptyParts))
-        values << parseNumber(token).value_or(NAN);
-    *ok = std::ranges::none_of(values, [](double value) { return std::isnan(value); });
-    return values;
-}
-
-// "c00 c01 c10 c11 c20 c21": column by column.
-std::optional<ifs::AffineMap<2>> affine(QStringView text) {
-    bool ok = false;
-    const QList<double> c = numbers(text, &ok);
-    if (!ok || c.size() != 6) return std::nullopt;
-    return ifs::affineMap(c[0], c[2], c[1], c[3], c[4], c[5]);
-}
-
-// What an xform's attributes say that is not one of its variations.
-bool isPlainAttribute(QStringView name) {
-    static const QStringList plain{QStringLiteral("weight"),
-                                   QStringLiteral("color"),
-                                   QStringLiteral("color_speed"),
-                                   QStringLiteral("symmetry"),
-                                   QStringLiteral("name"),
-                                   QStringLiteral("animate"),
-                                   QStringLiteral("enabled"),
-                                   QStringLiteral("antialias_amount"),
-                                   QStringLiteral("antialias_radius"),
-                                   QStringLiteral("plotmode"),
-                                   QStringLiteral("coefs"),
-                                   QStringLiteral("post"),
-                                   QStringLiteral("chaos"),
-                                   QStringLiteral("opacity"),
-                                   QStringLiteral("var_color"),
-                                   QStringLiteral("color_type"),
-                                   QStringLiteral("material"),
-                                   QStringLiteral("material_speed"),
-                                   QStringLiteral("mod_gamma"),
-                                   QStringLiteral("mod_gamma_speed"),
-                                   QStringLiteral("mod_contrast"),
-                                   QStringLiteral("mod_contrast_speed"),
-                                   QStringLiteral("mod_saturation"),
-                                   QStringLiteral("mod_saturation_speed"),
-                                   QStringLiteral("mod_hue"),
-                                   QStringLiteral("mod_hue_speed"),
-                                   QStringLiteral("dx"),
-                                   QStringLiteral("dy")};
-    return plain.contains(name);
-}
-
-struct Xform {
-    ifs::AffineMap<2> coefs; // of x and y; the others are JWildfire's
-    ifs::AffineMap<2> yz;
-    ifs::AffineMap<2> zx; // from z and x to z and x as (x, z)
-    ifs::AffineMap<2> post;
-    double linear = 0;   // the amount of `linear`, which leaves z out
-    double linear3D = 0; // the amount of `linear3D`
-    double weight = 0;
-    double opacity = 1;       // of its points
-    bool standsStill = false; // in animations, as transforms do that stand for a symmetry
-    QList<double> chaos;      // P_ij of its successors; 1 beyond the last
-    QString refusal;          // why it is no row of an iterated function system; empty when it is one
-
-    bool isLinked() const {
-        return std::ranges::any_of(chaos, [](double link) { return link != 1; });
-    }
-    bool isSpatial() const { return !(yz == ifs::AffineMap<2>()) || !(zx == ifs::AffineMap<2>()); }
-
-    ifs::AffineMap<2> inPlane() const {
-        const double amount = linear + linear3D;
-        return post * ifs::AffineMap<2>{amount * coefs.linear, amount * coefs.translation};
-    }
-
-    // docs/formats.md, "Flame XML".
-    ifs::AffineMap<3> inSpace(bool keepsZ) const {
-        const auto within = [](const ifs::AffineMap<2>& map, int first, int second) {
-            ifs::AffineMap<3> result;
-            const std::array<int, 2> axes{first, second};
-            for (int i = 0; i < 2; ++i) {
-                for (int k = 0; k < 2; ++k)
-                    result.linear(axes[std::size_t(i)], axes[std::size_t(k)]) = map.linear(i, k);
-                result.translation[axes[std::size_t(i)]] = map.translation[i];
-            }
-            return result;
-        };
-        const ifs::AffineMap<3> xy3 = within(coefs, 0, 1), yz3 = within(yz, 1, 2), zx3 = within(zx, 0, 2);
-        const ifs::AffineMap<3> before{zx3.linear * yz3.linear * xy3.linear,
-                                       xy3.translation + yz3.translation + zx3.translation};
-        const double flat = linear + linear3D;
-        const ifs::Vector<3> amounts(flat, flat, keepsZ ? flat : linear3D);
-        return within(post, 0, 1) * ifs::AffineMap<3>{amounts.asDiagonal() * before.linear,
-                                                      amounts.cwiseProduct(before.translation)};
-    }
-};
-
-bool areCoefficients(const ifs::AffineMap<3>& map) {
-    return (map.linear.array().abs() <= maxCoefficient).all() &&
-           (map.translation.array().abs() <= maxCoefficient).all();
-}
-
-// A part of the xform that JWildfire has for another plane of space.
-bool isPartInSpace(QStringView name) {
-    return name == u"yzCoefs" || name == u"zxCoefs";
-}
-
-// Its amounts of `linear` and `linear3D`, or the reason why it has other variations.
-void readAmounts(const QXmlStreamAttributes& attributes, Xform& xform) {
-    QString* refusal = &xform.refusal;
-    for (const QXmlStreamAttribute& attribute : attributes) {
-        const QStringView name = attribute.name();
-        bool ok = false;
-        const QList<double> values = numbers(attribute.value(), &ok);
-        if (name == u"linear" || name == u"linear3D" || name == u"var1") {
-            if (!ok || values.size() != 1)
-                *refusal = Text::tr("the amount of “%1” is not a number").arg(name);
-            else if (name != u"var1")
-                (name == u"linear" ? xform.linear : xform.linear3D) += values.first();
-            else if (values.first() == 0)
-                xform.linear += 1; // the old form names the variation by its index; 0 is linear
-            else
-                *refusal = Text::tr("it uses a variation other than linear");
-        } else if (name == u"var") {
-            if (!ok || values.isEmpty() ||
-                std::any_of(values.begin() + 1, values.end(), [](double v) { return v != 0; }))
-                *refusal = Text::tr("it uses a variation other than linear");
-            else
-                xform.linear += values.first();
-        } else if (name.endsWith(u"Post")) {
-            if (const auto map = affine(attribute.value()); !map || !(*map == ifs::AffineMap<2>()))
-                *refusal = Text::tr("it acts in space after its variations (“%1”)").arg(name);
-        } else if (isPartInSpace(name)) {
-            continue;
-        } else if (!isPlainAttribute(name) && ok && values.size() == 1 && values.first() != 0) {
-            *refusal = Text::tr("it uses the variation “%1”").arg(name);
-        }
-        if (!refusal->isEmpty()) return;
-    }
-}
-
-// The identity where the attribute is missing.
-ifs::AffineMap<2> part(const QXmlStreamAttributes& attributes, const char* name, QString* refusal) {
-    if (!attributes.hasAttribute(QLatin1String(name))) return {};
-    const auto map = affine(attributes.value(QLatin1String(name)));
-    if (!map && refusal->isEmpty())
-        *refusal = Text::tr("its “%1” is not six numbers").arg(QLatin1String(name));
-    return map.value_or(ifs::AffineMap<2>());
-}
-
-bool isNumber(const QXmlStreamAttributes& attributes, const char* name, double value) {
-    return parseNumber(attributes.value(QLatin1String(name))) == value;
-}
-
-Xform readXform(const QXmlStreamAttributes& attributes) {
-    Xform xform;
-    readAmounts(attributes, xform);
-    if (!xform.refusal.isEmpty()) return xform;
-    if (!attributes.hasAttribute(QLatin1String("coefs"))) {
-        xform.refusal = Text::tr("its “%1” is not six numbers").arg(QStringLiteral("coefs"));
-        return xform;
-    }
-    xform.coefs = part(attributes, "coefs", &xform.refusal);
-    xform.yz = part(attributes, "yzCoefs", &xform.refusal);
-    xform.zx = part(attributes, "zxCoefs", &xform.refusal);
-    xform.post = part(attributes, "post", &xform.refusal);
-    if (!xform.refusal.isEmpty()) return xform;
-    if (!isCoefficient(xform.inPlane()) || !areCoefficients(xform.inSpace(true))) {
-        xform.refusal =
-            Text::tr("a number is too large for a coefficient (the largest absolute value is 3.4e38)");
-        return xform;
-    }
-    xform.standsStill = isNumber(attributes, "animate", 0) || isNumber(attributes, "symmetry", 1);
-    bool ok = false;
-    xform.chaos = numbers(attributes.value(QLatin1String("chaos")), &ok);
-    if (!ok || std::ranges::any_of(xform.chaos, [](double v) { return !(v >= 0); }))
-        xform.refusal = Text::tr("its “chaos” is not a list of numbers from 0 upwards");
-    xform.opacity = parseNumber(attributes.value(QLatin1String("opacity"))).value_or(1);
-    if (xform.opacity == 0 || attributes.value(QLatin1String("plotmode")) == u"off") // as flam3
-        xform.refusal = Text::tr("it is active but not drawn (opacity 0)");
-    if (attributes.hasAttribute(QLatin1String("weight"))) {
-        const auto weight = parseNumber(attributes.value(QLatin1String("weight")));
-        if (!weight || !isCoefficient(*weight))
-            xform.refusal = Text::tr("its weight is not a number");
-        else
-            xform.weight = *weight;
-    }
-    return xform;
-}
 
 class Reader {
 public:
@@ -256,6 +72,7 @@ public:
         if (m_refused > maxRefusals)
             report(Problem::Severity::Error, {},
                    Text::tr("%1 flames in total are not systems of affine maps.").arg(m_refused));
+        joinByTime(m_file, m_times);
         return std::move(m_file);
     }
 
@@ -280,12 +97,15 @@ private:
 
     void readFlame() {
         const QString name = m_xml.attributes().value(QLatin1String("name")).toString();
+        const auto time = parseNumber(m_xml.attributes().value(QLatin1String("time")));
         const bool keepsZ = m_xml.attributes().value(QLatin1String("preserve_z")) == u"1";
         std::vector<Xform> xforms;
         FlameColourReader colours;
         FlameSymmetryReader symmetry;
         colours.readFlame(m_xml.attributes());
         QString refusal;
+        Xform final;
+        final.linear = 1;
         m_remarks.clear();
         bool isInXform = false;
         // What is deeper than its children is what a program keeps, such as earlier versions.
@@ -301,7 +121,7 @@ private:
             } else if (m_xml.name() == u"xform")
                 refusal = addXform(xforms, symmetry);
             else if (m_xml.name() == u"finalxform")
-                refusal = Text::tr("it has a final transform");
+                refusal = readFinal(final);
             else if (m_xml.name() == u"symmetry")
                 refusal = readSymmetry(symmetry);
             else if (m_xml.name() == u"motion")
@@ -317,7 +137,35 @@ private:
         for (auto index = found.transforms.rbegin(); index != found.transforms.rend(); ++index)
             xforms.erase(xforms.begin() + std::ptrdiff_t(*index));
         colours.forgetXforms(found.transforms);
-        addEntry({name, std::move(xforms), keepsZ, found.symmetry}, colours);
+        refusal = finalObstacle(final, xforms, found.symmetry);
+        if (!refusal.isEmpty())
+            return refuse(name,
+                          Text::tr("The flame “%1” is not a system of affine maps: %2.").arg(name, refusal));
+        const std::size_t before = std::size_t(m_file.entries.size());
+        addEntry({name, std::move(xforms), keepsZ, found.symmetry, final.inPlane()}, colours);
+        if (std::size_t(m_file.entries.size()) > before) m_times.push_back(time);
+    }
+
+    // One that moves the points when they are drawn: a map of the plane that can be taken back.
+    static bool isNoFinal(const Xform& final) { return final.inPlane() == ifs::AffineMap<2>(); }
+
+    QString readFinal(Xform& final) const {
+        const Xform read = readXform(m_xml.attributes());
+        if (!read.refusal.isEmpty()) return Text::tr("final transform: %1").arg(read.refusal);
+        if (!isNoFinal(final)) return Text::tr("it has several final transforms");
+        if (read.isSpatial()) return Text::tr("it has a final transform in space");
+        if (!ifs::inverse(read.inPlane())) return Text::tr("its final transform flattens the picture");
+        final = read;
+        return {};
+    }
+
+    static QString finalObstacle(const Xform& final, const std::vector<Xform>& xforms,
+                                 const ifs::Symmetry<2>& symmetry) {
+        if (isNoFinal(final)) return {};
+        if (std::ranges::any_of(xforms, &Xform::isSpatial))
+            return Text::tr("it has a final transform in space");
+        return symmetry == ifs::Symmetry<2>() ? QString()
+                                              : Text::tr("it has a final transform and a symmetry");
     }
 
     QString readSymmetry(FlameSymmetryReader& symmetry) const {
@@ -386,10 +234,12 @@ private:
         ifs::setLinks(system, matrix);
     }
 
-    document::Shape<2> planeOf(const std::vector<Xform>& xforms) const {
+    document::Shape<2> planeOf(const std::vector<Xform>& xforms, const ifs::AffineMap<2>& final) const {
         document::Shape<2> shape;
+        const bool isMoved = !(final == ifs::AffineMap<2>());
         for (std::size_t i = 0; i < xforms.size(); ++i) {
-            const ifs::AffineMap<2> map = xforms[i].inPlane();
+            ifs::AffineMap<2> map = xforms[i].inPlane();
+            if (isMoved) map = final * map * *ifs::inverse(final);
             shape.system.maps.push_back({.id = idOf(i),
                                          .map = m_axis == FlameAxis::Flipped ? ifs::flipped(map) : map,
                                          .weight = xforms[i].weight});
@@ -417,10 +267,11 @@ private:
         std::vector<Xform> xforms; // that are maps
         bool keepsZ = false;
         ifs::Symmetry<2> symmetry;
+        ifs::AffineMap<2> final; // F: the picture is F(A), the attractor of F w F⁻¹
     };
 
     void addEntry(const Flame& flame, const FlameColourReader& colours) {
-        const auto& [name, xforms, keepsZ, symmetry] = flame;
+        const auto& [name, xforms, keepsZ, symmetry, final] = flame;
         if (xforms.empty()) {
             refuse(name, Text::tr("The flame “%1” has no transforms.").arg(name));
             return;
@@ -436,7 +287,7 @@ private:
         if (std::ranges::any_of(xforms, &Xform::isSpatial))
             fractal.shape = spaceOf(xforms, keepsZ);
         else
-            fractal.shape = planeOf(xforms);
+            fractal.shape = planeOf(xforms, final);
         const QString crowded =
             document::symmetryObstacle(fractal, ifs::groupOrder(symmetry.group, symmetry.order));
         if (!crowded.isEmpty()) return refuse(name, crowded);
@@ -468,9 +319,10 @@ private:
     QXmlStreamReader m_xml;
     FlameAxis m_axis;
     document::FractalFile m_file;
-    QSet<QString> m_names;         // case-folded
-    QHash<QString, int> m_numbers; // the one to try next behind a name
-    document::Problems m_remarks;  // on the weights of the flame at hand
+    std::vector<std::optional<double>> m_times; // of every entry
+    QSet<QString> m_names;                      // case-folded
+    QHash<QString, int> m_numbers;              // the one to try next behind a name
+    document::Problems m_remarks;               // on the weights of the flame at hand
     qsizetype m_refused = 0;
 };
 
@@ -565,8 +417,13 @@ void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const doc
 
 document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis) {
     const XmlText xml = xmlText(bytes);
-    if (!xml.failure) return Reader(xml.text, axis).read();
     document::FractalFile file;
+    if (!xml.failure) {
+        RepairedFlames repaired = repairedFlames(xml.text);
+        file = Reader(repaired.text, axis).read();
+        file.problems = repaired.problems + file.problems;
+        return file;
+    }
     file.problems << Problem{Problem::Severity::Error, {}, 0, 0, *xml.failure};
     return file;
 }
@@ -576,7 +433,7 @@ bool looksLikeFlame(const QByteArray& bytes) {
     if (head.startsWith("\xef\xbb\xbf")) head.remove(0, 3);
     head = head.trimmed();
     if (!head.startsWith('<')) return false;
-    if (head.contains("<flame") || head.contains("<Flames")) return true;
+    if (head.contains("<flame") || head.contains("<jwf-flame") || head.contains("<Flames")) return true;
     QXmlStreamReader xml(bytes); // long comments may come first
     return xml.readNextStartElement() && xml.name().startsWith(QLatin1String("flame"), Qt::CaseInsensitive);
 }

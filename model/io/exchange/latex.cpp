@@ -4,6 +4,7 @@
 #include "document/fractal_geometry.h"
 #include "io/exchange/aifs.h"
 #include "io/text/number.h"
+#include "io/text/readable_number.h"
 
 #include <QByteArrayList>
 
@@ -33,39 +34,73 @@ QByteArray oneLine(QString name) {
     return name.toUtf8();
 }
 
-template <class Matrix> QByteArray matrix(const Matrix& values) {
+// How numbers are written.
+class Style {
+public:
+    enum Kind { Exact, Readable };
+    explicit Style(Kind kind) : m_kind(kind) {}
+
+    QByteArray operator()(double value) {
+        if (m_kind == Exact) return set(value);
+        const ReadableNumber number = readableNumber(value);
+        m_isRounded = m_isRounded || number.isRounded;
+        return number.latex;
+    }
+
+    // Behind what is said when something was rounded.
+    QByteArray withRemark(const QByteArray& text) const {
+        return m_isRounded ? "% rounded to six significant digits\n" + text : text;
+    }
+
+private:
+    Kind m_kind;
+    bool m_isRounded = false;
+};
+
+template <class Matrix> QByteArray matrix(const Matrix& values, Style& style) {
     QByteArrayList rows;
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
         QByteArrayList row;
         for (Eigen::Index j = 0; j < values.cols(); ++j)
-            row << set(values(i, j));
+            row << style(values(i, j));
         rows << row.join(" & ");
     }
     return "\\begin{pmatrix} " + rows.join(" \\\\ ") + " \\end{pmatrix}";
 }
 
-template <int Dim> QByteArray formulas(const ifs::IteratedFunctionSystem<Dim>& system) {
+// No more lines in an environment than fit on a page, which cannot be broken inside it.
+QByteArray aligned(const QByteArrayList& lines, qsizetype most) {
+    QByteArray text;
+    for (qsizetype i = 0; i < std::max<qsizetype>(lines.size(), 1); i += most)
+        text += "\\begin{align*}\n" + lines.mid(i, most).join(" \\\\\n") + "\n\\end{align*}\n";
+    return text;
+}
+
+template <int Dim> QByteArray formulas(const ifs::IteratedFunctionSystem<Dim>& system, Style::Kind kind) {
     const std::vector<double> shares = ifs::probabilities(system);
+    Style style(kind);
     QByteArrayList lines;
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         if (!(shares[i] > 0)) continue;
         const QByteArray number = QByteArray::number(qulonglong(i) + 1);
         const ifs::AffineMap<Dim>& map = system.maps[i].map;
-        lines << "  w_{" + number + "}(x) &= " + matrix(map.linear) + " x + " + matrix(map.translation) +
-                     ", & p_{" + number + "} &= " + set(shares[i]);
+        lines << "  w_{" + number + "}(x) &= " + matrix(map.linear, style) + " x + " +
+                     matrix(map.translation, style) + ", & p_{" + number + "} &= " + style(shares[i]);
     }
-    return "\\begin{align*}\n" + lines.join(" \\\\\n") + "\n\\end{align*}\n";
+    constexpr qsizetype onAPage = Dim == 2 ? 16 : 11;
+    return style.withRemark(aligned(lines, kind == Style::Exact ? std::max(lines.size(), onAPage) : onAPage));
 }
 
 // Row by row of the map, as in Fractint's files: a b c d e f in the plane.
 template <int Dim> QByteArray table(const ifs::IteratedFunctionSystem<Dim>& system) {
     constexpr int numbers = Dim * (Dim + 1);
+    constexpr qsizetype onAPage = 40;
+    Style style(Style::Readable);
     QByteArrayList names{"$i$"};
     for (int k = 0; k < numbers; ++k)
         names << QByteArray("$") + char('a' + k) + '$';
     names << "$p$";
-    QByteArrayList lines{"\\begin{tabular}{r" + QByteArray(numbers + 1, 'r') + '}',
-                         "  " + names.join(" & ") + " \\\\ \\hline"};
+    QByteArrayList rows;
     const std::vector<double> shares = ifs::probabilities(system);
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         if (!(shares[i] > 0)) continue;
@@ -73,13 +108,18 @@ template <int Dim> QByteArray table(const ifs::IteratedFunctionSystem<Dim>& syst
         QByteArrayList cells{QByteArray::number(qulonglong(i) + 1)};
         for (int row = 0; row < Dim; ++row)
             for (int column = 0; column < Dim; ++column)
-                cells << '$' + set(map.linear(row, column)) + '$';
+                cells << '$' + style(map.linear(row, column)) + '$';
         for (int row = 0; row < Dim; ++row)
-            cells << '$' + set(map.translation[row]) + '$';
-        cells << '$' + set(shares[i]) + '$';
-        lines << "  " + cells.join(" & ") + " \\\\";
+            cells << '$' + style(map.translation[row]) + '$';
+        cells << '$' + style(shares[i]) + '$';
+        rows << "  " + cells.join(" & ") + " \\\\";
     }
-    return lines.join('\n') + "\n\\end{tabular}\n";
+    const QByteArrayList head{"\\begin{tabular}{r" + QByteArray(numbers + 1, 'r') + '}',
+                              "  " + names.join(" & ") + " \\\\ \\hline"};
+    QByteArrayList pages;
+    for (qsizetype i = 0; i < std::max<qsizetype>(rows.size(), 1); i += onAPage)
+        pages << (head + rows.mid(i, onAPage)).join('\n') + "\n\\end{tabular}\n";
+    return style.withRemark(pages.join('\n'));
 }
 
 // The corners, in centimetres.
@@ -161,9 +201,9 @@ QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fra
     for (const auto& fractal : fractals) {
         const QByteArray head = "% " + oneLine(fractal->name) + "\n% \\usepackage{amsmath,tikz}\n";
         if (const auto* plane = document::system2(*fractal))
-            parts << head + formulas(*plane) + figure(*fractal, *plane);
+            parts << head + formulas(*plane, Style::Exact) + figure(*fractal, *plane);
         else if (const auto* space = document::system3(*fractal))
-            parts << head + formulas(*space);
+            parts << head + formulas(*space, Style::Exact);
     }
     return parts.join('\n');
 }
@@ -175,9 +215,9 @@ QByteArray latexTable(const document::Fractal& fractal) {
 }
 
 QByteArray latexMatrices(const document::Fractal& fractal) {
-    if (const auto* plane = document::system2(fractal)) return formulas(*plane);
+    if (const auto* plane = document::system2(fractal)) return formulas(*plane, Style::Readable);
     const auto* space = document::system3(fractal);
-    return space ? formulas(*space) : QByteArray();
+    return space ? formulas(*space, Style::Readable) : QByteArray();
 }
 
 QByteArray latexInvariantForm(const document::Fractal& fractal) {
@@ -187,11 +227,13 @@ QByteArray latexInvariantForm(const document::Fractal& fractal) {
     if (cage.rest.size() != 3) cage = document::canonicalCage(fractal);
     const AffineInvariantForm form = affineInvariantForm(*system, {cage.rest[0], cage.rest[1], cage.rest[2]});
     const std::vector<double> shares = ifs::probabilities(*system);
+    Style style(Style::Readable);
     QByteArrayList lines;
     for (std::size_t i = 0; i < form.maps.size(); ++i)
         if (shares[i] > 0)
-            lines << "  S_{" + QByteArray::number(qulonglong(i) + 1) + "} &= " + matrix(form.maps[i]);
-    return "\\begin{align*}\n" + lines.join(" \\\\\n") + "\n\\end{align*}\n";
+            lines << "  S_{" + QByteArray::number(qulonglong(i) + 1) + "} &= " + matrix(form.maps[i], style);
+    constexpr qsizetype onAPage = 11;
+    return style.withRemark(aligned(lines, onAPage));
 }
 
 QByteArray tikzFigure(const document::Fractal& fractal) {

@@ -15,7 +15,9 @@ namespace io {
 // numbers and fixed points. Needs amsmath and tikz.
 QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fractals);
 
-// Parts of it, each empty for an entry that holds none of it. Only maps that take part; exact numbers.
+// Parts of it to be pasted, each empty for an entry that holds none of it. Only maps that take part. Numbers
+// are those of readableNumber(), with a comment where any is rounded; what does not fit a page is in several
+// environments.
 QByteArray latexTable(const document::Fractal& fractal);         // a tabular of coefficients and shares
 QByteArray latexMatrices(const document::Fractal& fractal);      // an align* of the formulas
 QByteArray latexInvariantForm(const document::Fractal& fractal); // of the plane: matrices S_i of the triangle

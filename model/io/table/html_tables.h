@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/table/markup_tables.h"
+#include "io/table/markup_table.h"
 
 #include <QString>
 #include <QStringView>

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/table/markup_table.h"
+
 #include <QList>
 #include <QString>
 #include <QStringList>
 
 // Tables as LaTeX, HTML, Markdown and wikis write them, and matrices of LaTeX.
 namespace io {
-
-enum class Markup { Latex, Html, Markdown, Wiki };
-
-struct MarkupRow {
-    QStringList cells; // as plain text; numbers as they can be read
-    int line = 0;      // of the text, from 1
-};
-struct MarkupTable {
-    Markup markup = Markup::Latex;
-    QList<MarkupRow> rows;
-};
 
 // In the order of the text. Rules between rows are left out, and so is what is hidden or only sets the type.
 // Lines of cells alone, without what begins a table, are one as well.

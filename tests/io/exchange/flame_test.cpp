@@ -143,7 +143,11 @@ void FlameTest::refusesWhatIsNotAffine_data() {
                            << "chaos";
     QTest::newRow("final")
         << QByteArray(
-               R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0"/><finalxform linear="1" coefs="1 0 0 1 0 0"/>)")
+               R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0"/><finalxform spherical="1" coefs="1 0 0 1 0 0"/>)")
+        << "final";
+    QTest::newRow("flat final")
+        << QByteArray(
+               R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0"/><finalxform linear="1" coefs="1 0 0 0 0 0"/>)")
         << "final";
     QTest::newRow("coefs") << QByteArray(R"(<xform weight="1" linear="1" coefs="1 0 0 1 0 0x"/>)") << "coefs";
     QTest::newRow("opacity") << QByteArray(

@@ -3,10 +3,15 @@
 #include "ifs/canonical_systems.h"
 #include "io/exchange/latex.h"
 #include "io/exchange/text_formats.h"
+#include "io/text/expression.h"
+#include "io/text/latex_text.h"
+#include "io/text/readable_number.h"
 #include "support/named_test.h"
 
 #include <QRegularExpression>
 #include <QTest>
+
+#include <cmath>
 
 namespace {
 
@@ -126,14 +131,80 @@ private slots:
         int rows = 0;
         while (found.hasNext()) {
             const auto match = found.next();
-            const double sum =
-                match.captured(1).toDouble() + match.captured(2).toDouble() + match.captured(3).toDouble();
+            double sum = 0;
+            for (int column = 1; column <= 3; ++column)
+                sum += io::evaluate(io::plainLatex(match.captured(column))).value_or(NAN);
             QVERIFY(std::abs(sum - 1) < 1e-12);
             ++rows;
         }
         QCOMPARE(rows, 3);
         QVERIFY(io::latexInvariantForm(inSpace()).isEmpty());
         QVERIFY(io::latexMatrices(inSpace()).contains("align*"));
+    }
+
+    void numbersAreReadable_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QByteArray>("latex");
+        QTest::addColumn<bool>("isRounded");
+        const auto row = [](const char* latex, double value, bool isRounded = false) {
+            QTest::newRow(latex) << value << QByteArray(latex) << isRounded;
+        };
+        const double root = std::sqrt(3.0);
+        row("0", 5.55e-17);
+        row("-0.85", -0.85);
+        row("0.3", 0.1 + 0.2);
+        row("\\frac{1}{3}", 1.0 / 3);
+        row("-\\frac{2}{3}", -2.0 / 3);
+        row("\\frac{5}{96}", 5.0 / 96 + 1e-17);
+        row("\\frac{\\sqrt{3}}{6}", root / 6);
+        row("-\\frac{\\sqrt{3}}{2}", -std::sin(std::acos(-1.0) / 3));
+        row("\\frac{2\\sqrt{3}}{3}", 2 / root);
+        row("\\frac{\\sqrt{5}-1}{2}", (std::sqrt(5.0) - 1) / 2);
+        row("\\frac{3-\\sqrt{5}}{2}", (3 - std::sqrt(5.0)) / 2);
+        row("\\sqrt{2}", std::sqrt(2.0));
+        row("10^{-7}", 1e-7);
+        row("1.5\\cdot 10^{12}", 1.5e12);
+        row("0.301511", 1 / std::sqrt(11.0), true);
+        row("0.333333", 1.0 / 3 + 1e-9, true);
+        row("2.71828", std::exp(1.0), true);
+    }
+
+    void numbersAreReadable() {
+        QFETCH(double, value);
+        const io::ReadableNumber number = io::readableNumber(value);
+        QTEST(number.latex, "latex");
+        QTEST(number.isRounded, "isRounded");
+    }
+
+    // What is copied is readable, and says where it is rounded; what is exported is exact.
+    void copiedNumbersAreReadable() {
+        document::Fractal fractal = document::sierpinskiTriangle();
+        document::plane(fractal)->system.maps[0].map =
+            ifs::affineMap(0, std::sqrt(3.0) / 6, 1.0 / 3, 5e-17, 2, 1);
+        const QByteArray tex = io::latexMatrices(fractal);
+        QVERIFY2(
+            tex.contains("\\begin{pmatrix} 0 & \\frac{\\sqrt{3}}{6} \\\\ \\frac{1}{3} & 0 \\end{pmatrix}"),
+            tex.constData());
+        QVERIFY(!tex.contains("rounded"));
+        QVERIFY(text(fractal).contains("0.3333333333333333"));
+        document::plane(fractal)->system.maps[0].map.translation.x() = std::exp(1.0);
+        for (const QByteArray& copied : {io::latexMatrices(fractal), io::latexTable(fractal)})
+            QVERIFY(copied.startsWith("% rounded") && copied.contains("2.71828") &&
+                    !copied.contains("2.718281"));
+    }
+
+    void manyMapsAreOnSeveralPages() {
+        document::Fractal fractal;
+        document::Shape<2> shape;
+        for (int i = 0; i < 100; ++i)
+            ifs::append(shape.system, ifs::affineMap(.5, 0, 0, .5, i, 0));
+        fractal.shape = shape;
+        const QByteArray matrices = io::latexMatrices(fractal);
+        QCOMPARE(matrices.count("\\begin{align*}"), 7);
+        QCOMPARE(matrices.count("w_{"), 100);
+        const QByteArray table = io::latexTable(fractal);
+        QCOMPARE(table.count("\\begin{tabular}"), 3);
+        QCOMPARE(table.count("\\hline"), 3);
     }
 
     void mapsThatAreOffAreLeftOut() {
