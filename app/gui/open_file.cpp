@@ -8,6 +8,8 @@
 #include "io/file/hard_links.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
+#include "io/table/listed_maps.h"
+#include "io/text/encoding.h"
 #include "recent_files.h"
 #include "widgets/wait_for.h"
 
@@ -31,14 +33,18 @@ struct Reading {
     io::Loaded loaded;
     io::Collection collection; // when there is no failure
     QByteArray digest;
+    QString table; // whose order of columns is assumed
 };
 
 QFuture<Reading> readBeside(const QString& path) {
     return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
-        Reading reading{io::loadFile(path), {}, {}};
+        Reading reading{io::loadFile(path), {}, {}, {}};
         if (!reading.loaded.failure) {
             reading.collection = io::readCollection(reading.loaded.bytes, path);
             reading.digest = digestOf(reading.loaded.bytes);
+            if (reading.collection.isOrderAssumed)
+                reading.table = io::tableIn(
+                    QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
             // What showing the first entry takes is remembered.
             const auto& entries = reading.collection.file.entries;
             const auto shown = std::ranges::find_if(
@@ -135,7 +141,7 @@ io::Failure OpenFile::open(const QString& path) {
     QFuture<Reading> result = readBeside(path);
     if (!hasRead(QFuture<void>(result), tr("Reading “%1”…").arg(file)))
         return tr("Reading “%1” was cancelled.").arg(file);
-    auto [loaded, collection, digest] = result.takeResult();
+    auto [loaded, collection, digest, table] = result.takeResult();
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
@@ -149,7 +155,7 @@ io::Failure OpenFile::open(const QString& path) {
         remember({}, {});
     recent_files::add(path);
     if (collection.format == QLatin1String("flame")) emit flamesOpened();
-    if (collection.isOrderAssumed) emit orderAssumed(QString::fromUtf8(loaded.bytes));
+    if (collection.isOrderAssumed) emit orderAssumed(table);
     return std::nullopt;
 }
 

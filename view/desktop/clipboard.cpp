@@ -111,9 +111,9 @@ std::unique_ptr<QMimeData> mapsMimeData(CopiedMaps maps) {
 }
 
 FoundMaps mapsIn(const QString& text, bool areOurs) {
-    if (areOurs) return {io::readTable(text, io::fractintColumns())};
+    if (areOurs) return {io::readTable(text, io::fractintColumns()), false, {}};
     const QString table = io::tableIn(text);
-    return {io::readTable(table), io::isOrderOpen(table)};
+    return {io::readTable(table), io::isOrderOpen(table), table};
 }
 
 bool holdsOurMaps(const QMimeData& mimeData) {

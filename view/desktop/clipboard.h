@@ -49,6 +49,7 @@ bool holdsOurMaps(const QMimeData& mimeData);         // of any process: the col
 struct FoundMaps {
     io::Table table;
     bool isOrderOpen = false; // the text does not say what its columns are
+    QString text;             // then, of the table
 };
 FoundMaps mapsIn(const QString& text, bool areOurs); // any thread
 

@@ -101,7 +101,7 @@ void MapsClipboard::pasteInPlane(const document::Rows& rows) {
     }
     const io::Table& table = found.table;
     if (found.isOrderOpen) {
-        auto* dialog = new PasteTableDialog(m_document, rows, text, m_window);
+        auto* dialog = new PasteTableDialog(m_document, rows, found.text, m_window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &PasteTableDialog::pasted, this,
                 [this, rows, dialog](const std::vector<ifs::MapId>& touched) {
