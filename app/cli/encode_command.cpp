@@ -38,6 +38,7 @@ struct EncodeArguments {
     std::string pattern;
     std::string output;
     std::optional<std::string> rate, frames;
+    bool dryRun = false;
     Verbosity verbosity;
 
     io::VideoFormat format = io::VideoFormat::Mp4; // of the output
@@ -347,6 +348,7 @@ private:
 ExitStatus encode(EncodeArguments arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
     check(arguments);
+    if (arguments.dryRun) return ExitStatus::Done;
     return EncodeSession(arguments, mode).run();
 }
 
@@ -376,6 +378,10 @@ Command encodeCommand(CLI::App& program) {
                      "frames of the animation that the pictures carry")
         ->type_name("LIST|all")
         ->default_str("all that are there")
+        ->group("Frames");
+    command
+        ->add_flag("--dry-run", arguments->dryRun,
+                   "Report what is wrong with the options; look at no picture, and write nothing")
         ->group("Frames");
     command->add_option("--fps", arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001")
         ->type_name("R")

@@ -499,6 +499,11 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addExplanationOptions(command, arguments);
     command.add_flag("--list-palettes", arguments.listPalettes, "List the palettes and exit")
         ->group("Colours");
+    command
+        .add_flag("--dry-run", arguments.dryRun,
+                  "Report what is wrong with the options and the entries, and draw nothing")
+        ->excludes(command.get_option("--resume"))
+        ->group("Several machines or runs");
     addVerbosityOptions(command, arguments.verbosity);
 }
 

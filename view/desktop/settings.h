@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QObject>
 #include <QString>
 #include <QVariant>
 
@@ -11,5 +12,15 @@ namespace view {
 void store(const QString& key, const QVariant& value);               // an invalid value: forgotten
 QVariant stored(const QString& key, const QVariant& otherwise = {}); // as it was stored last
 void finishStoring();                                                // before the program ends
+
+// Tells the windows what store() did not return.
+class StoringReport : public QObject {
+    Q_OBJECT
+
+signals:
+    void cannotStore(const QString& sentence); // once, until it is possible again
+};
+
+StoringReport* storingReport();
 
 } // namespace view
