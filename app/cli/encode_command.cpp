@@ -38,6 +38,7 @@ struct EncodeArguments {
     std::string pattern;
     std::string output;
     std::optional<std::string> rate, frames;
+    bool dryRun = false;
     Verbosity verbosity;
 
     io::VideoFormat format = io::VideoFormat::Mp4; // of the output
@@ -343,6 +344,7 @@ private:
 ExitStatus encode(EncodeArguments arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
     check(arguments);
+    if (arguments.dryRun) return ExitStatus::Done;
     return EncodeSession(arguments, mode).run();
 }
 
@@ -368,6 +370,8 @@ Command encodeCommand() {
                "Pictures to take, all of which must be there: their numbers, such as 1-240,300, or all "
                "frames of the animation that the pictures carry",
                "all that are there");
+    frames.flag("--dry-run", &arguments->dryRun,
+                "Report what is wrong with the options; look at no picture, and write nothing");
     frames.add("--fps", "R", &arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001",
                "those of the animation in the pictures, else 24");
     addVerbosityOptions(command, arguments->verbosity);

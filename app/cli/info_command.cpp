@@ -7,6 +7,7 @@
 #include "shown_frame.h"
 #include "usage_error.h"
 
+#include "io/file/standard_output.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
 
@@ -14,6 +15,7 @@
 #include <QHash>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -164,8 +166,7 @@ ExitStatus info(const Arguments& arguments) {
                               : arguments.list ? listOf(*input, subject, arguments.json)
                                                : factsOf(arguments, subject, mode, budget);
     if (!print(answer)) {
-        reportError(input->name,
-                    QCoreApplication::translate("cli", "The output cannot be written to standard output."));
+        reportError(input->name, io::cannotPrint(errno));
         return ExitStatus::CannotReadOrWrite;
     }
     return selection.complete && !selection.entries.isEmpty() ? problems : ExitStatus::InputProblems;

@@ -2,6 +2,7 @@
 #include "messages.h"
 
 #include "document/reordered_text.h"
+#include "io/file/standard_output.h"
 
 #include <QCoreApplication>
 
@@ -73,8 +74,7 @@ void reportUsage(const QString& subcommand, const QString& sentence) {
 }
 
 bool print(const QByteArray& text) {
-    const auto size = std::size_t(text.size());
-    return std::fwrite(text.constData(), 1, size, stdout) == size && std::fflush(stdout) == 0;
+    return io::printBytes(text.constData(), std::size_t(text.size()));
 }
 
 } // namespace cli

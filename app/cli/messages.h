@@ -21,6 +21,6 @@ void reportWarning(const QString& fileName, const QString& sentence);
 // Wrong usage, with a hint where to find the right one.
 void reportUsage(const QString& subcommand, const QString& sentence);
 
-[[nodiscard]] bool print(const QByteArray& text); // to standard output; false when it cannot be written
+[[nodiscard]] bool print(const QByteArray& text); // to standard output; false with errno
 
 } // namespace cli

@@ -10,15 +10,12 @@
 
 #include <QCoreApplication>
 
+#include <cerrno>
 #include <filesystem>
 
 namespace cli {
 
 namespace {
-
-QString cannotPrint() {
-    return QCoreApplication::translate("cli", "Standard output cannot be written to.");
-}
 
 int otherNames(const QString& output) {
     return isStandardOutput(output) ? 0 : io::otherNames(output);
@@ -49,7 +46,7 @@ ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
     if (!isStandardOutput(output))
         failure = io::saveFile(output, bytes);
     else if (!print(bytes))
-        failure = cannotPrint();
+        failure = io::cannotPrint(errno);
     if (!failure) {
         warnAboutLinks(output, linked);
         return ExitStatus::Done;

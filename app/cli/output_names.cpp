@@ -7,10 +7,15 @@ namespace cli {
 
 namespace {
 
+// Where the name of the file begins. Those of its folders are no patterns.
+qsizetype startOfName(const QString& path) {
+    return path.lastIndexOf(u'/') + 1;
+}
+
 // The letters of the placeholders, in order.
 QString letters(const QString& pattern) {
     QString found;
-    for (qsizetype i = 0; i + 1 < pattern.size(); ++i)
+    for (qsizetype i = startOfName(pattern); i + 1 < pattern.size(); ++i)
         if (pattern[i] == u'%') found += pattern[++i];
     return found;
 }
@@ -39,8 +44,9 @@ bool hasIterations(const QString& pattern) {
 }
 
 QString outputFor(const QString& pattern, const OutputName& name) {
-    QString result;
-    for (qsizetype i = 0; i < pattern.size(); ++i) {
+    const qsizetype start = startOfName(pattern);
+    QString result = pattern.left(start);
+    for (qsizetype i = start; i < pattern.size(); ++i) {
         const QChar letter = pattern[i] == u'%' && i + 1 < pattern.size() ? pattern[i + 1] : QChar();
         const QChar known = letter == u'i' && !name.iterations ? QChar() : letter;
         switch (known.unicode()) {

@@ -484,6 +484,10 @@ void addRenderOptions(Command& command, RenderArguments& arguments) {
     command.group("Colours")
         .flag("--list-palettes", &arguments.listPalettes, "List the palettes and exit")
         .question();
+    command.group("Several machines or runs")
+        .flag("--dry-run", &arguments.dryRun,
+              "Report what is wrong with the options and the entries, and draw nothing")
+        .excludes("--resume");
     addVerbosityOptions(command, arguments.verbosity);
 }
 

@@ -74,6 +74,7 @@ struct RenderArguments : AppearanceOptions, SpaceOptions, FrameOptions, PartOpti
     bool yDown = false;
     bool legend = false;
     bool listPalettes = false;
+    bool dryRun = false;
     Verbosity verbosity;
     Steps steps; // that `iterations` asks for
 };

@@ -201,6 +201,7 @@ private:
         if (const auto* svg = std::get_if<io::SvgExport>(&what); svg && !isPossible(*svg, name))
             return ExitStatus::InputProblems;
         if (m_format == Format::Sum) return drawSums(std::get<io::PngExport>(what), task, before, all);
+        if (m_arguments.dryRun) return ExitStatus::Done;
         const auto outcome = exportOutput(
             what, task.output, [&](double fraction) { m_bar.show((before + fraction) / all); },
             m_interrupt.token());
@@ -209,8 +210,10 @@ private:
 
     template <class Picture>
     ExitStatus drawSums(const Picture& picture, const Task& task, double before, double all) {
+        const auto part = partOfPicture(picture, m_arguments);
+        if (m_arguments.dryRun) return ExitStatus::Done;
         const auto outcome = io::exportSums(
-            partOfPicture(picture, m_arguments), task.output,
+            part, task.output,
             [&](double fraction) { m_bar.show((before + fraction) / all); }, m_interrupt.token());
         return finish(outcome, task);
     }
@@ -222,6 +225,7 @@ private:
         if (picture.page)
             reportWarning(task.input->name, tr("A solid has no shapes: the file contains its picture in "
                                                "pixels."));
+        if (m_arguments.dryRun) return ExitStatus::Done;
         QByteArray png;
         const auto outcome = io::drawSpaceFile(
             picture, png, [&](double fraction) { m_bar.show((before + fraction) / all); },

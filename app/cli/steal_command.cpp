@@ -30,6 +30,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 
 namespace cli {
@@ -147,7 +148,7 @@ std::optional<document::CoupledEntries> coupledEntries(const Sources& sources,
 
 ExitStatus printed(const QByteArray& text, const QString& fileName, ExitStatus status) {
     if (print(text)) return status;
-    reportError(fileName, tr("The output cannot be written to standard output."));
+    reportError(fileName, io::cannotPrint(errno));
     return ExitStatus::CannotReadOrWrite;
 }
 

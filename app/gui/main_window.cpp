@@ -384,6 +384,7 @@ void MainWindow::connectDocument() {
     connect(m_stage->space(), &view::SpaceView::message, m_messages, &WindowMessages::say);
     connect(&m_recovery, &Recovery::cannotKeep, this,
             [this](const QString& sentence) { m_messages->fail(tr("Recovery Unavailable"), sentence); });
+    connect(view::storingReport(), &view::StoringReport::cannotStore, m_messages, &WindowMessages::say);
     connect(&m_recovery, &Recovery::lateChanged, m_status, &StatusLine::showRecovery);
     addClassMarks(*m_canvas, *m_construction);
     connect(m_analysis, &view::AnalysisBridge::changed, m_canvas, [this] {

@@ -95,7 +95,7 @@ _barycage_cli_file() {
     fi
     case $word in
       --json | --names | --list | --no-dimension | --bake | --strict | --overwrite | --fill | --y-as-written | --y-down | \
-        --list-palettes | --quiet | --help | -q | -h | --*=* | -[oj]?*) ;;
+        --list-palettes | --dry-run | --quiet | --help | -q | -h | --*=* | -[oj]?*) ;;
       --) ;;
       --* | -[oj]) skip=1 ;;
       *)
@@ -120,14 +120,14 @@ _barycage_cli_options() {
   case ${line[1]} in
     info) options="--entry --frame --json --list --names --hull-tolerance --budget --no-dimension --progress --quiet --help" ;;
     render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down --palette --list-palettes --colour --color
-      --gamma --brightness --contrast --vibrancy --background --algorithm --iterations --part --band --resume --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
+      --gamma --brightness --contrast --vibrancy --background --algorithm --iterations --part --band --resume --dry-run --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
       --to --progress --quiet --help" ;;
     convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --symmetry --expand --y-as-written
       --progress --quiet --help" ;;
     animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down
       --palette --colour --color --gamma --brightness --contrast --vibrancy --background --supersample --threads --bits --dpi --simd
       --progress --quiet --help" ;;
-    encode) options="--output --frames --fps --progress --quiet --help" ;;
+    encode) options="--output --frames --fps --dry-run --progress --quiet --help" ;;
     collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --no-mirrors --angles --stem --threads --progress --quiet --help" ;;
     morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
     steal) options="--output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact

@@ -12,7 +12,7 @@ function __barycage_cli_names
             continue
         end
         switch $word
-            case --json --names --list --no-dimension --bake --strict --overwrite --fill --y-as-written --y-down --list-palettes --quiet --help -q -h '--*=*' --
+            case --json --names --list --no-dimension --bake --strict --overwrite --fill --y-as-written --y-down --list-palettes --dry-run --quiet --help -q -h '--*=*' --
             case -o -j '--*'
                 set skip 1
             case '-o*' '-j*'
@@ -156,6 +156,7 @@ complete -c barycage-cli -n $render -l legend -d "Table of maps beside the pictu
 complete -c barycage-cli -n $render -l part -x -d "Part I of N, into a .sum file"
 complete -c barycage-cli -n $render -l band -x -d "Band J of M of the rows, into a .sum file"
 complete -c barycage-cli -n $render -l resume -r -d "Add points to the picture in a .sum file"
+complete -c barycage-cli -n "__fish_seen_subcommand_from render encode" -l dry-run -d "Report what is wrong, write nothing"
 complete -c barycage-cli -n $render -l time-limit -x -d "Limit of time in seconds"
 complete -c barycage-cli -n $render -l memory-limit -x -d "Limit of memory in megabytes"
 set -l merge "__fish_seen_subcommand_from merge"

@@ -50,8 +50,12 @@ esac
 folder=${frames%/*}/
 mkdir -p -- "$folder"
 
-# One share of a million, which has no frame: the reason why none could be drawn is known before any task begins.
+# The reasons why no frame could be drawn, or no video be made, are known before any task begins. One share of a
+# million has no frame.
 program=${BARYCAGE_CLI:-barycage-cli}
 if command -v "$program" >/dev/null; then
   "$program" animate -o "$frames" --entry "$entry" --chunk 999999/1000000 "${drawing[@]}" -- "$file"
+  if [ "$frames" != "$output" ]; then
+    "$program" encode -o "$output" --dry-run --frames "$wanted" "${rate[@]}" -- "$frames"
+  fi
 fi

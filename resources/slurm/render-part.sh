@@ -8,9 +8,8 @@
 set -euo pipefail
 file=$1 entry=$2 folder=$3 tasks=$4
 shift 4
-output=${folder//%/%%}/$SLURM_ARRAY_TASK_ID.sum # in the names of outputs, %% is a per cent sign
 status=0
-"${BARYCAGE_CLI:-barycage-cli}" render -o "$output" --entry "$entry" --part "$SLURM_ARRAY_TASK_ID/$tasks" \
+"${BARYCAGE_CLI:-barycage-cli}" render -o "$folder/$SLURM_ARRAY_TASK_ID.sum" --entry "$entry" --part "$SLURM_ARRAY_TASK_ID/$tasks" \
   --threads "${SLURM_CPUS_PER_TASK:-1}" "$@" -- "$file" || status=$?
 if ((status > 128 && ${SLURM_RESTART_COUNT:-0} < 3)); then
   scontrol requeue "$SLURM_JOB_ID"

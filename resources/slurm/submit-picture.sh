@@ -26,6 +26,11 @@ png | jpg | jpeg | webp | tif | tiff | exr | sum) ;;
 esac
 parts=$output.parts
 mkdir -p -- "$parts"
+# The reason why no part could be drawn is known before any task begins.
+program=${BARYCAGE_CLI:-barycage-cli}
+if command -v "$program" >/dev/null; then
+  "$program" render -o "$parts/0.sum" --entry "$entry" --part "0/$tasks" --dry-run "$@" -- "$file"
+fi
 array='' merge='' # which submit sets
 write_task "$parts/render.sh" "$here/render-part.sh" "$file" "$entry" "$parts" "$tasks" "$@"
 write_task "$parts/merge.sh" "$here/merge.sh" "$parts" "$output"

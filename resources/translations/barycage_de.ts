@@ -4154,10 +4154,6 @@
         <translation>Diese IFStile-Datei enthält kein affines System.</translation>
     </message>
     <message>
-        <source>Standard output cannot be written to.</source>
-        <translation>Auf die Standardausgabe kann nicht geschrieben werden.</translation>
-    </message>
-    <message>
         <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
         <translation>Die Zahlen lassen sich zeilenweise als %1 Abbildungen aus %2 Zahlen lesen oder als %3 Abbildungen aus 7 Zahlen, deren Gewichte dann die Summe 1 haben. Sie werden, anders als in Fractint, zeilenweise gelesen; für die andere Lesart setzen Sie 7 Zahlen in jede Zeile.</translation>
     </message>
@@ -4936,6 +4932,10 @@
     <message>
         <source>equations</source>
         <translation>Gleichungen</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to: %1.</source>
+        <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
 </context>
 <context>
@@ -13084,6 +13084,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The picture could not be read.</source>
         <translation>Das Bild konnte nicht gelesen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>view::StoringReport</name>
+    <message>
+        <source>The settings cannot be saved: “%1” is not writable, or the disk is full.</source>
+        <translation>Die Einstellungen können nicht gespeichert werden: „%1“ ist nicht beschreibbar, oder der Datenträger ist voll.</translation>
     </message>
 </context>
 <context>

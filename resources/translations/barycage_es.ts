@@ -4154,10 +4154,6 @@
         <translation>Este archivo de IFStile no contiene ningún sistema afín.</translation>
     </message>
     <message>
-        <source>Standard output cannot be written to.</source>
-        <translation>No se puede escribir en la salida estándar.</translation>
-    </message>
-    <message>
         <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
         <translation>Los números pueden leerse línea a línea como %1 aplicaciones de %2 números, o como %3 aplicaciones de 7 números, cuyos pesos suman entonces 1. Se leen línea a línea, a diferencia de Fractint; para la otra lectura, ponga 7 números en cada línea.</translation>
     </message>
@@ -4936,6 +4932,10 @@
     <message>
         <source>equations</source>
         <translation>ecuaciones</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to: %1.</source>
+        <translation>No se puede escribir en la salida estándar: %1.</translation>
     </message>
 </context>
 <context>
@@ -13084,6 +13084,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The picture could not be read.</source>
         <translation>No se pudo leer la imagen.</translation>
+    </message>
+</context>
+<context>
+    <name>view::StoringReport</name>
+    <message>
+        <source>The settings cannot be saved: “%1” is not writable, or the disk is full.</source>
+        <translation>Los ajustes no se pueden guardar: no se puede escribir en «%1» o el disco está lleno.</translation>
     </message>
 </context>
 <context>

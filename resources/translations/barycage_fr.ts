@@ -4154,10 +4154,6 @@
         <translation>Ce fichier IFStile ne contient aucun système affine.</translation>
     </message>
     <message>
-        <source>Standard output cannot be written to.</source>
-        <translation>Impossible d’écrire sur la sortie standard.</translation>
-    </message>
-    <message>
         <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
         <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de %2 nombres, ou comme %3 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne, contrairement à Fractint ; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
     </message>
@@ -4936,6 +4932,10 @@
     <message>
         <source>equations</source>
         <translation>équations</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to: %1.</source>
+        <translation>Impossible d’écrire sur la sortie standard&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -13084,6 +13084,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The picture could not be read.</source>
         <translation>L’image n’a pas pu être lue.</translation>
+    </message>
+</context>
+<context>
+    <name>view::StoringReport</name>
+    <message>
+        <source>The settings cannot be saved: “%1” is not writable, or the disk is full.</source>
+        <translation>Les réglages ne peuvent pas être enregistrés&#x202f;: «&#x202f;%1&#x202f;» n’est pas accessible en écriture, ou le disque est plein.</translation>
     </message>
 </context>
 <context>

@@ -4164,10 +4164,6 @@
         <translation>Оваа датотека на IFStile не содржи афин систем.</translation>
     </message>
     <message>
-        <source>Standard output cannot be written to.</source>
-        <translation>Не може да се запише на стандардниот излез.</translation>
-    </message>
-    <message>
         <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
         <translation>Броевите може да се читаат ред по ред како %1 пресликувања од %2 броја, или како %3 пресликувања од 7 броја, чии тежини тогаш имаат збир 1. За разлика од Fractint, се читаат ред по ред; за другото читање ставете по 7 броја во секој ред.</translation>
     </message>
@@ -4946,6 +4942,10 @@
     <message>
         <source>equations</source>
         <translation>равенки</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written to: %1.</source>
+        <translation>Не може да се запише на стандардниот излез: %1.</translation>
     </message>
 </context>
 <context>
@@ -13115,6 +13115,13 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The picture could not be read.</source>
         <translation>Сликата не можеше да се прочита.</translation>
+    </message>
+</context>
+<context>
+    <name>view::StoringReport</name>
+    <message>
+        <source>The settings cannot be saved: “%1” is not writable, or the disk is full.</source>
+        <translation>Поставките не може да се зачуваат: во „%1“ не може да се запишува или дискот е полн.</translation>
     </message>
 </context>
 <context>

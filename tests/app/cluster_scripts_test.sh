@@ -21,8 +21,9 @@ fake barycage-cli <<'FAKE'
 # As a line in $LOG, and each argument with a zero behind it in a file of its own in $CALLS.
 echo "$*" >>"$LOG"
 printf '%s\0' "$@" >"$(mktemp "$CALLS/XXXXXX")"
-if [ "$1" = render ]; then : >"${3//%%/%}"; fi
 if [[ " $* " == *" 999999/1000000 "* ]]; then exit "${REFUSES:-0}"; fi
+if [[ " $* " == *" --dry-run "* ]]; then exit "${REFUSES_DRY:-0}"; fi
+if [ "$1" = render ]; then : >"$3"; fi
 FAKE
 fake sbatch <<'FAKE'
 #!/bin/bash
@@ -97,7 +98,7 @@ calls() {
   status=$?
 }
 drawing() { grep -E '^animate ' "$work/log" | grep -v 999999/1000000; }
-encoding() { grep -E '^encode ' "$work/log"; }
+encoding() { grep -E '^encode ' "$work/log" | grep -v -e --dry-run; }
 expect() {
   if ! eval "$2"; then
     printf 'FAILED: %q: %s (status %s: %s)\n' "$1" "$2" "$status" "$output"
@@ -156,7 +157,15 @@ for script in submit-animation.sh parallel-animation.sh; do
   refused $script 'one group of #' wind.ifs wind '#.#.png' 3
   REFUSES=1 calls $script wind.ifs wind o.mkv 3
   expect "$script, what no task can draw" '[ $status -eq 1 ] && [ "$(number_of_calls)" -eq 1 ] && [[ $output != *Drawing* ]]'
+  REFUSES_DRY=2 calls $script wind.ifs wind o.mkv 3 --fps 3O
+  expect "$script, what cannot be made a video" \
+    '[ $status -eq 2 ] && was_called encode -o "$work/here/o.mkv" --dry-run --frames all --fps 3O -- "$work/here/o.mkv.frames/######.png"'
+  expect "$script, what cannot be made a video" '[ -z "$(drawing)$(encoding)" ] && [[ $output != *Drawing* ]]'
 done
+REFUSES_DRY=1 calls submit-picture.sh wind.ifs absent o.png 3 --points many
+expect "a picture that no task can draw" '[ $status -eq 1 ] && [ "$(number_of_calls)" -eq 1 ] && [[ $output != *Drawing* ]]'
+expect "a picture that no task can draw" 'was_called render -o "$work/here/o.png.parts/0.sum" --entry absent --part 0/3 \
+  --dry-run --points many -- "$work/here/wind.ifs"'
 for script in submit-animation.sh submit-picture.sh; do
   REFUSES_LAST=1 calls $script wind.ifs wind o.webp 3
   expect "$script, the last job refused" \
@@ -181,7 +190,7 @@ for name in "${hostile[@]}"; do
         --palette "$name" -- "$in/$path"'
     done
     expect "parallel $machines $name" 'was_called encode -o "$video" --frames all -- "$frames"'
-    expect "parallel $machines $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 4 ]'
+    expect "parallel $machines $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 5 ]'
   done
   calls submit-animation.sh "$name" "$name" "$name.mkv" 2 --palette "$name"
   for task in 0 1; do
@@ -190,19 +199,19 @@ for name in "${hostile[@]}"; do
     expect "Slurm $name" '[ -f "${frames%/*}/slurm-7-$task.log" ]'
   done
   expect "Slurm $name" 'was_called encode -o "$video" --frames all -- "$frames"'
-  expect "Slurm $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 4 ] && [[ $output == "Drawing: job 7, "* ]]'
+  expect "Slurm $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 5 ] && [[ $output == "Drawing: job 7, "* ]]'
   parts=$in/$path.png.parts
   calls submit-picture.sh "$name" "$name" "$name.png" 2 --palette "$name"
   for task in 0 1; do
-    expect "picture $name" 'was_called render -o "${parts//%/%%}/$task.sum" --entry "$name" --part $task/2 --threads 1 \
+    expect "picture $name" 'was_called render -o "$parts/$task.sum" --entry "$name" --part $task/2 --threads 1 \
       --palette "$name" -- "$in/$path"'
   done
   expect "picture $name" 'was_called merge -o "$in/$path.png" -- "$parts/0.sum" "$parts/1.sum"'
-  expect "picture $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 3 ]'
+  expect "picture $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 4 ]'
   # The scripts in such a folder themselves.
   cp "$scripts"/*.sh "$in"
   scripts=$in calls submit-animation.sh "$name" "$name" "$name.mkv" 2
-  expect "scripts in $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 4 ]'
+  expect "scripts in $name" '[ $status -eq 0 ] && [ "$(number_of_calls)" -eq 5 ]'
 done
 expect "no name is run" '[ -z "$(find "$work" -name canary)" ]'
 [ $failures -eq 0 ] && echo "passed"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
+# shellcheck disable=SC1003,SC2016 # names that bash would expand elsewhere
 # slurm_test.sh BARYCAGE_CLI SCRIPTS: starts a Slurm of its own on this machine, draws an animation with the job
 # scripts in SCRIPTS, kills a node and a task midway, and compares every byte with what one process draws.
 set -euo pipefail
@@ -175,6 +176,38 @@ say "a picture in 4 parts"
 wait_for 120 queue_is_empty
 "$cli" render wind.ifs --entry wind --size 320x240 --points 1e8 -o alone.png
 cmp alone.png wind.png || fail "the pictures differ"
+
+say "what cannot be drawn is refused before anything is submitted"
+# refused SCRIPT ARGUMENT...
+refused() {
+  local said
+  if said=$("$scripts/$1" "${@:2}" 2>&1) || [[ $said == *Drawing* ]]; then fail "it was not refused: $* ($said)"; fi
+  queue_is_empty || fail "it is in the queue: $*"
+}
+refused submit-picture.sh wind.ifs absent no.png 2
+refused submit-picture.sh wind.ifs wind no.png 2 --points many
+refused submit-picture.sh wind.ifs wind no.png 2 --size 60x40 --no-such-option
+refused submit-animation.sh wind.ifs absent no.mkv 2
+refused submit-animation.sh wind.ifs wind no.mkv 2 --fps 3O
+refused submit-animation.sh wind.ifs wind no.mkv 2 --frames 9-8
+
+small=(--size 32x24 --points 1e4)
+for name in '%n # %A' $'two  words\n' '##.%%_%j\'; do
+  say "names such as $(printf %q "$name")"
+  mkdir "$folder/drawn/$name"
+  cd "$folder/drawn/$name"
+  entry='%n#$(x)\'
+  E=$entry awk 'NR == 1 { print ENVIRON["E"] " {"; next } { print }' ../wind.ifs >"$name"
+  "$scripts/submit-animation.sh" "./$name" "$entry" "./$name.mkv" 2 "${small[@]}"
+  "$scripts/submit-picture.sh" "./$name" "$entry" "./$name.png" 2 "${small[@]}"
+  wait_for 120 queue_is_empty
+  "$cli" animate "./$name" --entry "$entry" -o alone.mkv "${small[@]}"
+  "$cli" render "./$name" --entry "$entry" -o alone.png "${small[@]}"
+  cmp alone.mkv "./$name.mkv" || fail "the videos differ"
+  cmp alone.png "./$name.png" || fail "the pictures differ"
+  cd "$folder/drawn"
+done
+
 if command -v parallel >/dev/null; then
   say "GNU parallel"
   "$scripts/parallel-animation.sh" wind.ifs wind parallel.mkv 6 --size 320x240 --points 1e6

@@ -118,7 +118,7 @@ private:
             m_isStarted = false;
             return m_values;
         }();
-        {
+        { // QSettings keeps what it cannot write, and tries again with the next values
             QSettings settings;
             makePrivate(settings.fileName());
             for (const auto& [key, value] : values.asKeyValueRange())
@@ -126,9 +126,22 @@ private:
                     settings.setValue(key, value.first);
                 else
                     settings.remove(key);
-        } // and now it is written
+            settings.sync();
+            report(settings.status() == QSettings::NoError, settings.fileName());
+        }
         const QMutexLocker locker(&m_mutex);
         m_values.removeIf([&](const auto& entry) { return values.value(entry.key()) == entry.value(); });
+    }
+
+    // The windows are told in their thread.
+    void report(bool isWritten, const QString& file) {
+        if (!std::exchange(m_isWritten, isWritten) || isWritten) return;
+        const QString sentence =
+            StoringReport::tr("The settings cannot be saved: “%1” is not writable, or the disk is full.")
+                .arg(QDir::toNativeSeparators(file));
+        QMetaObject::invokeMethod(
+            storingReport(), [sentence] { emit storingReport()->cannotStore(sentence); },
+            Qt::QueuedConnection);
     }
 
     QMutex m_mutex;
@@ -137,16 +150,23 @@ private:
     int m_calls = 0;
     bool m_isStarted = false; // a write that will find what is added now
     QMutex m_writing;
+    bool m_isWritten = true; // the last time
     QFuture<void> m_last;
     std::optional<Answer> m_late;
 };
 
 Storing& storing() {
+    storingReport();                      // which is of the thread of the windows
     static auto* const all = new Storing; // a thread may come back to it at the very end
     return *all;
 }
 
 } // namespace
+
+StoringReport* storingReport() {
+    static auto* const report = new StoringReport; // likewise
+    return report;
+}
 
 void store(const QString& key, const QVariant& value) {
     storing().add(key, value);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QObject>
 #include <QString>
 #include <QVariant>
 
@@ -15,5 +16,15 @@ void store(const QString& key, const QVariant& value); // an invalid value: forg
 QVariant stored(const QString& key, const QVariant& otherwise = {});
 // Waits until all of it is on the disk, but no longer than that; whether it is.
 bool finishStoring(std::chrono::milliseconds patience = std::chrono::seconds(10));
+
+// Tells the windows what store() did not return.
+class StoringReport : public QObject {
+    Q_OBJECT
+
+signals:
+    void cannotStore(const QString& sentence); // once, until it is possible again
+};
+
+StoringReport* storingReport();
 
 } // namespace view

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/animation/cluster_job.h"
 
+#include "document/reordered_text.h"
 #include "document/unique_names.h"
 #include "io/fractint/entry_writer.h"
 
@@ -38,6 +39,17 @@ QByteArray submitText(const ClusterJob& job) {
         .toUtf8();
 }
 
+// A name as Markdown shows it: what would be a mark of Markdown, or part of one, is escaped.
+QString literal(const QString& name) {
+    QString text;
+    for (const QChar c : name) {
+        if (c.unicode() < 128 && (c.isPunct() || c.isSymbol())) text += u'\\';
+        const bool isSeen = c.category() != QChar::Other_Control && !document::turnsText(c);
+        text += isSeen ? c : QChar(QChar::ReplacementCharacter);
+    }
+    return text;
+}
+
 QByteArray readmeText(const ClusterJob& job) {
     const QString frames = QString::number(job.animation.last - job.animation.first + 1);
     const QString size =
@@ -54,7 +66,7 @@ QByteArray readmeText(const ClusterJob& job) {
                "* `entry.ifs`: the animation\n"
                "* `submit.sh`: size, frames and quality; it calls `submit-animation.sh`\n"
                "* `animate.sh`, `encode.sh`: what Slurm runs\n")
-        .arg(job.animation.entry.name, frames, size, QLatin1String(BARYCAGE_VERSION), outputName(job))
+        .arg(literal(job.animation.entry.name), frames, size, QLatin1String(BARYCAGE_VERSION), outputName(job))
         .toUtf8();
 }
 

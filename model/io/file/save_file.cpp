@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <string>
@@ -229,9 +230,17 @@ NewFile::~NewFile() {
 }
 
 void NewFile::fail() {
-    if (!m_failure)
-        m_failure = m_replacement ? reason(m_replacement->error(), m_path)
-                                  : Text::tr("Standard output cannot be written to.");
+    if (!m_failure) m_failure = m_replacement ? reason(m_replacement->error(), m_path) : cannotPrint(errno);
+}
+
+bool NewFile::seek(qint64 position) {
+    if (position >= 0 && QIODevice::seek(position)) return true;
+    if (!m_failure) {
+        const QString why = QString::fromLocal8Bit(std::strerror(EINVAL));
+        m_failure = m_waiting < 0 ? notSaved(m_path, why) : cannotPrint(EINVAL);
+        setErrorString(*m_failure);
+    }
+    return false;
 }
 
 qint64 NewFile::readData(char* data, qint64 size) {

@@ -19,16 +19,17 @@ using Failure = std::optional<QString>;
 // commit() flushes to the disk and renames: `path` holds the old bytes or the new ones, never a part.
 // Permissions, access control lists, extended attributes and a symbolic link at `path` are kept, unless the
 // system refuses to follow the link; what is no ordinary file is not replaced. commit() refuses after any
-// read or write that failed, whether or not its caller noticed. It is open from the start, unless failure()
-// says why not; what is not committed leaves nothing behind. Until then, seek() and read() work as on any
-// file.
+// read, write or seek that failed, whether or not its caller noticed. It is open from the start, unless
+// failure() says why not; what is not committed leaves nothing behind. Until then, seek() and read() work as
+// on any file.
 class NewFile : public QIODevice {
 public:
     explicit NewFile(const QString& path); // or standardOutputPath()
     ~NewFile() override;
 
-    const Failure& failure() const { return m_failure; } // the first, also of reading and writing
+    const Failure& failure() const { return m_failure; } // the first
     [[nodiscard]] Failure commit();
+    bool seek(qint64 position) override;
 
 protected:
     qint64 readData(char* data, qint64 maxSize) override;

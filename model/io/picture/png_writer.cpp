@@ -2,6 +2,7 @@
 #include "io/picture/png_writer.h"
 
 #include "io/picture/png_system.h"
+#include "io/raster/library_device.h"
 #include "io/raster/pixel_rows.h"
 
 #include <QCoreApplication>
@@ -15,19 +16,25 @@ namespace io {
 
 // libpng leaves by longjmp when something fails: the functions that call it hold no object with a destructor.
 struct PngWriter::State {
+    State(QIODevice& to, const PngFormat& given) : device(to), format(given) {
+        const size_t channels = grey() ? 1 : transparent() ? 4 : 3;
+        row.resize(size_t(format.width) * channels * (deep() ? 2 : 1));
+    }
+
     png_structp png = nullptr;
     png_infop info = nullptr;
-    QIODevice* device = nullptr;
+    LibraryDevice device;
     PngFormat format;
     std::vector<png_byte> row;
     Failure failure;
 
     ~State() { png_destroy_write_struct(&png, &info); }
 
-    void fail(const QString& reason) {
+    void fail() {
         if (!failure)
-            failure =
-                QCoreApplication::translate("PngWriter", "The picture cannot be written: %1").arg(reason);
+            failure = QCoreApplication::translate("PngWriter", "The picture cannot be written: %1")
+                          .arg(device.errorString());
+        device.rethrow();
     }
 
     bool start();
@@ -53,9 +60,7 @@ namespace {
 void onWarning(png_structp, png_const_charp) {}
 
 void onWrite(png_structp png, png_bytep data, png_size_t size) {
-    auto* device = static_cast<QIODevice*>(png_get_io_ptr(png));
-    if (device->write(reinterpret_cast<const char*>(data), qint64(size)) != qint64(size))
-        png_error(png, "write");
+    if (!static_cast<LibraryDevice*>(png_get_io_ptr(png))->write(data, qint64(size))) png_error(png, "write");
 }
 
 void onFlush(png_structp) {}
@@ -66,7 +71,7 @@ bool PngWriter::State::start() {
     png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
     info = png ? png_create_info_struct(png) : nullptr;
     if (!info) return false;
-    png_set_write_fn(png, device, onWrite, onFlush);
+    png_set_write_fn(png, &device, onWrite, onFlush);
     return writeHeader();
 }
 
@@ -138,7 +143,7 @@ template <class Pixel> Failure PngWriter::State::writeRows(std::span<const Pixel
     const auto width = size_t(format.width);
     for (size_t at = 0; at + width <= pixels.size() && !failure; at += width) {
         encode(pixels.data() + at);
-        if (!writeRow()) fail(device->errorString());
+        if (!writeRow()) fail();
     }
     return failure;
 }
@@ -155,12 +160,9 @@ bool PngWriter::State::finish() {
     return true;
 }
 
-PngWriter::PngWriter(QIODevice& device, const PngFormat& format) : m_state(std::make_unique<State>()) {
-    m_state->device = &device;
-    m_state->format = format;
-    const size_t channels = m_state->grey() ? 1 : m_state->transparent() ? 4 : 3;
-    m_state->row.resize(size_t(format.width) * channels * (m_state->deep() ? 2 : 1));
-    if (!m_state->start()) m_state->fail(device.errorString());
+PngWriter::PngWriter(QIODevice& device, const PngFormat& format)
+    : m_state(std::make_unique<State>(device, format)) {
+    if (!m_state->start()) m_state->fail();
 }
 
 PngWriter::~PngWriter() = default;
@@ -181,7 +183,7 @@ Failure PngWriter::writeRows(std::span<const std::uint16_t> values) {
 }
 
 Failure PngWriter::finish() {
-    if (!m_state->failure && !m_state->finish()) m_state->fail(m_state->device->errorString());
+    if (!m_state->failure && !m_state->finish()) m_state->fail();
     return m_state->failure;
 }
 

@@ -72,11 +72,15 @@ void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QIma
     // Renamed when it is whole, so that no reader sees a part; a cache need not survive a power cut.
     const QString path = pathOf(fractal, side);
     QFile file(path + QStringLiteral(".part"));
-    if (!file.open(QIODevice::WriteOnly) || file.write(png.data()) != png.size()) return;
-    file.close();
-    QFile::remove(path);
-    if (!file.rename(path)) return;
-    makeRoom(png.size());
+    if (!file.open(QIODevice::WriteOnly)) return;
+    bool isWritten = file.write(png.data()) == png.size();
+    file.close(); // what is left in memory is written only now
+    isWritten = isWritten && file.error() == QFileDevice::NoError;
+    if (isWritten) QFile::remove(path);
+    if (isWritten && file.rename(path))
+        makeRoom(png.size());
+    else
+        file.remove();
 }
 
 void ThumbnailCache::makeRoom(qint64 added) {

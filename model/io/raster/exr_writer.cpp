@@ -27,25 +27,18 @@ constexpr std::size_t codes = 65536;
 // The library reports what goes wrong by exceptions, and wants the same of its streams.
 class DeviceStream final : public Imf::OStream {
 public:
-    explicit DeviceStream(QIODevice& device) : OStream(""), m_device(device) {}
+    explicit DeviceStream(LibraryDevice& device) : OStream(""), m_device(device) {}
 
     void write(const char* bytes, int size) override {
-        if (m_device.write(bytes, size) != size) fail("write");
+        if (!m_device.write(bytes, size)) throw std::runtime_error("write");
     }
-    std::uint64_t tellp() override { return std::uint64_t(m_device.pos()); }
+    std::uint64_t tellp() override { return std::uint64_t(m_device.position()); }
     void seekp(std::uint64_t position) override {
-        if (!m_device.seek(qint64(position))) fail("seek");
+        if (!m_device.seek(qint64(position))) throw std::runtime_error("seek");
     }
-    bool isFailed() const { return m_isFailed; }
 
 private:
-    void fail(const char* what) {
-        m_isFailed = true;
-        throw std::runtime_error(what);
-    }
-
-    QIODevice& m_device;
-    bool m_isFailed = false;
+    LibraryDevice& m_device;
 };
 
 Imf::Header headerOf(PictureFile file, const PictureFormat& format) {
@@ -64,7 +57,7 @@ Imf::Header headerOf(PictureFile file, const PictureFormat& format) {
 } // namespace
 
 struct ExrWriter::State {
-    State(QIODevice& device, PictureFile file, const PictureFormat& given)
+    State(LibraryDevice& device, PictureFile file, const PictureFormat& given)
         : stream(device),
           type(file == PictureFile::ExrFloat ? Imf::FLOAT : Imf::HALF),
           format(given),
@@ -114,26 +107,24 @@ void ExrWriter::State::writeRow(const attractor::Rgba16* pixels) {
         writeAs<half>();
 }
 
-namespace {
-
-Failure failureOf(const QIODevice& device) {
-    return QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1")
-        .arg(device.errorString());
-}
-
-} // namespace
-
 ExrWriter::ExrWriter(QIODevice& device, PictureFile file, const PictureFormat& format) : m_device(device) {
     try {
-        m_state = std::make_unique<State>(device, file, format);
+        m_state = std::make_unique<State>(m_device, file, format);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception&) {
-        m_failure = failureOf(device);
+        fail();
     }
 }
 
 ExrWriter::~ExrWriter() = default;
+
+void ExrWriter::fail() {
+    if (!m_failure)
+        m_failure = QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1")
+                        .arg(m_device.errorString());
+    m_device.rethrow();
+}
 
 Failure ExrWriter::writeRows(std::span<const std::uint32_t>) {
     Q_ASSERT(false);
@@ -147,9 +138,10 @@ Failure ExrWriter::writeRows(std::span<const attractor::Rgba16> pixels) {
         for (std::size_t at = 0; at + width <= pixels.size(); at += width)
             m_state->writeRow(pixels.data() + at);
     } catch (const std::bad_alloc&) {
+        fail();
         throw;
     } catch (const std::exception&) {
-        m_failure = failureOf(m_device);
+        fail();
     }
     return m_failure;
 }
@@ -158,7 +150,7 @@ Failure ExrWriter::writeRows(std::span<const attractor::Rgba16> pixels) {
 Failure ExrWriter::finish() {
     if (m_failure) return m_failure;
     m_state->output.reset();
-    if (m_state->stream.isFailed()) m_failure = failureOf(m_device);
+    if (m_device.isFailed()) fail();
     return m_failure;
 }
 

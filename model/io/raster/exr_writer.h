@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/raster/library_device.h"
 #include "io/raster/picture_writer.h"
-
-#include <QIODevice>
 
 #include <memory>
 
@@ -24,7 +23,9 @@ public:
 
 private:
     struct State;
-    QIODevice& m_device;
+    void fail();
+
+    LibraryDevice m_device;
     std::unique_ptr<State> m_state;
     Failure m_failure;
 };

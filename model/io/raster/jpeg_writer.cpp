@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/jpeg_writer.h"
 
+#include "io/raster/library_device.h"
 #include "io/raster/pixel_rows.h"
 #include "io/raster/raster_system.h"
 
@@ -26,12 +27,15 @@ constexpr qsizetype maxComment = 65533; // bytes
 // libjpeg leaves by longjmp when something fails: the functions that call it hold no object with a
 // destructor.
 struct JpegWriter::State {
+    State(QIODevice& to, const PictureFormat& given)
+        : device(to), format(given), row(std::size_t(given.width) * 3) {}
+
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
     jpeg_destination_mgr destination{};
     std::jmp_buf exit{};
     std::array<JOCTET, 65536> buffer{};
-    QIODevice* device = nullptr;
+    LibraryDevice device;
     PictureFormat format;
     std::vector<JSAMPLE> row;
     Failure failure;
@@ -41,17 +45,15 @@ struct JpegWriter::State {
     void fail() {
         if (!failure)
             failure = QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1")
-                          .arg(device->errorString());
+                          .arg(device.errorString());
+        device.rethrow();
     }
 
     bool start();
     bool writeComments();
     bool writeRow();
     bool finish();
-    bool flush(std::size_t size) {
-        const auto* bytes = reinterpret_cast<const char*>(buffer.data());
-        return device->write(bytes, qint64(size)) == qint64(size);
-    }
+    bool flush(std::size_t size) { return device.write(buffer.data(), qint64(size)); }
     void rewind() {
         destination.next_output_byte = buffer.data();
         destination.free_in_buffer = buffer.size();
@@ -128,10 +130,8 @@ bool JpegWriter::State::finish() {
     return true;
 }
 
-JpegWriter::JpegWriter(QIODevice& device, const PictureFormat& format) : m_state(std::make_unique<State>()) {
-    m_state->device = &device;
-    m_state->format = format;
-    m_state->row.resize(std::size_t(format.width) * 3);
+JpegWriter::JpegWriter(QIODevice& device, const PictureFormat& format)
+    : m_state(std::make_unique<State>(device, format)) {
     if (!m_state->start() || !m_state->writeComments()) m_state->fail();
 }
 

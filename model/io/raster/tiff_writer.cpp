@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/tiff_writer.h"
 
+#include "io/raster/library_device.h"
 #include "io/raster/pixel_rows.h"
 #include "io/raster/raster_system.h"
 
@@ -8,33 +9,44 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <tiffio.h>
 
 namespace io {
 
 struct TiffWriter::State {
+    State(QIODevice& to, const PictureFormat& given)
+        : device(to), format(given), row(std::size_t(given.width) * 4) {}
+
     TIFF* tiff = nullptr;
-    QIODevice* device = nullptr;
+    LibraryDevice device;
     toff_t size = 0; // of the file so far
     PictureFormat format;
     std::vector<std::uint16_t> row; // room for either depth
     std::uint32_t rows = 0;         // written
     Failure failure;
 
-    ~State() {
-        if (tiff) TIFFClose(tiff);
-    }
+    ~State() { close(); }
 
     bool isDeep() const { return format.depth == PictureFormat::Depth::Bits16; }
     bool withAlpha() const { return format.pixels != PictureFormat::Pixels::Opaque; }
     void open();
+    void close() {
+        if (tiff) TIFFClose(std::exchange(tiff, nullptr));
+    }
+    bool finish() {
+        const bool isWritten = TIFFWriteDirectory(tiff) == 1;
+        close(); // which returns no error
+        return isWritten && !device.isFailed();
+    }
     bool writeTags();
-    bool writeRow() { return TIFFWriteScanline(tiff, row.data(), rows++, 0) == 1; }
+    bool writeRow() { return TIFFWriteScanline(tiff, row.data(), rows++, 0) == 1 && !device.isFailed(); }
     void fail() {
         if (!failure)
             failure = QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1")
-                          .arg(device->errorString());
+                          .arg(device.errorString());
+        device.rethrow();
     }
 };
 
@@ -49,22 +61,27 @@ void TiffWriter::State::open() {
                                 (withAlpha() ? 4 : 3) * (isDeep() ? 2 : 1);
     const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                    TIFFOpenOptionsFree);
-    const auto isSaid = [](TIFF*, void*, const char*, const char*, va_list) { return 1; };
-    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), isSaid, nullptr);
-    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), isSaid, nullptr);
+    // Of some errors only this is told, as of those of a file that is closed.
+    const auto onError = [](TIFF*, void* state, const char*, const char*, va_list) {
+        static_cast<State*>(state)->device.fail();
+        return 1;
+    };
+    const auto onWarning = [](TIFF*, void*, const char*, const char*, va_list) { return 1; };
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), onError, this);
+    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), onWarning, nullptr);
     const auto read = [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; };
     const auto write = [](thandle_t handle, void* data, tmsize_t count) -> tmsize_t {
         auto* state = static_cast<State*>(handle);
-        const qint64 written = state->device->write(static_cast<const char*>(data), count);
-        state->size = std::max(state->size, toff_t(state->device->pos()));
-        return tmsize_t(written);
+        if (!state->device.write(data, count)) return -1;
+        state->size = std::max(state->size, toff_t(state->device.position()));
+        return count;
     };
     const auto seek = [](thandle_t handle, toff_t offset, int whence) -> toff_t {
         auto* state = static_cast<State*>(handle);
         const toff_t from = whence == SEEK_SET   ? 0
                             : whence == SEEK_END ? state->size
-                                                 : toff_t(state->device->pos());
-        return state->device->seek(qint64(from + offset)) ? from + offset : toff_t(-1);
+                                                 : toff_t(state->device.position());
+        return state->device.seek(qint64(from + offset)) ? from + offset : toff_t(-1);
     };
     const auto close = [](thandle_t) { return 0; };
     const auto sizeOf = [](thandle_t handle) { return static_cast<State*>(handle)->size; };
@@ -96,12 +113,10 @@ bool TiffWriter::State::writeTags() {
     return isSet;
 }
 
-TiffWriter::TiffWriter(QIODevice& device, const PictureFormat& format) : m_state(std::make_unique<State>()) {
-    m_state->device = &device;
-    m_state->format = format;
-    m_state->row.resize(std::size_t(format.width) * 4);
+TiffWriter::TiffWriter(QIODevice& device, const PictureFormat& format)
+    : m_state(std::make_unique<State>(device, format)) {
     m_state->open();
-    if (!m_state->tiff || !m_state->writeTags()) m_state->fail();
+    if (!m_state->tiff || !m_state->writeTags() || m_state->device.isFailed()) m_state->fail();
 }
 
 TiffWriter::~TiffWriter() = default;
@@ -128,7 +143,7 @@ Failure TiffWriter::writeRows(std::span<const attractor::Rgba16> pixels) {
 }
 
 Failure TiffWriter::finish() {
-    if (!m_state->failure && TIFFWriteDirectory(m_state->tiff) != 1) m_state->fail();
+    if (!m_state->failure && !m_state->finish()) m_state->fail();
     return m_state->failure;
 }
 

@@ -11,16 +11,22 @@
 #include <webp/mux.h>
 
 #include <memory>
+#include <new>
 
 namespace io {
 
 namespace {
 
-// Hands what the encoder gives to a string of bytes.
+// Hands what the encoder gives to a string of bytes. Nothing is thrown through the encoder, which fails
+// instead.
 int onBytes(const std::uint8_t* data, std::size_t size, const WebPPicture* picture) {
-    static_cast<QByteArray*>(picture->custom_ptr)
-        ->append(reinterpret_cast<const char*>(data), qsizetype(size));
-    return 1;
+    try {
+        static_cast<QByteArray*>(picture->custom_ptr)
+            ->append(reinterpret_cast<const char*>(data), qsizetype(size));
+        return 1;
+    } catch (const std::bad_alloc&) {
+        return 0;
+    }
 }
 
 WebPConfig configOf(const PictureFormat& format) {
@@ -68,9 +74,8 @@ QByteArray withPacket(const QByteArray& picture, const QByteArray& packet) {
         WebPMuxSetChunk(mux.get(), "XMP ", &text, 0) != WEBP_MUX_OK ||
         WebPMuxAssemble(mux.get(), &whole) != WEBP_MUX_OK)
         return {};
-    const QByteArray result(reinterpret_cast<const char*>(whole.bytes), qsizetype(whole.size));
-    WebPDataClear(&whole);
-    return result;
+    const std::unique_ptr<WebPData, decltype(&WebPDataClear)> owner(&whole, WebPDataClear);
+    return {reinterpret_cast<const char*>(whole.bytes), qsizetype(whole.size)};
 }
 
 } // namespace
@@ -127,8 +132,9 @@ Failure WebPWriter::finish() {
         picture = withPacket(picture, xmpPacket(m_format.systemText));
     if (picture.isEmpty())
         fail(QCoreApplication::translate("PictureWriter", "the WebP encoder does not have enough memory."));
-    else if (m_device.write(picture) != picture.size())
+    else if (!m_device.write(picture.constData(), picture.size()))
         fail(m_device.errorString());
+    m_device.rethrow();
     return m_failure;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/raster/library_device.h"
 #include "io/raster/picture_writer.h"
-
-#include <QIODevice>
 
 namespace io {
 
@@ -22,7 +21,7 @@ public:
 private:
     void fail(const QString& reason);
 
-    QIODevice& m_device;
+    LibraryDevice m_device;
     PictureFormat m_format;
     std::vector<std::uint8_t> m_bytes; // of the rows so far
     Failure m_failure;

@@ -3,6 +3,9 @@
 
 #include "io/file/save_file.h"
 
+#include <QCoreApplication>
+#include <QDir>
+
 namespace io {
 
 ExportOutcome exportSolid(const SolidExport& what, const QString& path, const Progress& progress,
@@ -21,8 +24,10 @@ ExportOutcome exportSolid(const SolidExport& what, const QString& path, const Pr
     const bool isWritten = !file.failure() && writeMesh(solid, what.format, what.fractal.name, file, stop);
     outcome.stopped = stop.stop_requested();
     if (outcome.stopped) return outcome;
-    outcome.failure = file.failure();
-    if (!outcome.failure && isWritten) outcome.failure = file.commit();
+    outcome.failure = isWritten ? file.commit() : file.failure();
+    if (!isWritten && !outcome.failure)
+        outcome.failure = QCoreApplication::translate("Text", "“%1” was not saved: %2.")
+                              .arg(QDir::toNativeSeparators(path), file.errorString());
     if (progress) progress(1);
     return outcome;
 }

@@ -302,7 +302,8 @@ void CliTest::fullOutputIsSaid() {
     start(process, arguments);
     QVERIFY(process.waitForFinished(60'000));
     QCOMPARE(process.exitCode(), 3);
-    QVERIFY(process.readAllStandardError().contains(said));
+    const QByteArray error = process.readAllStandardError();
+    QVERIFY2(error.contains(said) && error.contains("No space left on device"), error.constData());
 }
 
 void CliTest::problemsOfAWholeFileHaveAPlace() {

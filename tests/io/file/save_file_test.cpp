@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/hard_links.h"
 #include "io/file/save_file.h"
+#include "io/file/standard_output.h"
 #include "support/refusing_kernel.h"
 #include "support/unprivileged.h"
 
@@ -11,7 +12,12 @@
 #include <QtTest>
 
 #include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
 #include <memory>
+#include <thread>
 
 #ifdef Q_OS_UNIX
 #include "support/file_size_limit.h"
@@ -23,7 +29,6 @@
 #include <unistd.h>
 #endif
 #ifdef Q_OS_LINUX
-#include <cerrno>
 #include <sys/xattr.h>
 #endif
 
@@ -60,6 +65,19 @@ QByteArray accessList(quint32 user) {
         number(id, 4);
     }
     return bytes;
+}
+#endif
+
+#ifdef Q_OS_UNIX
+// What call() returns while standard output is another file.
+template <class Call> auto withOutput(int file, Call call) {
+    std::fflush(stdout);
+    const int before = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    ::dup2(file, STDOUT_FILENO);
+    const auto result = call();
+    ::dup2(before, STDOUT_FILENO);
+    ::close(before);
+    return result;
 }
 #endif
 
@@ -121,6 +139,57 @@ private slots:
         QCOMPARE(file.commit(), io::Failure());
         QCOMPARE(contents(m_path), QByteArray("01234ab789\0\0z", 13));
     }
+
+    // Whoever seeks may not look at the result.
+    void refusedSeeksAreRemembered() {
+        put(m_path, "old");
+        for (const QString& path : {m_path, io::standardOutputPath()}) {
+            io::NewFile file(path);
+            QCOMPARE(file.write("new"), 3);
+            QVERIFY(!file.seek(-1));
+            QCOMPARE(file.write("er"), 2);
+            QVERIFY(file.failure());
+            const io::Failure failure = file.commit();
+            QVERIFY(failure && failure->contains(QString::fromLocal8Bit(std::strerror(EINVAL))));
+        }
+        QCOMPARE(contents(m_path), QByteArray("old"));
+    }
+
+#ifdef Q_OS_UNIX
+    // Node.js and others start programs with such pipes.
+    void aFullPipeIsWaitedFor() {
+        const QByteArray bytes(1 << 20, 'x');
+        std::array<int, 2> pipe{};
+        QVERIFY(::pipe(pipe.data()) == 0 && ::fcntl(pipe[1], F_SETFL, O_NONBLOCK) == 0);
+        QByteArray read;
+        std::thread reader([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            std::array<char, 4096> piece{};
+            for (ssize_t size = 1; size > 0; read.append(piece.data(), qsizetype(size)))
+                size = std::max<ssize_t>(0, ::read(pipe[0], piece.data(), piece.size()));
+        });
+        const auto [failure, isPrinted] = withOutput(pipe[1], [&] {
+            const io::Failure found = io::saveFile(io::standardOutputPath(), bytes);
+            return std::pair(found, io::printBytes(bytes.constData(), std::size_t(bytes.size())));
+        });
+        ::close(pipe[1]);
+        reader.join();
+        ::close(pipe[0]);
+        QCOMPARE(failure, io::Failure());
+        QVERIFY(isPrinted);
+        QCOMPARE(read, bytes + bytes);
+    }
+
+    void outputThatFailsIsSaidWithTheReason() {
+        const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+        if (full < 0) QSKIP("needs /dev/full");
+        const io::Failure failure =
+            withOutput(full, [] { return io::saveFile(io::standardOutputPath(), "x"); });
+        ::close(full);
+        QCOMPARE(failure, QStringLiteral("Standard output cannot be written to: %1.")
+                              .arg(QString::fromLocal8Bit(std::strerror(ENOSPC))));
+    }
+#endif
 
     void keepsPermissions() {
         put(m_path, "old");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/thumbnail_cache.h"
+#include "support/file_size_limit.h"
 #include "support/named_test.h"
 
 #include <QDateTime>
@@ -16,6 +17,7 @@ class ThumbnailCacheTest : public QObject {
 private slots:
     void findsByWhatIsShown();
     void survivesDamage();
+    void aFullDiskLeavesNoPart();
     void staysBelowItsSize();
     void onlyTheOwnerMayLookInside();
 };
@@ -60,6 +62,24 @@ void ThumbnailCacheTest::findsByWhatIsShown() {
     fractal.appearance.gamma = 1.5;
     QVERIFY(cache.find(fractal, 16).isNull());
     QVERIFY(cache.find(shifted(0.125), 16).isNull());
+}
+
+// The first picture fits into the memory of a file, which is written when the file is closed.
+void ThumbnailCacheTest::aFullDiskLeavesNoPart() {
+    for (const int side : {16, 128}) {
+        const QTemporaryDir folder;
+        const QImage shown = noise(side, 1);
+        io::ThumbnailCache(folder.path()).keep(shifted(0), side, shown);
+        const QStringList before = QDir(folder.path()).entryList(QDir::Files);
+        QCOMPARE(before.size(), 1);
+        support::FileSizeLimit full(300);
+        QVERIFY(full.isSet());
+        io::ThumbnailCache(folder.path()).keep(shifted(0), side, noise(side, 2));
+        io::ThumbnailCache(folder.path()).keep(shifted(1), side, noise(side, 3));
+        full.lift();
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), before);
+        QCOMPARE(io::ThumbnailCache(folder.path()).find(shifted(0), side), shown);
+    }
 }
 
 void ThumbnailCacheTest::survivesDamage() {

@@ -12,12 +12,16 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <new>
+
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStandardAttributes.h>
 #include <tiffio.h>
 #include <webp/decode.h>
+
+Q_DECLARE_METATYPE(io::PictureFile)
 
 using namespace io;
 using attractor::Rgba16;
@@ -155,6 +159,40 @@ QByteArray writtenTo(PictureFile file, const PictureFormat& format) {
                                                        : written(file, format, randomWords(true));
 }
 
+// A device whose call of one number, among writes and seeks, fails: all others succeed.
+class FailingOnce : public QIODevice {
+public:
+    enum class Way { Refuses, Throws };
+
+    FailingOnce(int call, Way way) : m_call(call), m_way(way) {
+        open(QIODevice::WriteOnly | QIODevice::Unbuffered);
+    }
+
+    bool seek(qint64 position) override { return !fails() && QIODevice::seek(position); }
+    bool hasFailed() const { return m_calls >= m_call; }
+
+protected:
+    qint64 readData(char*, qint64) override { return -1; }
+    qint64 writeData(const char*, qint64 size) override { return fails() ? -1 : size; }
+
+private:
+    bool fails() {
+        if (++m_calls != m_call) return false;
+        if (m_way == Way::Throws) throw std::bad_alloc();
+        return true;
+    }
+
+    int m_call;
+    Way m_way;
+    int m_calls = 0;
+};
+
+Failure writeAll(PictureWriter& writer, const PictureFormat& form) {
+    return form.depth == PictureFormat::Depth::Bits8
+               ? writer.writeRows(std::span<const std::uint32_t>(randomBytes(true)))
+               : writer.writeRows(std::span<const Rgba16>(randomWords(true)));
+}
+
 } // namespace
 
 class RasterWritersTest : public QObject {
@@ -174,6 +212,13 @@ private slots:
     void shortenedPicturesAreRefusedOrWhole();
     void impossiblePicturesAreRefusedBefore();
     void fullDisksAreSaid();
+    void everyRefusalIsSaid_data() { everyKind(); }
+    void everyRefusalIsSaid();
+    void nothingIsThrownThroughLibraries_data() { everyKind(); }
+    void nothingIsThrownThroughLibraries();
+
+private:
+    static void everyKind();
 };
 
 void RasterWritersTest::jpegIsCloseToThePicture() {
@@ -384,12 +429,65 @@ void RasterWritersTest::fullDisksAreSaid() {
             Failure failure;
             {
                 const auto writer = pictureWriter(file, disk, form);
-                failure = form.depth == PictureFormat::Depth::Bits8
-                              ? writer->writeRows(std::span<const std::uint32_t>(randomBytes(true)))
-                              : writer->writeRows(std::span<const Rgba16>(randomWords(true)));
+                failure = writeAll(*writer, form);
                 failure = writer->finish();
             }
             QVERIFY2(failure && failure->contains(QStringLiteral("No space left")), name);
+        }
+    }
+}
+
+void RasterWritersTest::everyKind() {
+    QTest::addColumn<PictureFile>("file");
+    for (const auto& [file, name] : kinds)
+        QTest::addRow("%s %d", name, int(file)) << file;
+    QTest::newRow("png") << PictureFile::Png;
+}
+
+// Also where the library that writes the file does not pass it on.
+void RasterWritersTest::everyRefusalIsSaid() {
+    QFETCH(PictureFile, file);
+    const PictureFormat form = format(PictureFormat::Pixels::Opaque, depthFor(file));
+    for (int call = 1;; ++call) {
+        FailingOnce device(call, FailingOnce::Way::Refuses);
+        const auto writer = pictureWriter(file, device, form);
+        const Failure rows = writeAll(*writer, form);
+        const Failure failure = writer->finish();
+        QVERIFY2(!rows || failure, "it is forgotten");
+        QVERIFY2(failure.has_value() == device.hasFailed(), qPrintable(QString::number(call)));
+        if (!failure) {
+            QVERIFY(call > 1);
+            break;
+        }
+    }
+}
+
+// What a device throws comes out of the function that was called, once, and nothing is written after it.
+void RasterWritersTest::nothingIsThrownThroughLibraries() {
+    QFETCH(PictureFile, file);
+    const PictureFormat form = format(PictureFormat::Pixels::Opaque, depthFor(file));
+    for (int call = 1;; ++call) {
+        FailingOnce device(call, FailingOnce::Way::Throws);
+        std::unique_ptr<PictureWriter> writer;
+        int thrown = 0;
+        const auto orThrown = [&thrown](const auto& action) {
+            try {
+                action();
+            } catch (const std::bad_alloc&) {
+                ++thrown;
+            }
+        };
+        orThrown([&] { writer = pictureWriter(file, device, form); });
+        Failure failure;
+        if (writer) {
+            orThrown([&] { failure = writeAll(*writer, form); });
+            orThrown([&] { failure = writer->finish(); });
+            QVERIFY(thrown == 0 || writer->finish()); // it is remembered
+        }
+        QVERIFY2(thrown == (device.hasFailed() ? 1 : 0), qPrintable(QString::number(call)));
+        if (!device.hasFailed()) {
+            QVERIFY(!failure && call > 1);
+            break;
         }
     }
 }

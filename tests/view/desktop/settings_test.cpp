@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/settings.h"
+#include "support/file_size_limit.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -7,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <sys/stat.h>
@@ -21,6 +23,7 @@ private slots:
     void whatIsStoredIsFound();
     void aSlowDiskIsNotWaitedFor();
     void theOwnerAloneReadsThem();
+    void aFullDiskIsSaidOnce();
 };
 
 void SettingsTest::whatIsStoredIsFound() {
@@ -84,6 +87,32 @@ void SettingsTest::theOwnerAloneReadsThem() {
     QCOMPARE(modeOf(folder), mode_t(0700));
     QCOMPARE(modeOf(file), mode_t(0600));
     QCOMPARE(QSettings().value(QStringLiteral("first")).toInt(), 2);
+}
+
+void SettingsTest::aFullDiskIsSaidOnce() {
+    QSignalSpy said(view::storingReport(), &view::StoringReport::cannotStore);
+    const auto stored = [](int value) {
+        view::store(QStringLiteral("a"), value);
+        view::finishStoring();
+        QCoreApplication::sendPostedEvents(); // from the thread that writes
+    };
+    stored(1);
+    QCOMPARE(said.size(), 0);
+    for (int times = 1; times <= 2; ++times) {
+        support::FileSizeLimit full(0);
+        QVERIFY(full.isSet());
+        stored(10 * times);
+        QCOMPARE(said.size(), times);
+        QVERIFY(said.last().first().toString().contains(QSettings().fileName()));
+        stored(10 * times + 1);
+        QCOMPARE(said.size(), times);
+        full.lift();
+        stored(10 * times + 2);
+        QCOMPARE(said.size(), times);
+        QFile file(QSettings().fileName());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("a=" + QByteArray::number(10 * times + 2)));
+    }
 }
 
 BARYCAGE_TEST(SettingsTest, QCoreApplication);

@@ -30,6 +30,8 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTextBlock>
+#include <QTextDocument>
 #include <QTimer>
 
 #include <memory>
@@ -59,6 +61,7 @@ private slots:
     void failuresAreSaid();
     void whatAFormatLacksIsSaid();
     void aJobFolderHoldsAllThatItNeeds();
+    void theHeadingOfAJobFolderIsTheName();
     void slurmIsAskedForTheState_data();
     void slurmIsAskedForTheState();
 
@@ -430,6 +433,19 @@ void AnimationExportDialogTest::aJobFolderHoldsAllThatItNeeds() {
     QVERIFY(document::animationFacts(*entry.file.entries[0].fractal));
     prepare(path("not there"));
     QVERIFY2(m_dialog->message().contains(QStringLiteral("not there")), qPrintable(m_dialog->message()));
+}
+
+void AnimationExportDialogTest::theHeadingOfAJobFolderIsTheName() {
+    document::Fractal named = wind();
+    named.name = QStringLiteral("*wind* <b>&amp;\n# \\[a](b)_1\u202e");
+    open(named);
+    prepare(m_folder->path());
+    const QStringList jobs = QDir(m_folder->path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    QCOMPARE(jobs.size(), 1);
+    QTextDocument readme;
+    readme.setMarkdown(QString::fromUtf8(contents(path(jobs[0] + QStringLiteral("/README.md")))));
+    QCOMPARE(readme.firstBlock().text(),
+             QStringLiteral("*wind* <b>&amp;\uFFFD# \\[a](b)_1\uFFFD on a cluster"));
 }
 
 void AnimationExportDialogTest::slurmIsAskedForTheState_data() {
