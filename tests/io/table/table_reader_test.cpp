@@ -105,7 +105,6 @@ private slots:
         row("radians", "r s theta phi e f\n.5 .5 pi/2 -π/2 .5 0", "0 0.5 0.5 0 0.5 0 -");
         row("a weight before the angles", "p r s theta phi e f\n.75 2 2 180° asin(1)*2 1 2",
             "-2 0 0 -2 1 2 0.75");
-        row("a missing weight before the angles", "r s p theta phi e f\n2 2 180° 180 1 2", "-2 0 0 -2 1 2 -");
         row("expressions elsewhere", "r s theta phi e f\n180°/pi 3 0 0 cos(60°) 2*sin(pi/6)",
             "1 0 0 3 0.5 1 -");
         row("count and matrices", "1\n.75\n.5 0 1\n.25 -.5 2\n0 0 1\n", weighted);
@@ -248,6 +247,16 @@ private slots:
         const double root = std::sqrt(3.0) / 2;
         QVERIFY(std::abs(m(0, 0) - root) < 1e-15 && std::abs(m(1, 0) - half) < 1e-15);
         QVERIFY(std::abs(m(0, 1) + 2 * root) < 1e-15 && std::abs(m(1, 1) - 1) < 1e-15);
+    }
+
+    // The weight is missing from the row, and stands before the angles in the order.
+    void anglesAreFoundBesideAMissingWeight() {
+        const auto columns = io::tableColumns(QStringLiteral("r s p theta phi e f"));
+        for (const char* text : {"2 2 180° 2*pi/2 1 2", "2 2 .5 180° 2*pi/2 1 2"}) {
+            const io::Table table = io::readTable(QString::fromUtf8(text), columns);
+            QCOMPARE(table.rows.size(), std::size_t(1));
+            QVERIFY(table.rows[0].map == ifs::affineMap(-2, 0, 0, -2, 1, 2));
+        }
     }
 
     void ordersOfColumns() {
