@@ -101,7 +101,7 @@ private slots:
 
         Fractal inSpace = fractal;
         inSpace.shape =
-            document::Shape<3>{{}, ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), {}};
+            document::Shape<3>{{}, ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})};
         QCOMPARE(document::dimension(inSpace), 3);
         QVERIFY(!document::plane(inSpace) && document::space(inSpace));
         QCOMPARE(document::system3(inSpace), &document::space(inSpace)->system);

@@ -100,7 +100,7 @@ void MapShapeEditorTest::degreesAreReadOnce() {
 
 void MapShapeEditorTest::degreesInSpace() {
     document::Fractal fractal;
-    fractal.content = document::Shape<3>{};
+    fractal.shape = document::Shape<3>{};
     ifs::append(*document::system3(fractal), ifs::AffineMap<3>{0.5 * ifs::Matrix<3>::Identity(), {0, 0, 0}},
                 1);
     m_document->setFile(document::fileOf(fractal));
