@@ -72,7 +72,8 @@ std::string helpText(const Program& program, const Command* command) {
     std::vector<std::string> groups;
     for (const Option& option : command->options)
         if (std::ranges::find(groups, option.group) == groups.end()) groups.push_back(option.group);
-    std::ranges::stable_partition(groups, [](const std::string& group) { return group != generalOptions; });
+    std::stable_partition(groups.begin(), groups.end(),
+                          [](const std::string& group) { return group != generalOptions; });
     for (const std::string& group : groups) {
         text += '\n' + group + ":\n";
         for (const Option& option : command->options)

@@ -42,6 +42,7 @@ const QStringList tables{
                    "void FractintWriterTest::editsTouchOnlyWhatChanged_data()"),
     QStringLiteral("tests/io/fractint/metadata_comments_test.cpp: "
                    "void MetadataCommentsTest::understood_data()"),
+    QStringLiteral("tests/io/table/table_reader_test.cpp: void tables_data()"),
 };
 
 QStringList sourcesIn(const QStringList& folders, const QStringList& names) {
