@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# shellcheck disable=SC1003,SC2016 # names that bash would expand elsewhere
 # slurm_test.sh BARYCAGE_CLI SCRIPTS: starts a Slurm of its own on this machine, draws an animation with the job
 # scripts in SCRIPTS, kills a node and a task midway, and compares every byte with what one process draws.
+# shellcheck disable=SC1003,SC2016 # names of files that bash would expand elsewhere
 set -euo pipefail
 cli=$(readlink -f -- "$1") scripts=$(readlink -f -- "$2")
 export BARYCAGE_CLI=$cli
