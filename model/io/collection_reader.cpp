@@ -247,7 +247,8 @@ bool isOfAnotherKind(const QByteArray& bytes) {
     constexpr int fewest = 3;
     static const std::array marks{"\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@",
                                   "=> {"};
-    const QByteArray head = bytes.left(sample);
+    QByteArray head = bytes.left(sample).toLower();
+    head.replace("(3d)", ""); // an entry in space
     if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;
     for (const QByteArray& line : head.split('\n')) {
         int numbers = 0;

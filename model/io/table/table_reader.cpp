@@ -55,9 +55,12 @@ public:
                 readRow(row);
         } else {
             startOver();
+            qsizetype words = 0; // rows of them before the first map
             for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.size() < maxProblems;
-                 row = rows(1))
+                 row = rows(1)) {
                 readRow(row.first());
+                if (m_table.rows.empty() && m_table.spaceRows.empty() && ++words > maxWords) break;
+            }
         }
         if (m_table.rows.empty() && m_table.spaceRows.empty() && m_table.problems.isEmpty())
             fail({},
@@ -70,6 +73,7 @@ public:
 
 private:
     static constexpr qsizetype maxTransposed = 12; // rows of a table that has a column for every map
+    static constexpr qsizetype maxWords = 100'000; // rows: a table begins before
     static constexpr qsizetype planeNumbers = 6;   // of a map without its weight
     static constexpr qsizetype spaceNumbers = 12;
 

@@ -480,7 +480,7 @@ void WindowFilesTest::aPipeIsNotOpened() {
     boxes.front()->close();
 }
 
-// The window lives meanwhile, and does not close; reading can be cancelled, and then all is as before.
+// The window lives meanwhile; reading can be cancelled, and then all is as before.
 void WindowFilesTest::aLargeFileIsReadBesideTheWindow() {
     MainWindow* window = opened();
     const QString large = m_folder->filePath(QStringLiteral("large.ifs"));
@@ -492,7 +492,6 @@ void WindowFilesTest::aLargeFileIsReadBesideTheWindow() {
         auto* progress = window->findChild<QProgressDialog*>();
         if (!progress) return;
         ++seen;
-        QVERIFY(!window->close());
         if (cancelling) emit progress->canceled();
     });
     looking.start(1);

@@ -15,7 +15,6 @@
 #include "support/patient_tries.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
