@@ -4886,8 +4886,8 @@
         <translation>Vor dem Attribut „%1“ fehlt ein Leerzeichen; es wird gelesen, als stünde dort eines.</translation>
     </message>
     <message>
-        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
-        <translation>Das Attribut „%1“ enthält „&amp;“, das in XML „&amp;amp;“ heißen muss; es wird gelesen, wie es dasteht.</translation>
+        <source>The attribute “%1” contains “%2”, which must be “%3” in XML; it is read as it stands.</source>
+        <translation>Das Attribut „%1“ enthält „%2“, das in XML „%3“ heißen muss; es wird gelesen, wie es dasteht.</translation>
     </message>
     <message>
         <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>

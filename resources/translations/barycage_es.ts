@@ -4886,8 +4886,8 @@
         <translation>Falta un espacio antes del atributo «%1»; se lee como si lo hubiera.</translation>
     </message>
     <message>
-        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
-        <translation>El atributo «%1» contiene «&amp;», que en XML debe ser «&amp;amp;»; se lee tal como está.</translation>
+        <source>The attribute “%1” contains “%2”, which must be “%3” in XML; it is read as it stands.</source>
+        <translation>El atributo «%1» contiene «%2», que en XML debe ser «%3»; se lee tal como está.</translation>
     </message>
     <message>
         <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>

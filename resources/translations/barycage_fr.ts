@@ -4886,8 +4886,8 @@
         <translation>Il manque une espace avant l’attribut « %1 » ; il est lu comme s’il y en avait une.</translation>
     </message>
     <message>
-        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
-        <translation>L’attribut « %1 » contient « &amp; », qui doit s’écrire « &amp;amp; » en XML ; il est lu tel quel.</translation>
+        <source>The attribute “%1” contains “%2”, which must be “%3” in XML; it is read as it stands.</source>
+        <translation>L’attribut « %1 » contient « %2 », qui doit s’écrire « %3 » en XML ; il est lu tel quel.</translation>
     </message>
     <message>
         <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>

@@ -4896,8 +4896,8 @@
         <translation>Недостасува празно место пред атрибутот „%1“; се чита како да го има.</translation>
     </message>
     <message>
-        <source>The attribute “%1” contains “&amp;”, which must be “&amp;amp;” in XML; it is read as it stands.</source>
-        <translation>Атрибутот „%1“ содржи „&amp;“, што во XML мора да биде „&amp;amp;“; се чита како што стои.</translation>
+        <source>The attribute “%1” contains “%2”, which must be “%3” in XML; it is read as it stands.</source>
+        <translation>Атрибутот „%1“ содржи „%2“, што во XML мора да биде „%3“; се чита како што стои.</translation>
     </message>
     <message>
         <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>

@@ -109,13 +109,16 @@ void JournalTest::theSameWorkIsOfferedOnce() {
 }
 
 void JournalTest::aLockThatNamesNobodyHidesNothing() {
+    const auto programName = [] {
+        return QFileInfo(QCoreApplication::applicationFilePath()).fileName().toUtf8();
+    };
     const QTemporaryDir folder;
     { QVERIFY(Journal(folder.path()).write(snapshot("a"))); }
     const QString journal = folder.filePath(journalsIn(folder.path()).front());
     QFile lock(journal + QStringLiteral(".lock"));
     // Nobody's, or that of a process which now is another one: this.
     for (const QByteArray& owner :
-         {QByteArray(), QByteArray::number(QCoreApplication::applicationPid()) + "\njournal_test\n" +
+         {QByteArray(), QByteArray::number(QCoreApplication::applicationPid()) + "\n" + programName() + "\n" +
                             QSysInfo::machineHostName().toUtf8() + "\n\n\n"}) {
         QVERIFY(lock.open(QIODevice::WriteOnly));
         QCOMPARE(lock.write(owner), owner.size());

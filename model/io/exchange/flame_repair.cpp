@@ -153,9 +153,9 @@ private:
                     at, flame);
             QString value = match.captured(4);
             if (value.contains(ampersand)) {
-                remark(Text::tr("The attribute “%1” contains “&”, which must be “&amp;” in XML; it is read "
+                remark(Text::tr("The attribute “%1” contains “%2”, which must be “%3” in XML; it is read "
                                 "as it stands.")
-                           .arg(name),
+                           .arg(name, QStringLiteral("&"), QStringLiteral("&amp;")),
                        at, flame);
                 value.replace(ampersand, QStringLiteral("&amp;"));
             }

@@ -519,7 +519,7 @@ void MainWindowTest::theMenuCopiesAsLatex() {
     };
     QVERIFY(copied(QStringLiteral("&Table of Maps")));
     const QString table = QGuiApplication::clipboard()->text();
-    QVERIFY(table.startsWith(QStringLiteral("\\begin{tabular}")));
+    QVERIFY(table.contains(QStringLiteral("\\begin{tabular}")));
     QCOMPARE(table.count(QStringLiteral("\\\\")), 5); // the head and four maps
     QVERIFY(copied(QStringLiteral("Fi&gure (TikZ)")));
     QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("\\begin{tikzpicture}")));
