@@ -51,6 +51,13 @@ take_tasks() {
   tasks=$1
 }
 
+# is_template FOLDER: Slurm replaces % and \ in the whole path of a log, those of its folder too.
+is_template() {
+  [[ $1 == *[%\\]* ]]
+}
+
+start='' # what tasks begin with
+
 # write_task TASK SCRIPT [ARGUMENT]...: the script TASK, which does in this folder what SCRIPT does with the arguments
 # of TASK and these. It is ASCII, and read in the same way in every locale.
 write_task() {
@@ -59,16 +66,27 @@ write_task() {
   {
     sed '/^[^#]/,$d' "$script" &&
       printf '[ ! -d %q ] || cd %q\n' "$PWD" "$PWD" &&
+      printf %s "$start" &&
       printf 'set -- "$@"' && printf ' %q' "$@" && printf '\n' &&
       sed -n '/^[^#]/,$p' "$script"
   } >"$task.$$" && mv -fT -- "$task.$$" "$task"
 }
 
-# submit VARIABLE FOLDER TASK OPTION...: VARIABLE becomes the number of the job. In --output, Slurm replaces % and \,
-# but not in the folder that it begins in.
+# write_job TASK SCRIPT [ARGUMENT]...: write_task for Slurm. Where the path of a log would be a template, the job writes
+# its log itself, without what Slurm has to say.
+write_job() {
+  local LC_ALL=C start=''
+  # shellcheck disable=SC2016 # the bash of the task expands it
+  ! is_template "${1%/*}" || printf -v start 'exec >>%q"%s" 2>&1\n' "${1%/*}/" \
+    'slurm-${SLURM_ARRAY_JOB_ID:-$SLURM_JOB_ID}${SLURM_ARRAY_TASK_ID:+-$SLURM_ARRAY_TASK_ID}.log'
+  write_task "$@"
+}
+
+# submit VARIABLE FOLDER TASK OPTION...: VARIABLE becomes the number of the job, which write_job has written.
 submit() {
-  local number
-  number=$(sbatch --parsable --chdir="$2" "${@:4}" "$3") || return
+  local number log=()
+  ! is_template "$2" || log=(--output=/dev/null)
+  number=$(sbatch --parsable --chdir="$2" "${@:4}" "${log[@]}" "$3") || return
   number=${number%%;*} # without the name of the cluster
   case $number in
   '' | *[!0123456789]*)

@@ -19,8 +19,8 @@ here=${here%/*}
 # shellcheck source=resources/slurm/animation-options.sh
 . "$here/animation-options.sh"
 array='' video='' # which submit sets
-write_task "$frames.draw.sh" "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "${drawing[@]}"
-write_task "$frames.encode.sh" "$here/encode.sh" "$frames" "$output" --frames "$wanted" "${rate[@]}"
+write_job "$frames.draw.sh" "$here/animate.sh" "$file" "$entry" "$frames" "$tasks" "${drawing[@]}"
+write_job "$frames.encode.sh" "$here/encode.sh" "$frames" "$output" --frames "$wanted" "${rate[@]}"
 submit array "$folder" "$frames.draw.sh" --output=slurm-%A-%a.log --array="0-$((tasks - 1))"
 if [ "$frames" = "$output" ]; then
   echo "Drawing: job $array, $tasks tasks. See them with: squeue -j $array"

@@ -32,8 +32,8 @@ if command -v "$program" >/dev/null; then
   "$program" render -o "$parts/0.sum" --entry "$entry" --part "0/$tasks" --dry-run "$@" -- "$file"
 fi
 array='' merge='' # which submit sets
-write_task "$parts/render.sh" "$here/render-part.sh" "$file" "$entry" "$parts" "$tasks" "$@"
-write_task "$parts/merge.sh" "$here/merge.sh" "$parts" "$output"
+write_job "$parts/render.sh" "$here/render-part.sh" "$file" "$entry" "$parts" "$tasks" "$@"
+write_job "$parts/merge.sh" "$here/merge.sh" "$parts" "$output"
 submit array "$parts" "$parts/render.sh" --output=slurm-%A-%a.log --array="0-$((tasks - 1))"
 submit_last merge "$array" "$parts" "$parts/merge.sh" --output=slurm-%j.log
 echo "Drawing: job $array, $tasks tasks. Picture: job $merge. See them with: squeue -j $array,$merge"

@@ -39,9 +39,10 @@ while [[ $1 == --* ]]; do
 done
 task=$1
 shift
-# log_of TASK: a backslash is dropped, and then nothing is replaced; the folder is never.
+# log_of TASK: in the whole path, a backslash is dropped, and then nothing is replaced.
 log_of() {
   local rest=$log name=
+  [[ $log == /* ]] || rest=$folder/$log
   if [[ $rest == *\\* ]]; then
     name=${rest//\\/}
   else
@@ -61,8 +62,7 @@ log_of() {
       fi
     done
   fi
-  if [[ $log == /* ]]; then echo "$name" >"$LOG.name"; else echo "$folder/$name" >"$LOG.name"; fi
-  log_path=$(<"$LOG.name")
+  log_path=$name
 }
 numbers=0
 [ -z "$array" ] || numbers=$(seq 0 "$array")

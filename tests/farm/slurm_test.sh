@@ -196,7 +196,7 @@ for name in '%n # %A' $'two  words\n' '##.%%_%j\'; do
   say "names such as $(printf %q "$name")"
   mkdir "$folder/drawn/$name"
   cd "$folder/drawn/$name"
-  entry='%n#$(x)\'
+  entry='%n#$x\'
   E=$entry awk 'NR == 1 { print ENVIRON["E"] " {"; next } { print }' ../wind.ifs >"$name"
   "$scripts/submit-animation.sh" "./$name" "$entry" "./$name.mkv" 2 "${small[@]}"
   "$scripts/submit-picture.sh" "./$name" "$entry" "./$name.png" 2 "${small[@]}"

@@ -369,7 +369,7 @@ void CliMannersTest::severalPicturesInOneCall() {
 void CliMannersTest::foldersAreNoPatterns() {
     const QString folder = path("%n-%e-%f-%i-%%");
     QVERIFY(QDir().mkpath(folder));
-    const QByteArray render = "render systems.ifs --size 9x9 --points 100 -q -o %n-%e-%f-%i-%%/";
+    const QByteArray render = "render systems.ifs --size 9x9 -q -o %n-%e-%f-%i-%%/";
     QCOMPARE(run(render + "one.png").status, 0);
     QCOMPARE(run(render + "%n-100%%.png --entry all").status, 0);
     QCOMPARE(run(render + "step-%i.png --algorithm deterministic --iterations 0-1").status, 0);
