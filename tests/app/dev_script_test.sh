@@ -186,8 +186,8 @@ fake farm <<<'echo "farm $*" >>"$LOG"'
 mv "$work/bin/farm" "$work/project/tests/farm/slurm_test.sh"
 for folder in ifs attractor document io; do
   mkdir -p "$work/project/build/release/tests/$folder"
-  fake some_test </dev/null
-  cp "$work/bin/some_test" "$work/project/build/release/tests/$folder"
+  fake some_tests <<<'[ "$1" != --list ] || echo some_test'
+  cp "$work/bin/some_tests" "$work/project/build/release/tests/$folder"
 done
 mkdir -p "$work/project/build/"{coverage,fuzz/tests/fuzz}
 for program in fuzz_readers fuzz_guided; do
