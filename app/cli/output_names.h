@@ -5,8 +5,9 @@
 
 #include <optional>
 
-// The output of a command that writes several files: in its last part, the name of the file, %e is the name of
-// the entry, %n its number, %f the name of its file without folder and suffix, %i the number of iterations, and
+// The output of a command that writes several files: in its last part, the name of the file, %e is the name
+// of the entry, %n its number, %f the name of its file without folder and suffix, %i the number of
+// iterations, and
 // %% a per cent sign. In the names of folders, % is a letter.
 namespace cli {
 

@@ -213,8 +213,8 @@ private:
         const auto part = partOfPicture(picture, m_arguments);
         if (m_arguments.dryRun) return ExitStatus::Done;
         const auto outcome = io::exportSums(
-            part, task.output,
-            [&](double fraction) { m_bar.show((before + fraction) / all); }, m_interrupt.token());
+            part, task.output, [&](double fraction) { m_bar.show((before + fraction) / all); },
+            m_interrupt.token());
         return finish(outcome, task);
     }
 

@@ -121,6 +121,10 @@ BARYCAGE_HANGS(realpath, char*, (const char* path, char* into), noexcept, (path,
 BARYCAGE_HANGS(opendir, DIR*, (const char* path), , (path), path)
 BARYCAGE_HANGS(read, ssize_t, (int file, void* into, size_t size), , (file, into, size), file)
 BARYCAGE_HANGS(write, ssize_t, (int file, const void* from, size_t size), , (file, from, size), file)
+BARYCAGE_HANGS(pwrite, ssize_t, (int file, const void* from, size_t size, off_t at), , (file, from, size, at),
+               file)
+BARYCAGE_HANGS(pwrite64, ssize_t, (int file, const void* from, size_t size, off64_t at), ,
+               (file, from, size, at), file)
 BARYCAGE_HANGS(fsync, int, (int file), , (file), file)
 BARYCAGE_HANGS(fdatasync, int, (int file), , (file), file)
 

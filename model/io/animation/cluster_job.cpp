@@ -66,7 +66,8 @@ QByteArray readmeText(const ClusterJob& job) {
                "* `entry.ifs`: the animation\n"
                "* `submit.sh`: size, frames and quality; it calls `submit-animation.sh`\n"
                "* `animate.sh`, `encode.sh`: what Slurm runs\n")
-        .arg(literal(job.animation.entry.name), frames, size, QLatin1String(BARYCAGE_VERSION), outputName(job))
+        .arg(literal(job.animation.entry.name), frames, size, QLatin1String(BARYCAGE_VERSION),
+             outputName(job))
         .toUtf8();
 }
 

@@ -4,8 +4,8 @@
 #include "app/gui/window_fixture.h"
 #include "io/lesson/lesson_writer.h"
 #include "panels/lesson/lesson_notebook.h"
-#include "support/named_test.h"
 #include "sudden_end.h"
+#include "support/named_test.h"
 
 #include <QDir>
 #include <QSessionManager>
