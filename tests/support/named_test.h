@@ -12,13 +12,13 @@
 #include <type_traits>
 
 /// @file
-/// A program of tests holds the test classes of many files, and runs one of them in a process: that whose file its
-/// first argument names. `io_tests number_test decimals -v2` runs one function of `number_test.cpp`.
+/// A program of tests holds the test classes of many files, and runs one of them in a process: that whose
+/// file its first argument names. `io_tests number_test decimals -v2` runs one function of `number_test.cpp`.
 
 namespace support {
 
-/// What a program does when its first argument is the name of a file of tests, without the folder and `.cpp`. The
-/// program's other arguments follow the name, which stands where main() has the name of the program.
+/// What a program does when its first argument is the name of a file of tests, without the folder and `.cpp`.
+/// The program's other arguments follow the name, which stands where main() has the name of the program.
 class NamedTest {
 public:
     using Run = int (*)(int argc, char** argv);
@@ -43,5 +43,4 @@ template <class Test, class Application = NoApplication> int runTest(int argc, c
 } // namespace support
 
 /// BARYCAGE_TEST(Class) or BARYCAGE_TEST(Class, Application): in place of QTEST_APPLESS_MAIN and its kin.
-#define BARYCAGE_TEST(...) \
-    static const support::NamedTest namedTest(__FILE__, support::runTest<__VA_ARGS__>)
+#define BARYCAGE_TEST(...) static const support::NamedTest namedTest(__FILE__, support::runTest<__VA_ARGS__>)
