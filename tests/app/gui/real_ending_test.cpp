@@ -198,16 +198,6 @@ private slots:
         QVERIFY(!before.isEmpty());
         QCOMPARE(m_program->journal(), before);
     }
-    void theWindowIsClosedWhileTheHomeFolderIsDead() {
-        m_program->start({m_program->put(u"a.ifs"_s)}, m_program->home());
-        QTRY_VERIFY_WITH_TIMEOUT(m_hand->activeTitle().contains(u"a.ifs"_s), bound);
-        m_program->hang();
-        m_hand->key("Control+q");
-        QTRY_VERIFY_WITH_TIMEOUT(!m_program->met().isEmpty(), bound);
-        std::optional<int> status = m_program->end();
-        if (!status) status = m_program->end(); // it is given a while to store its settings
-        QCOMPARE(status, std::optional(0));
-    }
     void aSecondSignalEndsAtOnce() {
         m_program->start({m_program->put(u"a.ifs"_s)}, m_program->home());
         editTwice();
