@@ -3,6 +3,7 @@
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
+#include "support/thorough.h"
 #include "support/x_input.h"
 
 #include <QApplication>
@@ -113,6 +114,9 @@ class RealEndingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() {
+        if (!support::isThorough()) QSKIP("Not reliable on a busy machine: BARYCAGE_ALL");
+    }
     void initTestCase() {
         if (const QString obstacle = support::XInput::obstacle(); !obstacle.isEmpty())
             QSKIP(qPrintable(obstacle));
