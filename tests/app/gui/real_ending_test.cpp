@@ -116,8 +116,6 @@ class RealEndingTest : public QObject {
 private slots:
     void initTestCase() {
         if (!support::isThorough()) QSKIP("Not reliable on a busy machine: BARYCAGE_ALL");
-    }
-    void initTestCase() {
         if (const QString obstacle = support::XInput::obstacle(); !obstacle.isEmpty())
             QSKIP(qPrintable(obstacle));
     }
