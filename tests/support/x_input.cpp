@@ -97,10 +97,14 @@ XInput::~XInput() {
     settle();
 }
 
-QString XInput::activeTitle() const {
+unsigned long XInput::activeWindow() const {
     XSetErrorHandler(forgive);
     const QList<Window> active = windowsIn(m_connection->display, "_NET_ACTIVE_WINDOW");
-    return active.isEmpty() ? QString() : titleOf(m_connection->display, active.first());
+    return active.isEmpty() ? 0 : active.first();
+}
+
+QString XInput::activeTitle() const {
+    return titleOf(m_connection->display, activeWindow());
 }
 
 bool XInput::activate(const QString& title) {

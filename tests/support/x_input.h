@@ -41,7 +41,8 @@ public:
     void type(const QString& text); // of the Latin alphabet, as on an English keyboard
 
     // Windows of all programs, by what their titles contain.
-    QString activeTitle() const; // of the one that has the keyboard; empty: none
+    unsigned long activeWindow() const; // 0: none
+    QString activeTitle() const;        // of the one that has the keyboard; empty: none
     bool activate(const QString& title);
 
     void settle() const;

@@ -24,6 +24,7 @@
 #include "support/named_test.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -163,7 +164,8 @@ private slots:
         QVERIFY(::pipe(pipe.data()) == 0 && ::fcntl(pipe[1], F_SETFL, O_NONBLOCK) == 0);
         QByteArray read;
         std::thread reader([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            for (pollfd end{pipe[1], POLLOUT, 0}; ::poll(&end, 1, 0) == 1;) // until it is full
+                std::this_thread::yield();
             std::array<char, 4096> piece{};
             for (ssize_t size = 1; size > 0; read.append(piece.data(), qsizetype(size)))
                 size = std::max<ssize_t>(0, ::read(pipe[0], piece.data(), piece.size()));
